@@ -115,7 +115,7 @@ _HOMES = {
         "DerivationError",
     ),
     # what systems and equations ask for, though it stands above them
-    "codegen.emit": ("emit_library",),
+    "codegen.emit": ("emit_library", "emit_many_points"),
     "codegen.python_file": ("emit_python",),
     "document.equation_table": ("equation_html", "equation_latex", "equation_lines"),
 }

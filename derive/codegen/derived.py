@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from enum import Enum
 
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.codegen.kernels import flow_kernels, orbit_kernels, spectrum_kernel
+from nonsmooth.derive.codegen.kernels import (
+    flow_kernels,
+    orbit_kernels,
+    spectrum_kernel,
+    start_kernel,
+)
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
@@ -23,22 +29,41 @@ __all__ = [
     "MOST_STATES",
     "DerivedSystem",
     "Underived",
+    "Use",
     "derive_system",
     "reduced_names",
 ]
 
 # beyond, an orbit's formulas are no longer worth their length: it is composed at run time
 MOST_PHASES = 6
-# states of all phases together, beyond which deriving takes longer than a first answer should
+# states of all phases together, beyond which deriving and compiling takes longer than an answer
+# should: 12 states take 2 to 9 seconds, 24 take 15
 MOST_STATES = 12
+
+
+class Use(Enum):
+    """What kernels of orbits are for: it decides which orbits get them."""
+
+    ANYTHING = "whatever has closed forms, however long they are"
+    MANY_POINTS = "orbits of moderate length, to be compiled and solved at many points"
+    FIRST_ANSWER = "of these the undamped and unforced, whose kernels NumPy evaluates at once"
 
 
 @dataclass(frozen=True)
 class Underived:
-    """An orbit of which the equations have no closed form, and why."""
+    """An orbit without kernels, and why.
+
+    Attributes
+    ----------
+    itinerary : Itinerary
+    reason : str
+    many : bool
+        Whether kernels for many points may be derived of it.
+    """
 
     itinerary: Itinerary
     reason: str
+    many: bool = False
 
 
 @dataclass(frozen=True)
@@ -81,7 +106,7 @@ def derive_system(
     orbits: Sequence[Itinerary],
     progress: Callable[[str], None] = lambda step: None,
     *,
-    brief: bool = False,
+    use: Use = Use.ANYTHING,
 ) -> DerivedSystem:
     """Derive a system and its orbits, each as far as it has a closed form.
 
@@ -91,9 +116,8 @@ def derive_system(
     orbits : sequence of Itinerary
     progress : callable
         Told the name of each step when it begins.
-    brief : bool
-        Leave orbits to be composed at run time whose formulas are long, or whose motions are
-        damped or forced.
+    use : Use
+        Orbits that have no kernels for it are left to be composed at run time.
 
     Raises
     ------
@@ -114,13 +138,16 @@ def derive_system(
     functions = [python_kernel(kernel, orbit) for kernel, orbit in kernels]
     found: list[EquationSystem | Underived] = []
     for orbit in orbits:
-        reason = _obstacle(form, orbit)
-        if reason is None and brief:
-            reason = _reason_to_compose(form, orbit)
+        reason, many = _obstacle(form, orbit), False
+        if reason is None and use is not Use.ANYTHING:
+            reason = _too_long(orbit)
+        if reason is None and use is Use.FIRST_ANSWER:
+            reason = _damped_or_forced(form, orbit)
+            many = reason is not None and _composable(orbit)
         if reason is not None:
             if orbit.vanishing:
                 raise DerivationError(reason)
-            found.append(Underived(orbit, reason))
+            found.append(Underived(orbit, reason, many))
             continue
         progress(f"{name}/{orbit.name}: equations")
         try:
@@ -133,22 +160,30 @@ def derive_system(
                 raise
             found.append(Underived(orbit, " ".join(str(problem).split())))
             continue
+        if use is Use.MANY_POINTS:
+            start = start_kernel(equations)
+            own, sources = [*own, (start, orbit.name)], [*sources, python_kernel(start, orbit.name)]
         found.append(equations)
         kernels += own
         functions += sources
     return DerivedSystem(form, tuple(found), tuple(kernels), tuple(functions))
 
 
-def _reason_to_compose(form: SimulationForm, orbit: Itinerary) -> str | None:
-    """Why a first answer comes sooner without kernels of an orbit."""
+def _too_long(orbit: Itinerary) -> str | None:
+    """Why an answer comes sooner without kernels of an orbit."""
     states = len(orbit.phases) * len(orbit.system.states)
-    if states > MOST_STATES and _composable(orbit):
-        long = f"its formulas are long ({len(orbit.phases)} phases, {states} states)"
-        return f"{long}: `nonsmooth generate` derives them"
+    if states <= MOST_STATES or not _composable(orbit):
+        return None
+    long = f"its formulas are long ({len(orbit.phases)} phases, {states} states)"
+    return f"{long}: `nonsmooth generate` derives them"
+
+
+def _damped_or_forced(form: SimulationForm, orbit: Itinerary) -> str | None:
+    """Why a first answer comes sooner without kernels, which are slow before they are compiled."""
     flows = {} if form.flows is None or orbit.vanishing else form.flows
     for name in dict.fromkeys(phase.configuration for phase in orbit.phases):
         if name in flows and frequencies_of(flows[name]) is None:
-            return f"{name!r} is damped or forced: `nonsmooth generate` derives its kernels"
+            return f"{name!r} is damped or forced: compiled kernels of its own solve many points"
     return None
 
 

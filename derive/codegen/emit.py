@@ -13,7 +13,7 @@ import sympy as sp
 
 from nonsmooth.derive.codegen.admissibility import admissible_prototype, admissible_source
 from nonsmooth.derive.codegen.c import c_kernel, c_prototype
-from nonsmooth.derive.codegen.derived import DerivedSystem, derive_system
+from nonsmooth.derive.codegen.derived import DerivedSystem, Use, derive_system
 from nonsmooth.derive.codegen.gufunc import (
     Wrapped,
     extension_source,
@@ -31,7 +31,7 @@ from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["EmittedSystem", "emit_library", "emit_package", "emit_system"]
+__all__ = ["EmittedSystem", "emit_library", "emit_many_points", "emit_package", "emit_system"]
 
 SUPPORT = "support.h"
 HEADERS = (SUPPORT, "interrupt.h")  # as they are in this folder
@@ -88,12 +88,35 @@ def emit_library(system: System, orbits: Sequence[Itinerary], source: str) -> di
     source : str
         What declares them, for the stamp.
     """
-    derived = derive_system(system, orbits, brief=True)
+    return _emit_compiled(derive_system(system, orbits, use=Use.FIRST_ANSWER), source)
+
+
+def emit_many_points(system: System, orbits: Sequence[Itinerary], source: str) -> dict[str, str]:
+    """Give what compiles to kernels that solve orbits at many points, and the same as Python.
+
+    Orbits among them that have none say so in the tables.
+
+    Parameters
+    ----------
+    system : System
+    orbits : sequence of Itinerary
+    source : str
+        What declares them, for the stamp.
+    """
+    return _emit_compiled(derive_system(system, orbits, use=Use.MANY_POINTS), source)
+
+
+def _emit_compiled(derived: DerivedSystem, source: str) -> dict[str, str]:
+    """The files of an extension with the Python that it compiles; no documents."""
+    name, tables = derived.system.name, system_tables(derived)
     functions = _c_functions(derived)
-    derivation = text_hash(system_tables(derived), *derived.functions)
+    derivation = text_hash(tables, *derived.functions)
     stamp = Stamp(source, derivation, GENERATE)
-    files = _c_files(stamp, system.name, functions)
-    emitted = EmittedSystem(system.name, source, derivation, files, _wrapped(functions), {})
+    files = {
+        module_file(name, ".py"): python_file(stamp, name, tables, derived.functions),
+        **_c_files(stamp, name, functions),
+    }
+    emitted = EmittedSystem(name, source, derivation, files, _wrapped(functions), {})
     return emit_package([emitted], GENERATE)
 
 

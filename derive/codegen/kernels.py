@@ -21,7 +21,13 @@ from nonsmooth.derive.equations.reduction import Reduction
 from nonsmooth.derive.equations.saltation import monodromy, saltation_matrices
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 
-__all__ = ["flow_kernels", "orbit_kernels", "reduced_equations", "spectrum_kernel"]
+__all__ = [
+    "flow_kernels",
+    "orbit_kernels",
+    "reduced_equations",
+    "spectrum_kernel",
+    "start_kernel",
+]
 
 
 def spectrum_kernel(spectrum: Spectrum) -> Kernel:
@@ -210,6 +216,18 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
     flows = {link.flow.configuration: link.flow for link in orbit.chain.links}
     kernels += flow_kernels(orbit.system, orbit.spectrum, flows, orbit.parameters)
     return (*kernels, *_reduced_kernels(orbit, parameters, spectrum))
+
+
+def start_kernel(orbit: EquationSystem) -> Kernel:
+    """Where an orbit starts, with what the section fixes."""
+    point = (
+        _vector("parameters", orbit.parameters),
+        _vector("spectrum", orbit.spectrum.symbols),
+        _vector("unknowns", orbit.unknowns),
+    )
+    start = list(orbit.chain.links[0].before)
+    stages = prune(orbit.chain.stages, start)
+    return Kernel("start", "State at the start.", point, (_flat("start", start),), stages)
 
 
 def _reduced_kernels(

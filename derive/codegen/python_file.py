@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from nonsmooth.derive.codegen.derived import derive_system
+from nonsmooth.derive.codegen.derived import Use, derive_system
 from nonsmooth.derive.codegen.tables import system_tables
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
@@ -21,7 +21,8 @@ GENERATE = "nonsmooth generate FILE.py"  # what makes the files of a declaration
 def emit_python(system: System, orbits: Sequence[Itinerary], source: str) -> str:
     """Derive a system and give its Python file alone, for a first result at once.
 
-    Orbits of long formulas that can be composed at run time are left to that.
+    Orbits that can be composed at run time are left to that where their formulas are long, or
+    slow before they are compiled.
 
     Parameters
     ----------
@@ -30,7 +31,7 @@ def emit_python(system: System, orbits: Sequence[Itinerary], source: str) -> str
     source : str
         What declares them, for the stamp.
     """
-    derived = derive_system(system, orbits, brief=True)
+    derived = derive_system(system, orbits, use=Use.FIRST_ANSWER)
     tables = system_tables(derived)
     stamp = Stamp(source, text_hash(tables, *derived.functions), GENERATE)
     return python_file(stamp, system.name, tables, derived.functions)

@@ -19,7 +19,10 @@ __all__ = ["composed_table", "orbit_table", "system_table", "system_tables"]
 
 
 def system_tables(derived: DerivedSystem) -> str:
-    """Python source of the tables SYSTEM, ORBITS and KERNELS (core shapes in and out)."""
+    """Python source of the tables SYSTEM, ORBITS and KERNELS (core shapes in and out).
+
+    MANY_POINTS names the orbits of which kernels for many points may be derived, if any.
+    """
     shapes = {
         python_function(k.name, orbit): (
             [a.shape for a in k.arguments],
@@ -34,9 +37,11 @@ def system_tables(derived: DerivedSystem) -> str:
         else orbit_table(orbit)
         for orbit in derived.orbits
     }
+    many = [orbit.itinerary.name for orbit in derived.underived if orbit.many]
+    told: list[tuple[str, Any]] = [("SYSTEM", table), ("ORBITS", orbit_tables), ("KERNELS", shapes)]
+    told += [("MANY_POINTS", many)] if many else []
     return "\n\n".join(
-        f"{name} = {pformat(value, width=96, sort_dicts=False)}"
-        for name, value in (("SYSTEM", table), ("ORBITS", orbit_tables), ("KERNELS", shapes))
+        f"{name} = {pformat(value, width=96, sort_dicts=False)}" for name, value in told
     )
 
 

@@ -162,7 +162,7 @@ class System:
         return source
 
     def library(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
-        """Derive the same as `source` as the files of an extension in C.
+        """Derive the same as `source` as the files of an extension in C, and as `source` gives it.
 
         Parameters
         ----------
@@ -174,6 +174,23 @@ class System:
         dict of file name to text
         """
         emit = registered("emit_library")
+        files: dict[str, str] = emit(self, orbits, f"the declaration of {self.name}")
+        return files
+
+    def many_points(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
+        """Derive what solves orbits at many points, damped and forced ones too.
+
+        Parameters
+        ----------
+        orbits : sequence of Itinerary
+            Orbits of the system.
+
+        Returns
+        -------
+        dict of file name to text
+            Of an extension in C, and a Python module of the same kernels.
+        """
+        emit = registered("emit_many_points")
         files: dict[str, str] = emit(self, orbits, f"the declaration of {self.name}")
         return files
 

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 import typer
 from typer.core import TyperGroup
 
-from nonsmooth.runtime.cli.keeping import interrupted, same_command, say
+from nonsmooth.runtime.cli.keeping import heed_interrupts, interrupted, same_command, say
 from nonsmooth.runtime.cli.options import PICTURES
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError, one_line
 
@@ -131,6 +131,8 @@ def answering(command: Callable[..., int]) -> Callable[..., None]:
             if _is_unread(problem):
                 raise
             code = fail(problem, as_json=options["as_json"], debug=debug)
+        finally:
+            heed_interrupts()
         raise typer.Exit(code)
 
     signature = inspect.signature(command, eval_str=True)

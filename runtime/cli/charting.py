@@ -87,7 +87,7 @@ def chart(
     as_json: AsJson = False,
 ) -> int:
     """Chart the parameter plane: where an orbit is a motion, which limit fails first."""
-    from nonsmooth.runtime.cli.display import counted
+    from nonsmooth.runtime.cli.display import counted, steps
     from nonsmooth.runtime.explore.charting.chart import (
         begun_problem,
         chart_problem,
@@ -124,10 +124,11 @@ def chart(
     if simulate and not start:
         raise missing_start(name)
     begin = assignments("state", split(start)) if start else None
-    if begun:
-        problem, axes = begun_problem(out)
-    else:
-        problem, axes = chart_problem(name, given, simulate, begin, transitions or TRANSITIONS)
+    with steps(f"preparing {name}"):  # kernels that are compiled first take seconds
+        if begun:
+            problem, axes = begun_problem(out)
+        else:
+            problem, axes = chart_problem(name, given, simulate, begin, transitions or TRANSITIONS)
     points = math.prod(axis.count for axis in axes)
     check_hours(f"{points} points", points * problem.seconds, yes=yes)
     done = 0, 0

@@ -25,6 +25,7 @@ __all__ = [
     "INTERRUPTED",
     "Overwrite",
     "check_new",
+    "heed_interrupts",
     "interrupted",
     "kept_of",
     "same_command",
@@ -74,7 +75,8 @@ def check_new(
 def worked(work: Callable[[], Any]) -> tuple[Any, bool]:
     """What a work finds, and whether it was interrupted: then what it had found until then.
 
-    From then on Ctrl-C is left out of account: what was found is kept first.
+    From then on Ctrl-C is left out of account: what was found is kept first. Work that follows
+    heeds it again.
 
     Parameters
     ----------
@@ -86,12 +88,29 @@ def worked(work: Callable[[], Any]) -> tuple[Any, bool]:
     tuple of (object, bool)
         The result, and whether it is a partial one.
     """
+    heed_interrupts()
     try:
         return work(), False
     except Interrupted as stopped:
-        if threading.current_thread() is threading.main_thread():
-            signal.signal(signal.SIGINT, signal.SIG_IGN)
         return stopped.partial, True
+    finally:
+        _exchange(signal.default_int_handler, _keep_first)
+
+
+def heed_interrupts() -> None:
+    """Let Ctrl-C end what follows, if it is left out of account."""
+    _exchange(_keep_first, signal.default_int_handler)
+
+
+def _keep_first(number: int, frame: object) -> None:
+    """What was found is being kept: that takes no long time."""
+
+
+def _exchange(before: object, after: Any) -> None:
+    """Put one way to take Ctrl-C in place of another, if that is in force."""
+    main = threading.current_thread() is threading.main_thread()
+    if main and signal.getsignal(signal.SIGINT) is before:
+        signal.signal(signal.SIGINT, after)
 
 
 def interrupted(kept: str, command: str) -> int:

@@ -31,9 +31,11 @@ from nonsmooth.runtime.model.loading.load import (
     Loaded,
     library_of,
     load_declared,
+    load_many_points,
     load_named,
     load_path,
     located,
+    many_points_key,
     orbits_of,
 )
 
@@ -46,6 +48,8 @@ __all__ = [
     "compiled_for",
     "is_saved",
     "kernels_of",
+    "kernels_of_many",
+    "key_of_many",
     "known_system",
     "load_orbit",
     "load_system",
@@ -241,6 +245,48 @@ def compiled_for(kernels: OrbitKernels, seconds: float, *, at_once: bool = False
     everything = math.inf if chosen == "c" else seconds
     found = library.wanted(everything, at_once=at_once)
     return kernels if found is None else replace(kernels, system=replace(system, compiled=found))
+
+
+def key_of_many(orbit: OrbitKernels) -> str | None:
+    """What the compiled kernels of `kernels_of_many` are kept under, which finds them again.
+
+    Parameters
+    ----------
+    orbit : OrbitKernels
+
+    Returns
+    -------
+    str or None
+        None where there are none.
+    """
+    return many_points_key(orbit.system.module)
+
+
+def kernels_of_many(orbit: OrbitKernels, key: str | None = None) -> OrbitKernels | None:
+    """Compiled kernels of the own equations of an orbit that is composed, for many points.
+
+    The first time it waits until they are derived and compiled: which way an orbit is solved
+    is a matter of its declaration and of the machine, never of time.
+
+    Parameters
+    ----------
+    orbit : OrbitKernels
+    key : str, optional
+        What they are kept under, for an orbit whose declaration is not at hand.
+
+    Returns
+    -------
+    OrbitKernels or None
+        None where it has kernels anyway, where its formulas are long, and without a compiler.
+    """
+    if orbit.derived or orbit.saved is not None or _chosen() == "numpy":
+        return None
+    system = orbit.system
+    found = load_many_points(Loaded(system.name, system.module), orbit.orbit, key)
+    if found is None or not found.module.ORBITS[orbit.orbit]["derived"]:
+        return None
+    own = _orbit(SystemKernels(found.name, found.module, found.compiled), orbit.orbit)
+    return own if own.solver is not None and own.admissible is not None else None
 
 
 def uncompiled(kernels: OrbitKernels) -> OrbitKernels:

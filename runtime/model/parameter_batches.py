@@ -22,7 +22,7 @@ from nonsmooth.runtime.model.parameters import (
     value_of,
 )
 
-__all__ = ["Batch", "complete_arrays", "complete_batch", "parameter_points"]
+__all__ = ["Batch", "complete_arrays", "complete_batch", "parameter_array", "parameter_points"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,6 +153,20 @@ def complete_arrays(kernels: OrbitKernels, given: Mapping[str, Any]) -> dict[str
         return batch.complete(found)
     except ValueError as error:
         raise InputError(f"the parameter arrays do not broadcast: {error}") from None
+
+
+def parameter_array(given: Any) -> np.ndarray:
+    """Values of a parameter at many points, or the one that they share.
+
+    Parameters
+    ----------
+    given : array, number, text or Value
+
+    Returns
+    -------
+    array of float
+    """
+    return np.asarray(float(as_value(given)) if isinstance(given, str | Value) else given, float)
 
 
 def parameter_points(

@@ -11,7 +11,9 @@
 `stability`              Poincare map, multipliers and the trace criterion
 `admissible`             whether a solution of the equations is a motion of the real system
 `motion`                 the state at any time of an orbit, from the closed-form flows
+`declared_kernels`       compiled kernels that stand in for a composed orbit's tables
 `declared_many`          declared orbits without kernels at many parameter points
+`declared_points`        such an orbit at the points of a chart, by compiled kernels
 `declared_solve`         a declared orbit without kernels at one parameter point
 `kernel_equations`       they, by kernels
 `kernel_many`            many orbits by their kernels: compiled, or on NumPy

@@ -1,4 +1,4 @@
-"""Declared orbits without kernels at many parameter points."""
+"""Declared orbits that are composed, at many parameter points: by compiled kernels or by tables."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import piecewise_at
-from nonsmooth.runtime.orbits.declared_solve import solve_declared, unknowns_of
+from nonsmooth.runtime.orbits.declared_kernels import declared_kernels
+from nonsmooth.runtime.orbits.declared_solve import solve_declared
+from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
-from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape, numbers_in, shoot
 
 __all__ = ["solve_declared_many", "with_admissibility"]
@@ -27,10 +28,15 @@ def solve_declared_many(
     kernels: OrbitKernels,
     parameters: Mapping[str, Any],
     *,
-    admissibility: bool = True,
-    threads: int | None = None,
+    admissibility: bool,
+    threads: int | None,
+    chunk: int,
 ) -> Orbits:
-    """Compose an orbit at many points, each from the reference orbit.
+    """Find a composed orbit at many points, each from the reference orbit.
+
+    Compiled kernels of its own equations do it where they can be had. The tables of its system
+    do where they cannot; and where, with dwell times among what is searched for, the kernels
+    find no motion.
 
     Parameters
     ----------
@@ -39,8 +45,10 @@ def solve_declared_many(
     parameters : mapping of str to array
         Absent ones take the reference point's values.
     admissibility : bool
-        Decided point by point in Python, about a millisecond for each.
-    threads : int, optional
+        By tables it is decided point by point in Python, about a millisecond for each.
+    threads : int or None
+    chunk : int
+        Points that the kernels solve at a time.
 
     Returns
     -------
@@ -62,27 +70,66 @@ def solve_declared_many(
         raise InputError(
             f"{kernels.name} is declared by a part and a symmetry, which one point at a time knows"
         )
-    known = solve_declared(kernels, {})
     values = {**reference["parameters"], **parameters}
-    phases = [(configuration, boundary) for configuration, boundary, _ in kernels.table["phases"]]
-    found = solve_itineraries(
-        kernels.system,
-        phases,
+    own = declared_kernels(kernels)
+    known = solve_declared(kernels, {}) if own is None else own.reference
+    options: Any = {"admissibility": admissibility, "threads": threads}
+    if own is None:
+        return _by_tables(known, values, **options)
+    if own.alone:
+        return own.solve(values, chunk=chunk, **options)
+    found = own.solve(values, admissibility=True, threads=threads, chunk=chunk)
+    assert found.admissible is not None
+    rest = ~found.admissible
+    if rest.any():
+        given = found.parameters.items()
+        part = {name: np.broadcast_to(array, rest.shape)[rest] for name, array in given}
+        found = _filled(found, rest, _by_tables(known, part, **options))
+    return found if admissibility else replace(found, admissible=None, bounds=None)
+
+
+def _by_tables(
+    known: Orbit, values: Mapping[str, Any], *, admissibility: bool, threads: int | None
+) -> Orbits:
+    """Compose an orbit at many points from the reference orbit, under its names."""
+    composed = solve_itineraries(
+        known.problem.system,
+        known.itinerary,
         values,
         known.dwell_times,
         known.states[0],
         threads=threads,
     )
-    names = unknowns_of(kernels)
-    problem = found.problem
-    assert isinstance(problem, TableProblem)
-    found = replace(
-        found,
-        problem=replace(problem, label=kernels.name, names=names),
-        parameters={name: np.asarray(value, dtype=float) for name, value in parameters.items()},
-        unknowns=dict(zip(names, found.unknowns.values(), strict=True)),
-    )
+    names = known.problem.unknown_names
+    unknowns = dict(zip(names, composed.unknowns.values(), strict=True))
+    found = replace(composed, problem=known.problem, unknowns=unknowns)
     return with_admissibility(values, found) if admissibility else found
+
+
+def _filled(found: Orbits, rest: np.ndarray, others: Orbits) -> Orbits:
+    """Put other orbits in place at some points (...)."""
+
+    def filled(array: np.ndarray, values: np.ndarray) -> np.ndarray:
+        both = np.array(array)
+        both[rest] = values
+        return both
+
+    assert found.starts is not None
+    assert others.starts is not None
+    allowed = found.admissible
+    if allowed is not None and others.admissible is not None:
+        allowed = filled(allowed, others.admissible)
+    return replace(
+        found,
+        unknowns={name: filled(row, others.unknowns[name]) for name, row in found.unknowns.items()},
+        trace=filled(found.trace, others.trace),
+        period=filled(found.period, others.period),
+        residual=filled(found.residual, others.residual),
+        iterations=filled(found.iterations, others.iterations),
+        status=filled(found.status, others.status),
+        admissible=allowed,
+        starts=filled(found.starts, others.starts),
+    )
 
 
 def with_admissibility(values: Mapping[str, Any], found: Orbits) -> Orbits:

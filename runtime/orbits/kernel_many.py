@@ -361,8 +361,13 @@ def _predictor(kernels: OrbitKernels) -> _Predictor:
     reduced = np.array([reference.unknowns[name] for name in kernels.reduced])
     slopes = np.array([[s[name] for name in kernels.reduced] for s in sensitivities])
     factors = np.array([1.0, 0.6, 1.5, 0.3, 2.2])
-    if len(reduced) == 1:  # a stiff stop is touched for ever shorter times
+    if len(reduced) == 1 and kernels.reduced[0] in kernels.timed:
+        # a stiff stop is touched for ever shorter times
         factors = np.append(factors, np.geomspace(0.2, 1e-5, 25))
+    elif len(reduced) == 1:
+        # beside a resonance a stop is struck many times as hard: from beyond all roots Newton's
+        # method comes to the larger one of a quadratic, from near zero to the smaller one
+        factors = np.append(factors, [0.03, 1e-3, 5.0, 30.0, 200.0])
     grids = np.meshgrid(*[factors] * len(reduced), indexing="ij")
     starts = np.stack([g.ravel() for g in grids], axis=-1) * reduced
     nearest = np.argsort(np.abs(np.log(starts / reduced)).sum(axis=-1), kind="stable")

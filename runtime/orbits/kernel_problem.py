@@ -109,7 +109,7 @@ class KernelProblem:
 
     @property
     def forcing(self) -> tuple[tuple[int, int], ...]:
-        """None: a forced orbit has no kernels."""
+        """None: what the kernels solve for is shown as it is."""
         return ()
 
     @property

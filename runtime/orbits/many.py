@@ -104,7 +104,7 @@ def solve_many(
     options: Any = {"admissibility": admissibility, "threads": threads}
     if known.derived:
         return solve_kernels_many(known, values, chunk=chunk, **options)
-    return solve_declared_many(known, values, **options)
+    return solve_declared_many(known, values, chunk=chunk, **options)
 
 
 def _check_positive(name: str, number: object) -> None:

@@ -9,6 +9,8 @@ from typing import Protocol
 import numpy as np
 
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
+from nonsmooth.runtime.orbits.declared_kernels import DeclaredKernels
+from nonsmooth.runtime.orbits.declared_points import DeclaredPoints
 from nonsmooth.runtime.orbits.kernel_points import KernelPoints
 from nonsmooth.runtime.orbits.orbit_arrays import Columns
 from nonsmooth.runtime.orbits.table_points import TablePoints
@@ -87,7 +89,9 @@ class OrbitPoints(Protocol):
 
 
 @cache
-def points_of(kernels: OrbitKernels, given: tuple[str, ...]) -> OrbitPoints:
+def points_of(
+    kernels: OrbitKernels, given: tuple[str, ...], own: DeclaredKernels | None = None
+) -> OrbitPoints:
     """An orbit at many points, where what is fixed or swept has these names.
 
     Parameters
@@ -95,6 +99,8 @@ def points_of(kernels: OrbitKernels, given: tuple[str, ...]) -> OrbitPoints:
     kernels : OrbitKernels
     given : tuple of str
         Names.
+    own : DeclaredKernels, optional
+        Compiled kernels that stand in for the tables of an orbit that is composed.
 
     Returns
     -------
@@ -106,4 +112,7 @@ def points_of(kernels: OrbitKernels, given: tuple[str, ...]) -> OrbitPoints:
         For a name that fixes nothing, several that fix one parameter twice, or an orbit of
         which many points at once cannot be found.
     """
-    return KernelPoints.of(kernels, given) if kernels.derived else TablePoints.of(kernels)
+    if kernels.derived:
+        return KernelPoints.of(kernels, given)
+    composed = TablePoints.of(kernels)
+    return composed if own is None else DeclaredPoints.of(own, composed)

@@ -10,16 +10,15 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.threads import thread_pool
-from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.parameter_batches import parameter_points
+from nonsmooth.runtime.model.parameter_batches import parameter_array, parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.orbits.table_digits import without_digits
 from nonsmooth.runtime.orbits.table_problem import TableProblem
-from nonsmooth.runtime.shooting.newton import CONVERGED
+from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
 from nonsmooth.runtime.shooting.section_map import (
     local_maps,
     mechanical_states,
@@ -155,6 +154,7 @@ def solve_itineraries(
     else:
         with thread_pool(threads) as pool:
             list(pool.map(work, parts))
+    status[~np.isfinite(points).all(axis=1)] = INVALID  # also where no number depends on it
     lost = status != CONVERGED
     for array in (found_dwell, states, maps, residual):
         array[lost] = np.nan
@@ -162,7 +162,7 @@ def solve_itineraries(
     columns = np.concatenate([found_dwell, states[:, 0]], axis=1).T
     return Orbits(
         problem,
-        {name: _numbers(value) for name, value in parameters.items()},
+        {name: parameter_array(value) for name, value in parameters.items()},
         {n: x.reshape(shape) for n, x in zip(problem.unknown_names, columns, strict=True)},
         np.trace(maps, axis1=-2, axis2=-1).reshape(shape),
         found_dwell.sum(axis=-1).reshape(shape),
@@ -175,10 +175,6 @@ def solve_itineraries(
         starts=states.reshape(*shape, len(cycle), size),
         timed=period is not None,
     )
-
-
-def _numbers(given: Any) -> np.ndarray:
-    return np.asarray(float(as_value(given)) if isinstance(given, str | Value) else given, float)
 
 
 def _translates(kernels: SystemKernels, points: np.ndarray) -> bool:

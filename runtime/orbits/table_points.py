@@ -20,6 +20,7 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_arrays import Columns
 from nonsmooth.runtime.orbits.table_digits import without_digits
 from nonsmooth.runtime.orbits.table_limits import first_limits
+from nonsmooth.runtime.shooting.multipliers import ROUNDING
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID, LEAST
 from nonsmooth.runtime.shooting.section_map import (
     local_maps,
@@ -36,9 +37,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
 from nonsmooth.runtime.shooting.table_newton import sizes, solve_shape
 
 __all__ = ["TablePoints"]
-
-
-_ROUNDING = 1e-12  # of multipliers: nearer to the unit circle nothing is told
 
 
 class _Group(NamedTuple):
@@ -209,7 +207,7 @@ class TablePoints:
         cycle, count, (first, _) = group.cycle, len(group.cycle), self._section
         size = start.shape[-1] - count
         sound = np.isfinite(start).all(axis=-1) & (start[:, :count] > 0).all(axis=-1)
-        sound &= np.isfinite(group.flat).all(axis=-1)
+        sound &= np.isfinite(group.flat).all(axis=-1) & np.isfinite(group.points).all(axis=-1)
         rows = np.flatnonzero(sound)
         solved = _Solved(
             np.full((len(start), count), np.nan),
@@ -264,7 +262,7 @@ class TablePoints:
             margin = 1 - np.abs(values).max(axis=-1)
         else:
             margin = _family_margins(values, trace, rank)
-        return trace, np.where(np.abs(margin) <= _ROUNDING, 0.0, margin)
+        return trace, np.where(np.abs(margin) <= ROUNDING, 0.0, margin)
 
 
 def _family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndarray:

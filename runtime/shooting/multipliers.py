@@ -3,7 +3,9 @@
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["Multiplier", "Stability"]
+__all__ = ["ROUNDING", "Multiplier", "Stability"]
+
+ROUNDING = 1e-12  # of multipliers: nearer to the unit circle nothing is told
 
 
 @dataclass(frozen=True)

@@ -96,6 +96,9 @@ def try_faults(command: str, faults: dict[str, Callable[[], None]]) -> None:
                 ),
                 flush=True,
             )
+            for path, content in before.items():
+                if after.get(path) != content:
+                    Path(path).write_bytes(bytes.fromhex(content))
         os._exit(0)
 
     os.fsync = at_the_disk

@@ -200,6 +200,7 @@ def test_a_picture_that_could_not_be_drawn_is_refused(tmp_path) -> None:
             check_drawing(tmp_path / name)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_hostile_commands_are_refused_or_answered(tmp_path: Path) -> None:
     pytest.importorskip("resource")

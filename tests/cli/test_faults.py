@@ -54,6 +54,7 @@ FAULTED = (
     *(("certify", "--save"), ("chart", "--out"), ("continue", "--save"), ("generate", "--out")),
     *(("find", "--save"), ("sweep", "--save")),
 )
+LONG = ("certify", "continue", "find", "sweep")  # what is done is kept before Ctrl-C is looked at
 SLOW_IN_PYTHON = ("find", "--plot")  # a basin is many motions
 each = pytest.mark.parametrize(
     "writer",
@@ -141,6 +142,7 @@ def test_a_lost_scheduler_leaves_nothing(place: Path) -> None:
     assert sorted(os.listdir(place)) == before
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="processes cannot fork here")
 def test_a_fault_while_a_file_is_written(place: Path) -> None:
     asked = []
@@ -169,7 +171,7 @@ def test_a_fault_while_a_file_is_written(place: Path) -> None:
     left: list[str] = []
     for command, outcome in zip(commands, outcomes, strict=True):
         fault, told = outcome["fault"], f"{command}: {outcome}"
-        if fault == "twice":
+        if fault == "twice" or (fault == "interrupt" and command.split()[0] in LONG):
             assert outcome["code"] in (0, 1), told  # one tile proves little
             assert outcome["changed"], told
             assert not {*outcome["changed"]} & {*left}, told  # of a process that was killed

@@ -63,6 +63,7 @@ def emit_in_a_process(folder: Path, seed: int, system: str | None = None) -> Non
 # --- the same bytes, always -------------------------------------------------------------
 
 
+@pytest.mark.slow
 @same_sympy
 def test_committed_files_are_what_the_derivation_gives(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -79,6 +80,7 @@ def test_committed_files_are_what_the_derivation_gives(
     assert not strange, "nothing else is generated"
 
 
+@pytest.mark.slow
 def test_another_process_with_another_hash_seed_emits_the_same_bytes(tmp_path: Path) -> None:
     here = regenerate.outdated(tmp_path / "absent", "rigid-stop")
     emit_in_a_process(tmp_path, 7, "rigid-stop")

@@ -5,7 +5,7 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
@@ -73,28 +73,6 @@ def two_masses() -> Document:
 @pytest.fixture(scope="module")
 def three_masses() -> Document:
     return describe_system(masses(3))
-
-
-@pytest.fixture(scope="module", autouse=True)
-def elsewhere() -> Iterator[subprocess.Popen[bytes]]:
-    """Another process, with other hashes, that writes all orbits while the tests run."""
-    program = (
-        "import sys\n"
-        "from nonsmooth.derive.document.describe import describe_orbit as d\n"
-        "from nonsmooth.derive.document.writers.latex import to_latex\n"
-        "from nonsmooth.derive.document.writers.markdown import to_markdown\n"
-        "from nonsmooth.derive.equations.derivation import derive_equations as e\n"
-        "from nonsmooth.derive.systems import SYSTEMS, declaration\n"
-        "for o in (d(e(o)) for s in SYSTEMS for o in declaration(s).orbits):\n"
-        "    sys.stdout.buffer.write((to_latex(o) + to_markdown(o)).encode())"
-    )
-    with subprocess.Popen(
-        [sys.executable, "-c", program],
-        env={**os.environ, "PYTHONHASHSEED": "12345"},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-    ) as process:
-        yield process
 
 
 @cache
@@ -359,9 +337,21 @@ def test_html_says_what_it_needs(monkeypatch: pytest.MonkeyPatch) -> None:
         to_html(orbit)
 
 
-def test_another_process_writes_the_same_bytes(elsewhere: subprocess.Popen[bytes]) -> None:
-    written, errors = elsewhere.communicate(timeout=120)
-    assert elsewhere.returncode == 0, errors.decode()
+@pytest.mark.slow
+def test_another_process_writes_the_same_bytes() -> None:
+    program = (
+        "import sys\n"
+        "from nonsmooth.derive.document.describe import describe_orbit as d\n"
+        "from nonsmooth.derive.document.writers.latex import to_latex\n"
+        "from nonsmooth.derive.document.writers.markdown import to_markdown\n"
+        "from nonsmooth.derive.equations.derivation import derive_equations as e\n"
+        "from nonsmooth.derive.systems import SYSTEMS, declaration\n"
+        "for o in (d(e(o)) for s in SYSTEMS for o in declaration(s).orbits):\n"
+        "    sys.stdout.buffer.write((to_latex(o) + to_markdown(o)).encode())"
+    )
+    hashes = {**os.environ, "PYTHONHASHSEED": "12345"}
+    command = [sys.executable, "-c", program]
+    written = subprocess.run(command, env=hashes, capture_output=True, check=True).stdout
     documents = [written_of(name).document for name in ORBITS]
     assert written.decode() == "".join(to_latex(d) + to_markdown(d) for d in documents)
 

@@ -50,7 +50,9 @@ VARIANTS = {
 GALLERY = ("mass_on_belt/stick-slip", "two_belts/both-stick", "two_belts/second-sticks")
 
 
-@pytest.mark.parametrize("name", [*VARIANTS, *GALLERY])
+@pytest.mark.parametrize(
+    "name", [*VARIANTS, *(pytest.param(name, marks=pytest.mark.slow) for name in GALLERY)]
+)
 def test_other_itineraries_have_documents_as_true(name: str) -> None:
     written = Written(derive_equations(VARIANTS[name]())) if name in VARIANTS else derived(name)
     assert written is not None

@@ -70,7 +70,13 @@ def test_along_the_branch_a_sweep_gives_the_orbit(place):
             np.testing.assert_allclose(taken, states[place, 0], rtol=0, atol=1e-8)
 
 
-@pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
+@pytest.mark.parametrize(
+    "backend",
+    [
+        pytest.param("c", marks=pytest.mark.compiled),
+        pytest.param("numpy", marks=pytest.mark.slow),
+    ],
+)
 def test_a_sweep_is_its_single_motions(backend, monkeypatch):
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
     diagram = swept(transient=15, samples=9, follow=False)

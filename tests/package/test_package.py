@@ -131,6 +131,7 @@ def test_installed_wheel_works_outside_the_checkout(wheel: Path, tmp_path: Path)
     assert "verify" in run(sys.executable, script, "--help", cwd=tmp_path, PYTHONPATH=str(target))
 
 
+@pytest.mark.slow
 @pytest.mark.packaging
 @pytest.mark.compiled
 def test_installed_wheel_has_the_compiled_kernels(source: Path, tmp_path: Path) -> None:

@@ -53,6 +53,7 @@ def test_the_session_of_the_readme_prints_what_it_shows(capsys):
     assert capsys.readouterr().out == shown
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_the_page_in_python_runs(capsys):
     names = {}
@@ -65,7 +66,13 @@ def test_the_page_in_python_runs(capsys):
 
 @pytest.mark.compiled
 @pytest.mark.usefixtures("committed_derivation", "empty_reproduction", "declared")
-@pytest.mark.parametrize("text", [README, COMMANDS_PAGE], ids=["README", "commands"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        pytest.param(README, id="README"),
+        pytest.param(COMMANDS_PAGE, id="commands", marks=pytest.mark.slow),
+    ],
+)
 def test_every_command_line_is_answered(text):
     found = commands_of(text)
     assert len(found) >= 4

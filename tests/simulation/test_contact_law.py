@@ -240,7 +240,7 @@ def least(point: PiecewiseLinear, state: np.ndarray, reached: set[int]) -> list[
         reached = reached | slipping
 
 
-@pytest.mark.parametrize(("seed", "count"), [(5, 2), (6, 3)])
+@pytest.mark.parametrize(("seed", "count"), [(5, 2), pytest.param(6, 3, marks=pytest.mark.slow)])
 def test_the_choice_is_the_minimum(seed: int, count: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """And what minimises is tried first: nothing else has to be, where nothing is tied."""
     monkeypatch.setattr(contact_choice, "product", None)

@@ -259,6 +259,8 @@ def _starts_between(block: Block, anchors: np.ndarray) -> tuple[list[np.ndarray]
         between = between + weight[..., None] * corners[number]
         there = np.isfinite(corners[number]).all(axis=-1)
         distances[number][there] = distance[there]
+    if branch.all():
+        return [between.reshape(-1, corners.shape[-1])], ~branch.ravel()
     order = np.argsort(distances, axis=0, kind="stable")[..., None]
     nearest = np.take_along_axis(corners, order, axis=0)
     first = np.where(branch[..., None], between, nearest[0])

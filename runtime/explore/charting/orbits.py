@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS
 from nonsmooth.runtime.explore.charting.anchors import Solver, anchor_starts, solve_block
 from nonsmooth.runtime.explore.charting.grid import LATTICE, Block, Grid
@@ -21,6 +22,7 @@ from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import (
     OrbitKernels,
     compiled_for,
+    key_of_many,
     load_orbit,
     uncompiled,
 )
@@ -28,6 +30,7 @@ from nonsmooth.runtime.model.saved_orbit import held_text, kernels_held
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.model.units import units_of
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD
+from nonsmooth.runtime.orbits.declared_kernels import DeclaredKernels, declared_kernels
 from nonsmooth.runtime.orbits.kernel_many import NUMPY_JUDGED
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.orbit_arrays import Columns
@@ -52,6 +55,9 @@ class OrbitChart:
         Whether compiled kernels were there when the chart began.
     data : str or None
         The orbit as `held_text` writes it, where a store holds it.
+    many : str or None
+        What the compiled kernels are kept under that stand in for tables, if there were any
+        when the chart began.
     """
 
     orbit: str
@@ -59,6 +65,7 @@ class OrbitChart:
     given: tuple[str, ...]
     compiled: bool
     data: str | None = None
+    many: str | None = None
 
     @property
     def kernels(self) -> OrbitKernels:
@@ -67,9 +74,25 @@ class OrbitChart:
         return found if self.compiled else uncompiled(found)
 
     @property
+    def own(self) -> DeclaredKernels | None:
+        """Compiled kernels that stand in for the tables of a composed orbit.
+
+        Raises
+        ------
+        InputError
+            If they are not there any more.
+        """
+        if self.many is None:
+            return None
+        found = declared_kernels(self.kernels, self.many)
+        if found is None:
+            raise InputError(f"the compiled kernels of {self.orbit} are not there any more")
+        return found
+
+    @property
     def orbits(self) -> OrbitPoints:
         """How they are solved."""
-        return points_of(self.kernels, self.given)
+        return points_of(self.kernels, self.given, self.own)
 
     @property
     def points(self) -> int:
@@ -79,7 +102,8 @@ class OrbitChart:
     @property
     def seconds(self) -> float:
         """Of one processor for one point, at least."""
-        return SECONDS["orbit" if self.kernels.derived else "composed orbit"]
+        by_kernels = self.kernels.derived or self.many is not None
+        return SECONDS["orbit" if by_kernels else "composed orbit"]
 
     def identity(self) -> dict[str, Any]:
         """All that the numbers depend on but the grid.
@@ -89,14 +113,15 @@ class OrbitChart:
         dict of str to number, text, list or dict
             As JSON takes it.
         """
-        kernels = self.kernels
+        kernels, own = self.kernels, self.own
+        solving = kernels if own is None else own.kernels
         return {
             "kind": "orbit",
             "orbit": "/".join(filter(None, (kernels.system.table["name"], kernels.orbit))),
             "system": named(kernels.system, kernels.orbit)[0],
-            "derivation": str(kernels.system.module.DERIVATION),
-            "table": table_hash(kernels.table),
-            "kernels": "numpy" if kernels.system.compiled is None else "c",
+            "derivation": str(solving.system.module.DERIVATION),
+            "table": table_hash(solving.table),
+            "kernels": "numpy" if solving.system.compiled is None else "c",
             "anchors": LATTICE,
             "parameters": {name: repr(value) for name, value in self.fixed},
         }
@@ -109,7 +134,8 @@ class OrbitChart:
         dict of str to str or list
         """
         kernels = self.kernels
-        return {"of": held_text(kernels.system, kernels), "given": list(self.given)}
+        found = {"of": held_text(kernels.system, kernels), "given": list(self.given)}
+        return found if self.many is None else {**found, "many": self.many}
 
     def variables(self) -> tuple[Variable, ...]:
         """What is computed.
@@ -232,7 +258,9 @@ def orbit_chart(
     tables = points_of(kernels, names).parameters
     fixed = fixed_values(tables, given, swept, default_parameters(kernels), kernels.name)
     kernels = compiled_for(kernels, points * NUMPY_JUDGED, at_once=True)
-    return OrbitChart(kernels.address, fixed, names, kernels.system.compiled is not None)
+    compiled, own = kernels.system.compiled is not None, declared_kernels(kernels)
+    many = None if own is None else key_of_many(kernels)
+    return OrbitChart(kernels.address, fixed, names, compiled, many=many)
 
 
 def held_orbit_chart(identity: Mapping[str, Any], held: Mapping[str, Any]) -> OrbitChart:
@@ -257,8 +285,10 @@ def held_orbit_chart(identity: Mapping[str, Any], held: Mapping[str, Any]) -> Or
     kernels, names = kernels_held(held["of"]), tuple(held["given"])
     swept, tables = identity["dimensions"], points_of(kernels, names).parameters
     fixed = fixed_values(tables, identity["parameters"], swept, {}, kernels.name)
-    compiled = kernels.system.compiled is not None
-    return OrbitChart(kernels.address, fixed, names, compiled, held["of"])
+    compiled, many = kernels.system.compiled is not None, held.get("many")
+    if many is not None and declared_kernels(kernels, many) is None:
+        many = None  # they were made elsewhere: the store says so
+    return OrbitChart(kernels.address, fixed, names, compiled, held["of"], many)
 
 
 def _number(name: str, meaning: str, **attributes: str) -> Variable:

@@ -4,6 +4,9 @@ The first answers come from NumPy; where many points are asked for, a process de
 compiles them and puts the extension into the user's cache folder, from where it is loaded, now
 and later. Without a compiler, without Python's headers or without a folder that is the user's
 alone all stays with NumPy. A process that ends leaves the other one to finish.
+
+Kernels of many points are made in the same way, with the tables that they need; whoever asks
+for them waits, so that it is never the time that decides which way an orbit is solved.
 """
 
 from __future__ import annotations
@@ -29,6 +32,7 @@ from typing import Any
 from nonsmooth.runtime.core.files import PARTIAL
 from nonsmooth.runtime.model.loading.caching import (
     cache_folder,
+    cached,
     made_folder,
     store_library,
     stored_library,
@@ -54,15 +58,19 @@ class KernelLibrary:
     ----------
     key : str
         Hash of the declaration and of what derives it.
-    derivation : str
-        Hash of the kernels, which the compiled ones have to bear.
+    derivation : str or None
+        Hash of the kernels, which the compiled ones have to bear; None where it is not known
+        before they are made.
     stem : str
         Name of the system in identifiers.
+    many_points : bool
+        Whether they are those that solve orbits at many points.
     """
 
     key: str
-    derivation: str
+    derivation: str | None
     stem: str
+    many_points: bool = False
     _declared: tuple[Any, tuple[Any, ...]] | None = None
     _tried: bool = False
     _module: ModuleType | None = None
@@ -117,7 +125,7 @@ class KernelLibrary:
                 return found
             if self._declared is not None and not self._tried:
                 self._tried = True
-                self._building = _begin(self.key, self._declared)
+                self._building = _begin(self.key, self._declared, many_points=self.many_points)
             building = self._building
         if building is not None and (at_once or seconds >= _WORTH_WAITING):
             # so it takes at most twice as long as with NumPy from the start
@@ -127,9 +135,8 @@ class KernelLibrary:
     def _found(self) -> ModuleType | None:
         path = stored_library(self.key)
         module = None if path is None else load_extension(path)
-        if getattr(module, f"derivation_{self.stem}", None) != self.derivation:
-            return None
-        return module
+        found = getattr(module, f"derivation_{self.stem}", None)
+        return module if found is not None and self.derivation in (None, found) else None
 
 
 class _Pickler(pickle.Pickler):
@@ -190,7 +197,7 @@ class _Build:
         self.process.wait()
 
 
-def _begin(key: str, declared: tuple[Any, tuple[Any, ...]]) -> _Build | None:
+def _begin(key: str, declared: tuple[Any, tuple[Any, ...]], *, many_points: bool) -> _Build | None:
     """Start to compile, if there is anything to do it with and a place to keep the result."""
     missing = lacking()
     if missing is not None:
@@ -202,7 +209,7 @@ def _begin(key: str, declared: tuple[Any, tuple[Any, ...]]) -> _Build | None:
     work = folder / f"{key}-{os.getpid()}{PARTIAL}"
     with tempfile.TemporaryFile() as given:
         try:
-            _Pickler(given).dump((key, work, *declared))
+            _Pickler(given).dump((key, work, many_points, *declared))
         except Exception as problem:  # parts of a user's own classes
             _LOG.info("kernels are not compiled and run on NumPy: %s", problem)
             return None
@@ -244,11 +251,14 @@ def lacking() -> str | None:
 def build() -> None:
     """Derive, compile and keep what standard input tells: the work of the other process."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # what is open is closed
-    key, folder, system, orbits = pickle.load(sys.stdin.buffer)
+    key, folder, many_points, system, orbits = pickle.load(sys.stdin.buffer)
     _sweep(folder.parent)
     try:
         folder.mkdir(mode=0o700)
-        for name, content in compile_files(system.library(orbits), folder).items():
+        files = system.many_points(orbits) if many_points else system.library(orbits)
+        (text,) = (text for name, text in files.items() if name.endswith(".py"))
+        cached(key, lambda: text)
+        for name, content in compile_files(files, folder).items():
             store_library(key, name, content)
     except Exception as problem:
         sys.exit(" ".join(f"{type(problem).__name__}: {problem}".split()))

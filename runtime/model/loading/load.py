@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import linecache
+import math
 import os
 import re
 from collections.abc import Sequence
@@ -29,14 +30,17 @@ __all__ = [
     "Loaded",
     "library_of",
     "load_declared",
+    "load_many_points",
     "load_named",
     "load_path",
     "located",
+    "many_points_key",
     "orbits_of",
     "remember",
 ]
 
-_ADDRESS = re.compile(r"(?P<name>[\w-]+)@(?P<key>[0-9a-f]{16})")
+_KEY = re.compile(r"[0-9a-f]{16}")
+_ADDRESS = re.compile(rf"(?P<name>[\w-]+)@(?P<key>{_KEY.pattern})")
 _PROVENANCE = "PROVENANCE.json"
 _REMEDY = "run `nonsmooth generate` again"
 
@@ -78,8 +82,7 @@ def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> Loaded:
     if key not in _MODULES:
         text = cached(key, lambda: system.source(tuple(orbits)))
         _MODULES[key] = _module(text, f"<{name}>")
-    library = _library(key, _MODULES[key])
-    if library is not None:
+    for library in _libraries(key, _MODULES[key]):
         library.declare(system, tuple(orbits))
     return Loaded(name, _MODULES[key])
 
@@ -104,13 +107,77 @@ def library_of(module: ModuleType) -> KernelLibrary | None:
 
 
 _LIBRARIES: dict[ModuleType, KernelLibrary] = {}
+_MANY_POINTS: dict[ModuleType, KernelLibrary] = {}
+_HELD: dict[str, KernelLibrary] = {}  # those of many points that were found, by their key
 
 
-def _library(key: str, module: ModuleType) -> KernelLibrary | None:
+def many_points_key(module: ModuleType) -> str | None:
+    """What the compiled kernels that solve orbits at many points are kept under.
+
+    Parameters
+    ----------
+    module : module
+        What was derived of a declaration for a first answer.
+
+    Returns
+    -------
+    str or None
+        None where no orbit of it has such kernels.
+    """
+    library = _MANY_POINTS.get(module)
+    return None if library is None else library.key
+
+
+def load_many_points(loaded: Loaded, orbit: str, key: str | None = None) -> Loaded | None:
+    """Compiled kernels that solve an orbit at many points, though one orbit is composed.
+
+    Where they are not there yet it waits while they are derived and compiled.
+
+    Parameters
+    ----------
+    loaded : Loaded
+        What was derived of the declaration for a first answer, or data of that.
+    orbit : str
+        Name among its orbits.
+    key : str, optional
+        What they are kept under, for data: they are found and not made.
+
+    Returns
+    -------
+    Loaded or None
+        None where there are none, or nothing to make them with.
+    """
+    library = _MANY_POINTS.get(loaded.module)
+    if library is None and key is not None and _KEY.fullmatch(key):
+        library = _HELD.get(key, KernelLibrary(key, None, _stem(loaded.module), many_points=True))
+    compiled = None if library is None else library.wanted(math.inf, at_once=True)
+    if library is None or compiled is None:
+        return None
+    _HELD[library.key] = library
+    if library.key not in _MODULES:
+        text = stored(library.key)
+        if text is None:
+            return None
+        _MODULES[library.key] = _module(text, f"<{loaded.name}, many points>")
+    module = _MODULES[library.key]
+    whole = getattr(compiled, f"derivation_{library.stem}") == module.DERIVATION
+    return Loaded(loaded.name, module, compiled) if whole and orbit in module.ORBITS else None
+
+
+def _stem(module: ModuleType) -> str:
+    return str(module.SYSTEM["name"]).replace("-", "_")
+
+
+def _libraries(key: str, module: ModuleType) -> list[KernelLibrary]:
+    """What is compiled of a declaration: its kernels, and those of many points."""
+    stem = _stem(module)
     if module not in _LIBRARIES and any(orbit["derived"] for orbit in module.ORBITS.values()):
-        stem = str(module.SYSTEM["name"]).replace("-", "_")
         _LIBRARIES[module] = KernelLibrary(key, module.DERIVATION, stem)
-    return _LIBRARIES.get(module)
+    if module not in _MANY_POINTS and getattr(module, "MANY_POINTS", None):
+        own = hashlib.sha256(f"{key}, many points".encode()).hexdigest()[:16]
+        _MANY_POINTS[module] = KernelLibrary(own, None, stem, many_points=True)
+    found = (_LIBRARIES.get(module), _MANY_POINTS.get(module))
+    return [library for library in found if library is not None]
 
 
 def remember(loaded: Loaded) -> Loaded:
@@ -160,7 +227,7 @@ def load_named(name: str) -> Loaded | None:
                 " hand over the System itself first, or declare it in a FILE.py"
             )
         _MODULES[key] = _module(text, f"<{name}>")
-        _library(key, _MODULES[key])
+        _libraries(key, _MODULES[key])
     return Loaded(name, _MODULES[key])
 
 

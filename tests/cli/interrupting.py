@@ -1,0 +1,39 @@
+"""A command that gets Ctrl-C at the instant when its progress shows something.
+
+Run as a script: the pattern of what it shows, then the command's arguments. The process sends
+the signal to itself, so that no load of the machine delays it.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import sys
+from typing import Any, TextIO
+
+from nonsmooth.runtime.cli.program import main
+
+
+class Watched:
+    """A terminal that interrupts its program once, as soon as it has shown something."""
+
+    def __init__(self, terminal: TextIO, pattern: str) -> None:
+        self.terminal, self.pattern, self.shown, self.sent = terminal, pattern, "", False
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.terminal, name)
+
+    def write(self, text: str) -> int:
+        """Show a text."""
+        count = self.terminal.write(text)
+        self.shown += text
+        if not self.sent and re.search(self.pattern, self.shown):
+            self.sent = True
+            os.kill(os.getpid(), signal.SIGINT)
+        return count
+
+
+if __name__ == "__main__":
+    sys.stderr = Watched(sys.stderr, sys.argv.pop(1))  # type: ignore[assignment]
+    main()

@@ -1,0 +1,221 @@
+"""Declared orbits that are composed are found at many points by compiled kernels of their own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, Itinerary, Parameter, Reference, RigidStop, oscillator
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.charting.chart import chart_problem
+from nonsmooth.runtime.model.kernels import load_orbit
+from nonsmooth.runtime.model.loading import background
+from nonsmooth.runtime.orbits.declared_kernels import declared_kernels
+from nonsmooth.runtime.orbits.kernel_points import _largest_sizes
+from tests.places import GALLERY
+
+pytestmark = pytest.mark.skipif(background.lacking() is not None, reason=str(background.lacking()))
+
+ONE_PERIOD = f"{GALLERY / 'impact_oscillator.py'}:one-period"
+SUBHARMONIC = f"{GALLERY / 'piecewise_stiffness.py'}:subharmonic"
+BOXES: dict[str, dict[str, tuple[float, float]]] = {
+    ONE_PERIOD: {"r": (0.5, 0.95), "sigma": (-0.2, 0.2), "w": (2.2, 3.0)},
+    f"{GALLERY / 'switched_damping.py'}:limit-cycle": {
+        "driven": (-0.2, -0.05),
+        "damped": (0.1, 0.6),
+    },
+    f"{GALLERY / 'two_stops.py'}:symmetric": {"d": (0.4, 0.6), "r": (0.6, 0.95)},
+    SUBHARMONIC: {"w": (2.6, 3.9), "gap": (-0.1, 0.5)},
+}
+
+
+@pytest.fixture(autouse=True)
+def own_backend(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NONSMOOTH_BACKEND", raising=False)
+
+
+def points_in(orbit: str, count: int, seed: int = 5) -> dict[str, np.ndarray]:
+    rng = np.random.default_rng(seed)
+    return {name: rng.uniform(*ends, count) for name, ends in BOXES[orbit].items()}
+
+
+def by_tables(orbit: Any, monkeypatch: pytest.MonkeyPatch, values: Any, **options: Any) -> Any:
+    with monkeypatch.context() as elsewhere:
+        elsewhere.setenv("NONSMOOTH_BACKEND", "numpy")
+        assert declared_kernels(load_orbit(orbit)) is None
+        return ns.solve_many(orbit, values, **options)
+
+
+@pytest.mark.parametrize("orbit", BOXES, ids=lambda name: name.rpartition("/")[-1])
+def test_verdicts_are_those_of_the_tables(orbit: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert declared_kernels(load_orbit(orbit)) is not None
+    values = points_in(orbit, 120)
+    fast: Any = ns.solve_many(orbit, values)
+    slow = by_tables(orbit, monkeypatch, values)
+    assert list(fast.unknowns) == list(slow.unknowns) == list(ns.solve(orbit).unknowns)
+    assert fast.parameters.keys() == slow.parameters.keys()
+    assert fast.name == slow.name
+    apart = [np.abs(fast.unknowns[n] - slow.unknowns[n]) for n in fast.unknowns]
+    same = fast.converged & slow.converged & (np.max(apart, axis=0) < 1e-8)
+    assert same.sum() > 40
+    np.testing.assert_array_equal(fast.admissible[same], slow.admissible[same])
+    np.testing.assert_allclose(fast.trace[same], slow.trace[same], rtol=1e-7, atol=1e-9)
+    np.testing.assert_allclose(fast.period[same], slow.period[same], rtol=1e-10)
+    np.testing.assert_allclose(fast.starts[same], slow.starts[same], rtol=1e-8, atol=1e-8)
+    # no motion is lost
+    assert (fast.admissible >= slow.admissible).all()
+    other = ns.solve_many(orbit, values, threads=2, chunk=7)
+    for name, row in fast.unknowns.items():
+        assert other.unknowns[name].tobytes() == row.tobytes(), name
+
+
+@pytest.mark.parametrize("orbit", [ONE_PERIOD, SUBHARMONIC], ids=["kernels alone", "tables too"])
+def test_a_point_has_the_bits_of_itself(orbit: str) -> None:
+    """Not of the others, of their number, or of how often it was asked for."""
+    values = points_in(orbit, 40)
+    together: Any = ns.solve_many(orbit, values)
+    for place in (17, int(np.argmin(together.admissible)), int(np.argmax(together.admissible))):
+        alone = ns.solve_many(orbit, {name: row[place] for name, row in values.items()})
+        for name, row in together.unknowns.items():
+            assert row[place].tobytes() == alone.unknowns[name].tobytes(), name
+        assert together.trace[place].tobytes() == alone.trace.tobytes()
+
+
+def closed_form(w: np.ndarray, sigma: np.ndarray, r: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Impact velocities of both orbits, as the file of the gallery derives them."""
+    gain, cotangent = 1 / (1 - w**2), 1 / np.tan(np.pi / w)
+    a, b = (1 + r) * cotangent / 2, (1 - r) / (2 * w)
+    root = np.sqrt((a * sigma) ** 2 - (a**2 + b**2) * (sigma**2 - gain**2))
+    return (-a * sigma + root) / (a**2 + b**2), (-a * sigma - root) / (a**2 + b**2)
+
+
+def test_of_both_roots_the_motion_is_found() -> None:
+    values = points_in(ONE_PERIOD, 3000, seed=8)
+    # beside the resonance w = 2 one impact is many times as hard as at the reference
+    values["w"][:300] = np.random.default_rng(9).uniform(2.02, 2.06, 300)
+    found = ns.solve_many(ONE_PERIOD, values)
+    with np.errstate(invalid="ignore"):
+        roots = np.stack(closed_form(values["w"], values["sigma"], values["r"]))
+    # an orbit of that period, and not of several
+    np.testing.assert_allclose(found.period[found.converged],
+                               2 * np.pi / values["w"][found.converged], rtol=1e-12)  # fmt: skip
+    np.testing.assert_array_equal(found.converged, np.isfinite(roots).any(axis=0))
+    speed = -found.unknowns["v0"] / values["r"]
+    off = np.abs(roots - speed).min(axis=0) / np.maximum(1, np.abs(speed))
+    assert off[found.converged].max() < 1e-9
+    assert found.admissible is not None
+    assert 0.4 < found.admissible.mean() < 1
+    assert (speed[found.admissible] > 0).all()
+    # where it penetrates the other one does so too, or there it comes from behind the stop
+    other = roots[np.abs(roots - speed).argmax(axis=0), np.arange(roots.shape[1])]
+    rest = found.converged & ~found.admissible & (other > 0)
+    values = {name: row[rest] for name, row in values.items()}
+    for place in range(0, int(rest.sum()), max(1, int(rest.sum()) // 6)):
+        point = {name: float(row[place]) for name, row in values.items()}
+        start = [2 * np.pi / point["w"], point["sigma"], -point["r"] * other[rest][place]]
+        one = ns.solve(ONE_PERIOD, point, dict(zip(("T", "x0", "v0"), start, strict=True)))
+        assert one.admissibility.verdict is False
+
+
+def test_where_kernels_find_no_motion_tables_look_for_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Newton's method on fewer unknowns ends at another root there."""
+    values = {"w": np.linspace(3.4, 3.9, 8), "gap": np.full(8, 0.2)}
+    own = declared_kernels(load_orbit(SUBHARMONIC))
+    assert own is not None
+    assert not own.alone
+    every = {**load_orbit(SUBHARMONIC).table["reference"]["parameters"], **values}
+    kernels = own.solve(every, admissibility=True, threads=1, chunk=100)
+    assert kernels.admissible is not None
+    assert not kernels.admissible.all()
+    both = ns.solve_many(SUBHARMONIC, values)
+    tables = by_tables(SUBHARMONIC, monkeypatch, values)
+    lost = ~kernels.admissible
+    for name, row in both.unknowns.items():
+        np.testing.assert_allclose(row[lost], tables.unknowns[name][lost], rtol=1e-12)
+        np.testing.assert_array_equal(row[~lost], kernels.unknowns[name][~lost])
+    # they are looked for where nobody asks for the verdicts, too
+    plain = ns.solve_many(SUBHARMONIC, values, admissibility=False)
+    assert plain.admissible is None
+    assert plain.trace.tobytes() == both.trace.tobytes()
+
+
+def two_stops() -> Itinerary:
+    """The restitution of the stop that is far away decides nothing."""
+    far = Parameter("far", "restitution of the other stop", lower=0, upper=1, upper_closed=True)
+    w = Parameter("w", "frequency")
+    system = oscillator(
+        "two-sided",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        damping=[["0.1"]],
+        forcing=[Harmonic(w.symbol, cosine=[1])],
+        elements=[
+            RigidStop("x", at=0, restitution="0.8", name="near"),
+            RigidStop("x", at=-50, restitution=far.symbol, side="lower", name="other"),
+        ],
+        parameters=[far, w],
+    )
+    return Itinerary(
+        "one",
+        system,
+        [("free-free", "near-reaches-stop", "T")],
+        reference=Reference({"far": "0.5", "w": "2"}, {"T": "3.14"}),
+    )
+
+
+def test_parameters_that_decide_nothing_have_domains(monkeypatch: pytest.MonkeyPatch) -> None:
+    orbit: Any = two_stops()
+    values = {"far": [0.5, 1.5, 1.0], "w": 2.0}
+    for found in (ns.solve_many(orbit, values), by_tables(orbit, monkeypatch, values)):
+        assert found.converged.tolist() == [True, False, True]
+        assert np.isnan(found.unknowns["x0"]).tolist() == [False, True, False]
+        # FLOWS of one forced, damped mass: the impact velocity is the root of a quadratic
+        assert -found.unknowns["v0"][0] / 0.8 == pytest.approx(3.9016492908886392, rel=1e-13)
+        assert found.trace[0] == pytest.approx(1.36747825761582, rel=1e-12)
+    name = load_orbit(orbit).name
+    for backend in ("", "numpy"):
+        with monkeypatch.context() as elsewhere:
+            elsewhere.setenv("NONSMOOTH_BACKEND", backend)
+            line = ns.chart(name, far=[0.5, 1.0, 1.5], w=2.0)
+        assert (line.status.values == 0).tolist() == [True, True, False]
+    with pytest.raises(InputError, match="unknown parameter 'near'"):
+        ns.solve_many(orbit, near=0.5)
+    assert ns.solve_many(orbit, far="1/2", w="2").converged
+
+
+def test_a_chart_keeps_the_kernels_that_it_began_with(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store, w = tmp_path / "F.zarr", np.linspace(2.3, 2.5, 6)
+    before = ns.chart(ONE_PERIOD, store=store, chunk=2, w=w)
+    problem, _ = chart_problem(ONE_PERIOD, {"w": w}, False, None, 0)
+    assert problem.identity()["kernels"] == "c"
+    (store / "trace" / "c" / "1").unlink()
+    with monkeypatch.context() as elsewhere:
+        elsewhere.setenv("NONSMOOTH_BACKEND", "numpy")
+        with pytest.raises(InputError, match=r"compiled kernels of .* are not there any more"):
+            problem.identity()
+        with pytest.raises(InputError, match="computed by kernels in c, here they are in numpy"):
+            ns.chart(str(store))
+        other = ns.chart(ONE_PERIOD, w=w)
+    again = ns.chart(str(store))
+    for name in again:
+        assert again[name].values.tobytes() == before[name].values.tobytes(), name
+        np.testing.assert_allclose(other[name].values, before[name].values, rtol=1e-9, atol=1e-9)
+    assert sorted(other) == sorted(before)
+
+
+def test_largest_multiplier_of_two() -> None:
+    matrices = np.random.default_rng(2).normal(size=(500, 2, 2))
+    matrices[:3] = [[0, -1], [1, 0]], [[1, 1], [0, 1]], [[0, 0], [0, 0]]
+    expected = np.abs(np.linalg.eigvals(matrices)).max(axis=-1)
+    np.testing.assert_allclose(_largest_sizes(matrices), expected, rtol=1e-12, atol=1e-12)
+    three = np.random.default_rng(3).normal(size=(4, 3, 3))
+    np.testing.assert_array_equal(
+        _largest_sizes(three), np.abs(np.linalg.eigvals(three)).max(axis=-1)
+    )
