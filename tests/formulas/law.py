@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
-from itertools import combinations
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -23,6 +22,7 @@ from nonsmooth.derive.flows.modal import Spectrum
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Accent, Atom, Item, Row, Script, Unreadable, plain
 from tests.formulas.pages import inline
+from tests.formulas.responses import response_functions
 from tests.formulas.values import UNIT, Reading, Unit, name_of, split, without_spaces
 
 __all__ = ["Broken", "Facts", "Motion", "SystemLaw", "drawn"]
@@ -49,10 +49,6 @@ class Motion(np.ndarray):
 
     def __call__(self, time: float) -> Any:
         return self.flow(time)
-
-
-def _response(companion: np.ndarray, order: int, time: float) -> float:
-    return float(expm(companion * time)[order, -1])
 
 
 def drawn(system: System, seed: int) -> Numbers:
@@ -190,26 +186,8 @@ class Facts:
     def responses(self) -> dict[str, Any]:
         """Characteristic factors and impulse responses, by the numbers of the document."""
         known = self.naming.notation.responses
-        found: dict[str, Any] = {}
-        for factor in (sp.Tuple(0), *known.factors):
-            coefficients = [
-                1.0,
-                *(float(sp.sympify(c).xreplace(self.numbers)) for c in reversed(factor)),
-            ]
-            name = name_of(rf"{known.polynomial}_{{{known.number(factor)}}}")
-            found[name] = np.poly1d(coefficients)
-        products = {
-            p for q in known.products for n in range(1, len(q) + 1) for p in combinations(q, n)
-        }
-        for product in products:
-            polynomial = np.poly1d([1.0])
-            for factor in product:
-                polynomial *= found[name_of(rf"{known.polynomial}_{{{known.number(factor)}}}")]
-            companion = np.diag(np.ones(polynomial.order - 1), 1)
-            companion[-1] = -polynomial.coeffs[:0:-1]
-            for order in range(polynomial.order):
-                name = name_of(known.latex(order, product, "").partition(r"\left(")[0])
-                found[name] = partial(_response, companion, order)
+        functions = response_functions(known, self.numbers)
+        found = {name_of(latex): function for latex, function in functions.items()}
         # of any factor, and of any two
         for letter, factor in zip("jk", (sp.Tuple(0), *known.factors), strict=False):
             name = name_of(rf"{known.polynomial}_{{{letter}}}")

@@ -9,6 +9,7 @@ import sympy as sp
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Block, Formula, Paragraph, Table
 from nonsmooth.derive.document.notation.letters import letters_of
 from nonsmooth.derive.document.notation.responses import is_response
@@ -61,7 +62,7 @@ def system_section(
             " by time."
         )
     else:
-        text += f" Its state is {naming.list(system.states)}."
+        text += f" Its state is {naming.list(system.states)}.{_forcing(naming, system)}"
     parameters = list(system.parameters)
     blocks: list[Block] = [Paragraph(text)]
     presentation = itinerary.presentation if itinerary else None
@@ -110,6 +111,19 @@ def system_section(
                 Formula(substituted),
             ]
     return blocks
+
+
+def _forcing(naming: Naming, system: System) -> str:
+    """What the two states of each harmonic forcing are."""
+    matrix, _ = system.configurations[0].dynamics.field(system.states)
+    found = ""
+    for cosine, sine in system.forcing:
+        frequency = matrix[system.states.index(sine), system.states.index(cosine)]
+        found += (
+            f" Of these {naming.list((cosine, sine))} are the cosine and the sine of the phase of"
+            f" a forcing, which turns with the frequency ${naming.notation.latex(frequency)}$."
+        )
+    return found
 
 
 def _domain(parameter: Parameter, notation: Notation) -> str:
