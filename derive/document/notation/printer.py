@@ -279,7 +279,8 @@ class Printer(LatexPrinter):
             # without brackets of its own it ends a product
             bracketed = isinstance(self.notation.functions.get(base), ExponentialDifference)
             return _FUNCTIONS + (0 if bracketed else 1), str(factor)
-        if base.is_Function or base == sp.E:
+        written = self.notation.names.get(base, "")
+        if base.is_Function or base == sp.E or written.endswith(r"\right)"):
             return _FUNCTIONS, str(factor)
         if "_by_" in str(base):
             return 4, str(factor)

@@ -42,12 +42,13 @@ _WORDS = {
     "spread": r"\delta",
     "equation": "F",
 }
-# of linear equations: the first that no symbol of the declaration has
+# of linear equations, and of characteristic factors: the first that the declaration leaves free
 _LINEAR = {
     "coefficient": ("a", r"\alpha", r"\mathsf{a}"),
     "right": ("b", r"\beta", r"\mathsf{b}"),
     "determinant": ("D", r"\Delta", r"\mathsf{D}"),
     "numerator": ("N", r"\mathsf{N}"),
+    "factor": (r"\gamma", r"\varrho", r"\mathsf{c}"),
 }
 _PARTS = {"cosine_part": "a", "sine_part": "b", "constant_part": "c", "amplitude": "A", "rate": "s"}
 _NAME = re.compile(r"([A-Za-z]+?)(\d*)((?:_\w+)?)")
@@ -137,7 +138,7 @@ class Notation:
             if text.startswith(f"{part}_"):
                 return f"{letter}_{{{_identifier(text.removeprefix(f'{part}_'))}}}"
         linear = _NAME.fullmatch(text)
-        if linear and linear[1] in _LINEAR and text not in self._known:
+        if linear and linear[1] in _LINEAR:
             return _identifier(text).replace(rf"\mathrm{{{linear[1]}}}", self._linear[linear[1]], 1)
         return _identifier(text)
 
@@ -268,7 +269,7 @@ class Notation:
 
     @cached_property
     def _linear(self) -> dict[str, str]:
-        """Letters of linear equations."""
+        """Letters of linear equations and of characteristic factors."""
         taken = {_identifier(name).partition("_")[0] for name in self._known}
         return {
             role: next((c for c in choices if c not in taken), choices[-1])
