@@ -25,6 +25,7 @@ from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.orbits.orbit import Orbit
+from tests.formulas.responses import response_functions
 from tests.formulas.values import Reading, name_of
 
 REVERSIBLE = ["rigid-stop/one-impact", "elastic-stop/one-contact", "dry-friction/symmetric"]
@@ -127,9 +128,14 @@ class Written:
                 known[symbol] = float(expression.xreplace(known))
         return known
 
+    def responses(self, numbers: Numbers) -> dict[str, Any]:
+        """Impulse responses, where motions are written in them."""
+        known = self.notation.responses
+        return response_functions(known, numbers) if known.factors else {}
+
     def reader(self, numbers: Numbers) -> Reader:
         """Read with these numbers, and with what the document names on the way."""
-        names: dict[str, Any] = {}
+        names: dict[str, Any] = {r"\pi": math.pi}
         for symbol, value in numbers.items():
             if symbol in self.notation.functions:
                 continue
@@ -138,6 +144,7 @@ class Written:
             if {cosine, sine} <= numbers.keys():
                 names[angle] = math.atan2(numbers[sine], numbers[cosine])
         names |= {r"\mathrm{i}": 1j} if self.angles else {}
+        names |= self.responses(numbers)
         for line in self.lines:
             if line.shows is None or not line.shows.free_symbols <= {*numbers}:
                 continue

@@ -285,6 +285,11 @@ def _bound(
     return sp.sqrt(sp.prod([sp.Add(*row) for row in rows], sp.Integer(1)))
 
 
+def _entry(row: int, column: int, size: int) -> str:
+    """Name of an entry of the matrix, its two places apart where they have more digits."""
+    return f"coefficient{row + 1}{'_' if size > 9 else ''}{column + 1}"
+
+
 def _tables(
     equations: Sequence[_Equation], coordinates: Sequence[sp.Symbol], kept: Sequence[sp.Symbol]
 ) -> tuple[list[Stage], sp.Matrix, list[sp.Matrix]]:
@@ -293,7 +298,7 @@ def _tables(
     zero = dict.fromkeys((*coordinates, *kept), 0)
     naming, values = assign(
         "coefficients of the linear equations",
-        [f"coefficient{i + 1}{j + 1}" for i in range(size) for j in range(size)],
+        [_entry(i, j, size) for i in range(size) for j in range(size)],
         [sp.diff(e, q) for _, e in equations for q in coordinates],
     )
     stages, columns = [naming], []
@@ -361,6 +366,11 @@ def _successively(
             f"the start solves {size} linear equations, and no reference tells in which order"
         )
     rows, places = list(range(size)), list(range(size))
+    sides = ["", *(f"_times_{q}" for q in kept)]
+    entries = [
+        [*(_entry(k, m, size) for m in places), *(f"right{k + 1}{side}" for side in sides)]
+        for k in rows
+    ]
     pivots: list[sp.Expr] = []
     order: list[tuple[int, int]] = []
     while rows:
@@ -373,7 +383,7 @@ def _successively(
         cells = [(k, m) for k in rows for m in (*places, *range(size, width))]
         for k, m in cells:
             numbers[k, m] -= numbers[k, j] * numbers[i, m] / numbers[i, j]
-            names.append(f"left{len(order)}_{k + 1}_{m + 1}")
+            names.append(f"{entries[k][m]}_without{len(order)}")
             values.append(table[k, m] - table[k, j] * table[i, m] / table[i, j])
         step, found = assign(f"without {coordinates[j]}", names, values)
         for cell, value in zip(cells, found, strict=True):

@@ -331,16 +331,39 @@ def _use_for_coordinate(draft: _Draft, leaving: _Exit, after: sp.Matrix) -> sp.M
         draft.equations.append((leaving.meaning, condition))
         return after
     slope = sp.diff(condition, chosen)
-    solution = _canonical(-sp.expand(condition - slope * chosen) / slope, draft.constants)
+    rest = sp.expand(condition - slope * chosen)
     rule = f"linear in {leaving.phase.boundary}"
     draft.eliminations.append(Elimination(chosen, rule))
-    draft.solved.append(Stage(f"{chosen}: {rule}", ((chosen, solution),)))
     draft.unsolved.remove(chosen)
+    if slope.free_symbols <= draft.constants:
+        solution = _canonical(-rest / slope, draft.constants)
+    else:
+        step, solution = _named_solution(draft.unsolved, chosen, -rest, slope)
+        draft.stages.append(step)
+    draft.solved.append(Stage(f"{chosen}: {rule}", ((chosen, solution),)))
     if draft.unsolved:  # the solution contains them: later conditions must see them
         substituted = after.subs(chosen, solution)
         step, after = affine_in(draft.unsolved, substituted, leaving.dwell)
         draft.stages.append(step)
     return after
+
+
+def _named_solution(
+    others: Sequence[sp.Symbol], chosen: sp.Symbol, right: sp.Expr, slope: sp.Expr
+) -> tuple[Stage, sp.Expr]:
+    """Solve ``slope * chosen = right``, affine in other coordinates, with names for its parts.
+
+    The slope moves with the dwell times; inserted as it is, it would stand below every term.
+    """
+    below = sp.Symbol(f"{chosen}_slope", real=True)
+    named = ((below, sp.factor_terms(slope)),)
+    if not others:
+        return Stage(f"parts of {chosen}", named), right / below
+    parts = [right.subs(dict.fromkeys(others, 0)), *(sp.diff(right, q) for q in others)]
+    names = [f"{chosen}_constant", *(f"{chosen}_times_{q}" for q in others)]
+    step, (constant, *rates) = assign(f"parts of {chosen}", names, [p / below for p in parts])
+    solution = constant + sum((r * q for r, q in zip(rates, others, strict=True)), sp.Integer(0))
+    return Stage(step.title, (*named, *step.assignments)), solution
 
 
 def affine_in(

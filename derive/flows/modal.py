@@ -135,7 +135,7 @@ class _Names:
     def coefficient(self, expression: sp.Expr) -> sp.Expr:
         """A coefficient of a characteristic factor: named where it takes some work."""
         simple = expression.count_ops() <= 2
-        return expression if simple else self.symbol("coefficient", expression)
+        return expression if simple else self.symbol("factor", expression)
 
     def _fresh(self, stem: str) -> str:
         """A name that nothing bears yet: the stem and a number."""

@@ -23,6 +23,7 @@ from nonsmooth.derive.document.blocks import Document, Formula, Paragraph, Table
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
 from nonsmooth.derive.document.layout import width
 from nonsmooth.derive.document.notation.arrange import by_function
+from nonsmooth.derive.document.notation.symbols import Notation
 from nonsmooth.derive.document.views.centres import name_centres
 from nonsmooth.derive.document.writers.hypertext import to_html
 from nonsmooth.derive.document.writers.latex import LatexMissing, compile_pdf, to_latex
@@ -31,7 +32,9 @@ from nonsmooth.derive.document.writers.mathml import mended
 from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
+from tests.documents import declarations, document_of
 from tests.latex_reader import ORBITS, written_of
+from tests.places import GALLERY
 
 VOID = {"meta", "br", "hr", "img", "link"}
 
@@ -225,6 +228,14 @@ def test_notation(name: str, latex: str) -> None:
     [
         ("y", "y"),
         ("coefficient11", "a_{11}"),
+        ("coefficient1_12", "a_{1,12}"),
+        ("coefficient12_without2", "a_{12}^{[2]}"),
+        ("right1_times_y", "b_{1,y}"),
+        ("right1_times_y_without2", "b_{1,y}^{[2]}"),
+        ("y_constant", r"\bar{y}"),
+        ("x1_0_slope", "a_{x_{1}^{(0)}}"),
+        ("part0_of_y_tau", "x_{1,y}^{(1)}"),
+        ("part1_of_1_tau1", r"\bar{x}_{2}^{(2)}"),
         ("right1", "b_{1}"),
         ("numerator2", "N_{2}"),
         ("determinant", "D"),
@@ -235,6 +246,14 @@ def test_notation(name: str, latex: str) -> None:
 )
 def test_notation_of_half_phases(name: str, latex: str) -> None:
     assert written_of("elastic-stop/one-contact").notation.symbol(name) == latex
+
+
+def test_letters_of_linear_equations_are_free() -> None:
+    notation = Notation((), sp.symbols("a b11 D"))
+    names = ("coefficient11", "right1", "determinant", "a", "b11")
+    assert [notation.symbol(n) for n in names] == [
+        r"\alpha_{11}", r"\beta_{1}", r"\Delta", "a", "b_{11}",
+    ]  # fmt: skip
 
 
 def test_an_arranged_sum_is_the_sum() -> None:
@@ -358,13 +377,27 @@ def test_another_process_writes_the_same_bytes() -> None:
 
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
 def test_pdf_has_no_overfull_box(document: Document, tmp_path: Path) -> None:
+    fits_the_page(document, tmp_path)
+
+
+IN_GALLERY = [n for n in declarations() if (GALLERY / f"{n.partition('/')[0]}.py").exists()]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+@pytest.mark.parametrize("name", IN_GALLERY)
+def test_no_line_of_the_gallery_is_cut(name: str, tmp_path: Path) -> None:
+    fits_the_page(document_of(name)[0], tmp_path)
+
+
+def fits_the_page(document: Document, tmp_path: Path) -> None:
     text = to_latex(document)
     (tmp_path / "document.tex").write_text(text, encoding="utf-8")
     options = ["-interaction=nonstopmode", "-halt-on-error", "-draftmode", "-no-shell-escape"]
     command = ["pdflatex", *options, "document.tex"]
     subprocess.run(command, cwd=tmp_path, capture_output=True, check=True)
     log = (tmp_path / "document.log").read_text(encoding="latin-1")
-    overfull = re.findall(r"Overfull \\hbox \(([\d.]+)pt", log)
+    overfull = re.findall(r"Overfull \\[hv]box \(([\d.]+)pt", log)
     assert not [o for o in overfull if float(o) > 5]
 
 

@@ -11,6 +11,7 @@ import sympy as sp
 from scipy.linalg import expm
 from scipy.optimize import brentq, fsolve
 
+from nonsmooth.derive.building import Harmonic, RigidStop, oscillator
 from nonsmooth.derive.declaration.configuration import Boundary, Configuration
 from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
@@ -36,6 +37,7 @@ from tests.declared_documents import (
     switched,
     switching,
 )
+from tests.documents import declarations
 from tests.latex_reader import Reader, text_of, value_of
 
 Field = tuple[np.ndarray, np.ndarray]
@@ -162,6 +164,66 @@ def test_the_regimes_of_damping_are_named_where_they_are_open() -> None:
         assert text.count(rf"\text{{ ({regime})}}") == 1
     assert r"\lambda^{2} + 2 \omega \zeta \lambda + \omega^{2}" in text
     assert r"\text{if }" not in to_markdown(describe_system(switched()))
+
+
+def formulas_of(system: System) -> dict[str, list[str]]:
+    """Right-hand sides by left-hand sides."""
+    found: dict[str, list[str]] = {}
+    for line in lines_of(describe_system(system)):
+        found.setdefault(line.left, []).append(" ".join(line.pieces))
+    return found
+
+
+def driven(damping: Any, size: int = 1) -> System:
+    """Masses in a row between two walls, the middle one of them under harmonic forcing."""
+    coordinates = [f"x{i + 1}" for i in range(size)]
+    stiffness = sp.Matrix(size, size, lambda i, j: 2 * (i == j) - (abs(i - j) == 1))
+    w, force = sp.symbols("w F", positive=True)
+    return oscillator(
+        "driven", coordinates, sp.eye(size), stiffness, damping * stiffness,
+        forcing=[Harmonic(w, {coordinates[size // 2]: force})],
+        elements=[RigidStop(coordinates[0], at=1, restitution=sp.Symbol("r"), name="wall")],
+    )  # fmt: skip
+
+
+def test_the_steady_response_has_amplitude_and_lag() -> None:
+    """Where it is damped; undamped it is unbounded in resonance, and has a limit there."""
+    shown = formulas_of(driven(sp.Symbol("zeta", positive=True)))
+    amplitude, lag = shown["H_{1}"][0], shown[r"\phi_{1}"][0]
+    assert shown["x_{1,p}(t)"] == [r"F H_{1} \cos\left(\theta(t) - \phi_{1}\right)"]
+    names = {r"\zeta": 0.3, "w": 1.7, r"\mathrm{i}": 1j}
+    answer = 1 / (2 - 1.7**2 + 2 * 0.3 * 1.7j)
+    assert Reader(names)(amplitude) == pytest.approx(abs(answer), rel=1e-13)
+    assert Reader(names)(lag) == pytest.approx(-np.angle(answer), rel=1e-13)
+    shown = formulas_of(driven(sp.Integer(0)))
+    assert shown["x_{1,p}(t)"] == [r"F H_{1} \cos\left(\theta(t)\right)"]
+    ordinary, limit = (text.partition(r"\quad") for text in shown[r"h_{12}\left(t\right)"])
+    assert r"\neq 0" in ordinary[2]
+    assert "resonance" in limit[2]
+    near = Reader({"w": np.sqrt(2) + 1e-5, "t": 0.9})(ordinary[0])
+    assert Reader({"w": np.sqrt(2), "t": 0.9})(limit[0]) == pytest.approx(near, rel=1e-4)
+
+
+def test_three_masses_are_written_in_modal_form() -> None:
+    """One matrix for each mode; they are projectors, and their sum is the unit matrix."""
+    system = driven(sp.Symbol("zeta", positive=True), 3)
+    text = to_markdown(describe_system(system))
+    assert "in modal form" in text
+    found = re.findall(r"P_\{1,\d\} = \\left\((\\begin\{matrix\}.*?\\end\{matrix\})", text)
+    projectors = [Reader({}).matrix(matrix) for matrix in found]
+    assert len(projectors) == 3
+    assert sum(projectors) == pytest.approx(np.eye(3), abs=1e-14)
+    for matrix in projectors:
+        assert matrix @ matrix == pytest.approx(matrix, abs=1e-14)
+
+
+def test_a_word_of_a_description_is_no_dwell_time() -> None:
+    itinerary = declarations()["piecewise_stiffness/one-contact"]
+    assert {p.dwell_time for p in itinerary.phases} == {"on", "off"}
+    (table,) = (
+        b for b in describe_itinerary(itinerary).section("The system") if isinstance(b, Table)
+    )
+    assert "stiffness on the stop, against 1 before it" in {row[1] for row in table.rows}
 
 
 def test_the_cycle_of_switched_damping() -> None:

@@ -10,6 +10,7 @@ import sympy as sp
 
 import nonsmooth as ns
 from nonsmooth.derive.document.blocks import Formula, Table
+from nonsmooth.derive.document.sections.describe_reduction import difference_of_squares
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.equations.section import section_of, start_of
@@ -50,12 +51,50 @@ VARIANTS = {
 GALLERY = ("mass_on_belt/stick-slip", "two_belts/both-stick", "two_belts/second-sticks")
 
 
+FORCED = (
+    "impact_oscillator/one-period",
+    "jenkins/yielding-both-ways",
+    "brake_pad/lifting",
+    "piecewise_stiffness/doubled",
+)
+
+
+def test_each_symbol_is_defined_before_it_is_used(name: str) -> None:
+    """Of parameters, states, unknowns and what lines define; resets and derivatives have words."""
+    defined_in_order(written_of(name))
+
+
+def defined_in_order(written: Written) -> None:
+    equations, notation = written.equations, written.notation
+    known = {TIME, *notation.constants, *notation.start, *notation.functions}
+    known |= {*equations.unknowns, *equations.vanishing, *(k.dwell for k in equations.chain.links)}
+    known |= {equations.itinerary.period.symbol} if equations.itinerary.period else set()
+    known -= {*written.centres.values, *equations.spectrum.symbols}
+    told = re.compile(rf"({'|'.join(map(str, notation.states))})(_0|_\d+_reset||)|\w+_by_\w+")
+    for line in written.lines:
+        used = line.shows.free_symbols if line.shows is not None else set()
+        assert not {s for s in used - known if not told.fullmatch(str(s))}, line.latex
+        if isinstance(line.subject, sp.Symbol):
+            known.add(line.subject)
+
+
+@pytest.mark.parametrize("name", FORCED)
+def test_forced_orbits_have_documents_as_true(name: str) -> None:
+    written = derived(name)
+    assert written is not None
+    test_formulas_show_what_the_kernels_compute(written)
+    test_every_stage_of_the_derivation_is_shown(written)
+    test_the_equations_are_all_there(written)
+    defined_in_order(written)
+
+
 @pytest.mark.parametrize(
     "name", [*VARIANTS, *(pytest.param(name, marks=pytest.mark.slow) for name in GALLERY)]
 )
 def test_other_itineraries_have_documents_as_true(name: str) -> None:
     written = Written(derive_equations(VARIANTS[name]())) if name in VARIANTS else derived(name)
     assert written is not None
+    defined_in_order(written)
     if name in GALLERY:
         test_flows_show_what_the_kernels_compute(written)
         test_one_letter_stands_for_one_thing(written)
@@ -259,3 +298,16 @@ def test_elimination_tells_each_unknown(written: Written) -> None:
         assert written.notation.symbol(elimination.unknown) in text
     for unknown in written.equations.reduction.unknowns:
         assert f"${written.notation.symbol(unknown)}$" in text
+
+
+def test_a_discriminant_is_a_difference_of_squares() -> None:
+    """Lagrange's identity, where the quadratic equation is a sum of squares."""
+    a, b, c, d, x, determinant = sp.symbols("a b c d x determinant")
+    sides = sp.Poly(sp.expand((a + b * x) ** 2 + (c + d * x) ** 2 - determinant**2), x)
+    square, middle, rest = sides.all_coeffs()
+    found = difference_of_squares((middle / 2) ** 2 - square * rest)
+    assert sp.expand(found - (middle / 2) ** 2 + square * rest) == 0
+    assert len(found.args) == 2
+    assert found.subs(determinant, 0) == -((a * d - b * c) ** 2)
+    plain = a**2 - 4 * b * c
+    assert difference_of_squares(plain) == plain

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property, partial
-from itertools import combinations
+from copy import copy
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 import sympy as sp
 from scipy.linalg import expm
+from scipy.optimize import brentq
 
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.system import System
@@ -23,6 +24,7 @@ from nonsmooth.derive.flows.modal import Spectrum
 from tests.formulas.latex import read_latex
 from tests.formulas.layout import Accent, Atom, Item, Row, Script, Unreadable, plain
 from tests.formulas.pages import inline
+from tests.formulas.responses import response_functions
 from tests.formulas.values import UNIT, Reading, Unit, name_of, split, without_spaces
 
 __all__ = ["Broken", "Facts", "Motion", "SystemLaw", "drawn"]
@@ -49,10 +51,6 @@ class Motion(np.ndarray):
 
     def __call__(self, time: float) -> Any:
         return self.flow(time)
-
-
-def _response(companion: np.ndarray, order: int, time: float) -> float:
-    return float(expm(companion * time)[order, -1])
 
 
 def drawn(system: System, seed: int) -> Numbers:
@@ -165,6 +163,9 @@ class Facts:
         start = state + 0.37 * np.cos(np.arange(size))
         for i in [j for j in range(size) if a[j].any() == 0 and b[j, 0] == 0]:
             start[i] = state[i]
+        for pair in system.forcing:
+            c, s = (system.states.index(symbol) for symbol in pair)
+            start[[c, s]] /= np.hypot(start[c], start[s])
 
         def moved(t: float) -> Any:
             phi, forcing = self.flow(configuration, t)
@@ -176,6 +177,7 @@ class Facts:
             name = name_of(notation.symbol(symbol))
             found[f"{name}()"] = lambda t, i=i: moved(t)[i, 0]
             found[f"{name}^{{′}}()"] = lambda t, i=i: (a @ moved(t) + b)[i, 0]
+        found |= self.vectors(moved, a, b) | self.steady(moved, a, letters)
         augmented = np.block([[a, b], [np.zeros((1, size + 1))]])
         found |= {
             name_of(letters.matrix): a, name_of(letters.offset): b,
@@ -186,31 +188,65 @@ class Facts:
         }  # fmt: skip
         return found | self.responses
 
+    def vectors(self, moved: Any, a: np.ndarray, b: np.ndarray) -> dict[str, Any]:
+        """All coordinates that have velocities among the states, as one column."""
+        rows = [
+            i for i in range(len(a))
+            if sorted(a[i])[-1] == 1 and np.count_nonzero(a[i]) == 1 and np.argmax(a[i]) > i
+        ]  # fmt: skip
+        notation = self.naming.notation
+        taken = {notation.symbol(s) for s in (*self.system.states, *notation.constants)}
+        letter = next(x for x in ("x", "q", r"\mathsf{x}") if x not in taken)
+        if len(rows) < 2:
+            return {}
+        column = np.array([[self.given[self.system.states[i]]] for i in rows])
+        return {
+            name_of(letter): column,
+            f"{name_of(letter)}()": lambda t: moved(t)[rows],
+            f"{name_of(letter)}^{{′}}()": lambda t: (a @ moved(t) + b)[rows],
+        }
+
+    def steady(self, moved: Any, a: np.ndarray, letters: Any) -> dict[str, Any]:
+        """Phase of the only forcing, and the harmonic response of every state to it."""
+        found: dict[str, Any] = {name_of(r"\mathrm{i}"): 1j}
+        if len(self.system.forcing) != 1:
+            return found
+        c, s = (self.system.states.index(symbol) for symbol in self.system.forcing[0])
+        others = [i for i in range(len(a)) if i not in (c, s)]
+        frequency = a[s, c]
+        right = a[others, c] - 1j * a[others, s]
+        inner = 1j * frequency * np.eye(len(others)) - a[np.ix_(others, others)]
+        answer = np.linalg.solve(inner, right)
+
+        def phase(t: float) -> float:
+            return float(np.arctan2(moved(t)[s, 0], moved(t)[c, 0]))
+
+        found[f"{name_of(letters.phase)}()"] = phase
+        for value, place in zip(answer, others, strict=True):
+            text = self.naming.notation.symbol(self.system.states[place])
+            name = f"{text[:-1]},p}}" if "_{" in text else f"{text}_{{p}}"
+            found[f"{name_of(name)}()"] = lambda t, value=value: (
+                (value * np.exp(1j * phase(t))).real
+            )
+        return found
+
     @cached_property
     def responses(self) -> dict[str, Any]:
         """Characteristic factors and impulse responses, by the numbers of the document."""
         known = self.naming.notation.responses
-        found: dict[str, Any] = {}
-        for factor in (sp.Tuple(0), *known.factors):
-            coefficients = [
-                1.0,
-                *(float(sp.sympify(c).xreplace(self.numbers)) for c in reversed(factor)),
-            ]
-            name = name_of(rf"{known.polynomial}_{{{known.number(factor)}}}")
-            found[name] = np.poly1d(coefficients)
-        products = {
-            p for q in known.products for n in range(1, len(q) + 1) for p in combinations(q, n)
-        }
-        for product in products:
-            polynomial = np.poly1d([1.0])
-            for factor in product:
-                polynomial *= found[name_of(rf"{known.polynomial}_{{{known.number(factor)}}}")]
-            companion = np.diag(np.ones(polynomial.order - 1), 1)
-            companion[-1] = -polynomial.coeffs[:0:-1]
-            for order in range(polynomial.order):
-                name = name_of(known.latex(order, product, "").partition(r"\left(")[0])
-                found[name] = partial(_response, companion, order)
+        functions = response_functions(known, self.numbers)
+        found = {name_of(latex): function for latex, function in functions.items()}
+        letters = letters_of(self.naming, (*self.system.states, *self.naming.notation.constants))
+        for factor in known.factors:
+            if len(factor) == 2:
+                number, rate = known.number(factor), float(factor[1].xreplace(self.numbers))
+                h, fast = (found[name_of(f"{known.letter}_{{{number}}}{p}")] for p in ("", "'"))
+                name = name_of(rf"{letters.displacement}_{{{number}}}")
+                found[name] = lambda t, h=h, fast=fast, rate=rate: fast(t) + rate * h(t)
         # of any factor, and of any two
+        found[name_of(rf"{letters.displacement}_{{j}}")] = lambda t: t
+        found[name_of(rf"{letters.amplitude}_{{j}}")] = 1.0
+        found[name_of(rf"{letters.lag}_{{j}}")] = 1.0
         for letter, factor in zip("jk", (sp.Tuple(0), *known.factors), strict=False):
             name = name_of(rf"{known.polynomial}_{{{letter}}}")
             found[name] = found[name_of(rf"{known.polynomial}_{{{known.number(factor)}}}")]
@@ -220,7 +256,9 @@ class Facts:
 
     def is_response(self, left: Row) -> bool:
         """Whether a relation says what an impulse response is."""
-        return plain(left).startswith(f"{name_of(self.naming.notation.responses.letter)}_")
+        letters = letters_of(self.naming, (*self.system.states, *self.naming.notation.constants))
+        heads = (self.naming.notation.responses.letter, letters.displacement)
+        return plain(left).startswith(tuple(f"{name_of(head)}_" for head in heads))
 
     def one_cluster(self, configuration: str) -> dict[str, Any]:
         """All eigenvalues as one cluster: what is said of clusters holds for it too."""
@@ -409,6 +447,9 @@ class SystemLaw:
             return
         self.used |= {plain((i,)) for i in _all_items(row)} & set(self.defined)
         if signs and self.facts.is_response(sides[0]) and not self.holds(condition):
+            elsewhere = self.where_equal(condition)
+            if elsewhere is not None:
+                elsewhere.statement(row, ())
             return
         values: list[Any] = []
         unknown: list[Row] = []
@@ -434,6 +475,30 @@ class SystemLaw:
         elif not self.is_open(row) and not all(map(_holds, signs, values, values[1:])):
             raise Broken(f"false at {values}")
         self.count += 1
+
+    def where_equal(self, condition: Row) -> SystemLaw | None:
+        """The same law where a condition of equality holds: one parameter is solved for."""
+        sides, signs = relations_of(condition)
+        if signs != ["="]:
+            return None
+
+        def at(symbol: sp.Symbol, value: float) -> SystemLaw:
+            given = {**self.facts.given, symbol: value}
+            law = copy(self)
+            law.facts = replace(self.facts, given=given)
+            return law
+
+        def gap(value: float, symbol: sp.Symbol) -> float:
+            one, other = map(Reading(at(symbol, value).names), sides)
+            return float(one - other)
+
+        for symbol in (p.symbol for p in self.parameters):
+            values = np.linspace(0.05, 4.0, 12)
+            gaps = [gap(v, symbol) for v in values]
+            for k in range(len(values) - 1):
+                if gaps[k] * gaps[k + 1] < 0:
+                    return at(symbol, brentq(gap, values[k], values[k + 1], (symbol,), xtol=1e-14))
+        return None
 
     def holds(self, condition: Row) -> bool:
         """Whether a case of an impulse response is the one at hand."""

@@ -35,6 +35,11 @@ _CHOICES = {
     "jacobian": ("J", r"\mathsf{J}"),
     "directions": ("L", r"\mathsf{L}"),
     "shift": (r"\sigma", r"\mathsf{z}"),
+    "displacement": ("g", r"\mathsf{g}"),
+    "damped": (r"\nu", r"\Omega", r"\mathsf{w}"),
+    "phase": (r"\theta", r"\vartheta", r"\mathsf{t}"),
+    "amplitude": ("H", "G", r"\mathsf{H}"),
+    "lag": (r"\phi", r"\psi", r"\mathsf{l}"),
 }
 _KEPT = ("I", "M", "C", "K", r"\ell", r"\Phi", "t", "k", "j")
 
@@ -67,6 +72,10 @@ class Letters:
         Of the Poincaré map.
     directions, shift : str
         Directions of the state that nothing depends on, and how far an orbit moves along them.
+    displacement, damped : str
+        Response to a displacement, and damped frequency.
+    phase, amplitude, lag : str
+        Phase of a forcing, amplitude of the response to it and how far it lags behind.
     """
 
     matrix: str
@@ -91,12 +100,18 @@ class Letters:
     jacobian: str
     directions: str
     shift: str
+    displacement: str
+    damped: str
+    phase: str
+    amplitude: str
+    lag: str
 
 
 def letters_of(naming: Naming, symbols: Iterable[sp.Symbol]) -> Letters:
     """Letters that differ from those of the symbols, of the state and of each other."""
     taken = {naming.notation.symbol(s).partition("_")[0].partition("^")[0] for s in symbols}
-    taken |= {naming.state, naming.letter, *_KEPT}
+    responses = naming.notation.responses
+    taken |= {naming.state, naming.letter, responses.letter, responses.polynomial, *_KEPT}
     chosen: dict[str, str] = {}
     for role, choices in _CHOICES.items():
         chosen[role] = next((c for c in choices if c not in taken), choices[-1])

@@ -11,6 +11,7 @@ from sympy.printing.latex import LatexPrinter
 
 from nonsmooth.derive.document.layout import width
 from nonsmooth.derive.equations.explicit import Angle
+from nonsmooth.derive.flows.entire import ExponentialDifference
 
 if TYPE_CHECKING:
     from nonsmooth.derive.document.notation.symbols import Notation
@@ -276,8 +277,10 @@ class Printer(LatexPrinter):
             return 3, f"{2 if moving else 0 if entries else 1} {factor}"
         if isinstance(base, sp.cos | sp.sin) or self.notation.is_function(base):
             # without brackets of its own it ends a product
-            return _FUNCTIONS + 1, str(factor)
-        if base.is_Function or base == sp.E:
+            bracketed = isinstance(self.notation.functions.get(base), ExponentialDifference)
+            return _FUNCTIONS + (0 if bracketed else 1), str(factor)
+        written = self.notation.names.get(base, "")
+        if base.is_Function or base == sp.E or written.endswith(r"\right)"):
             return _FUNCTIONS, str(factor)
         if "_by_" in str(base):
             return 4, str(factor)

@@ -6,6 +6,10 @@ One general rule, no table per orbit:
   of two letters joins the index (``us1`` is u_{s1}, ``ta`` is t_a, ``z10`` is z_{10});
 * ``z1_3`` is a state behind phase 3, z_1^{(3)}, and ``z1_3_reset`` behind its transition;
 * ``z1_3_by_tau`` is its partial derivative;
+* what is affine in q has the coefficient ``right1_times_q`` of it, with q as an index, and
+  ``x0_constant`` where q is zero, with a bar; of a state behind a phase these are
+  ``part2_of_q_tau`` and ``part2_of_1_tau``, its place first, and last the phase's dwell time;
+* ``coefficient12_without3`` is an entry of linear equations after three steps of elimination;
 * values of a flow's functions are written as what they are, cos(omega_1 tau_1);
 * ``amplitude_tau2`` and its like belong to the dwell time that they name.
 """
@@ -37,14 +41,21 @@ _WORDS = {
     "mean": r"\mu",
     "spread": r"\delta",
     "equation": "F",
-    "coefficient": "a",
-    "right": "b",
-    "determinant": "D",
-    "numerator": "N",
+}
+# of linear equations, and of characteristic factors: the first that the declaration leaves free
+_LINEAR = {
+    "coefficient": ("a", r"\alpha", r"\mathsf{a}"),
+    "right": ("b", r"\beta", r"\mathsf{b}"),
+    "determinant": ("D", r"\Delta", r"\mathsf{D}"),
+    "numerator": ("N", r"\mathsf{N}"),
+    "factor": (r"\gamma", r"\varrho", r"\mathsf{c}"),
 }
 _PARTS = {"cosine_part": "a", "sine_part": "b", "constant_part": "c", "amplitude": "A", "rate": "s"}
 _NAME = re.compile(r"([A-Za-z]+?)(\d*)((?:_\w+)?)")
 _TURNED = re.compile(r"(cos|sin)_(\w+)_return")
+_LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[^{}]*\})?")
+_PART = re.compile(r"part(\d+)_of_")
+_REDUCED = re.compile(r"(\w+)_without(\d+)")
 _WORD = r"[A-Za-z]\w*"
 _SUM = rf"{_WORD}(?:\s*[-+*/]\s*{_WORD})*"
 _EXPRESSION = re.compile(rf"(?<![-\w])(?:{_SUM}|\({_SUM}\))(?:\s*[-+*/]\s*(?:{_WORD}|\({_SUM}\)))*")
@@ -70,6 +81,8 @@ class Notation:
         Symbols that the document itself introduces.
     responses : Responses
         Numbers of the factors of impulse responses.
+    behind : mapping of str to LaTeX
+        What marks a state behind a phase, ``(2)`` or ``(2)+``, by the name of its dwell time.
     """
 
     states: tuple[sp.Symbol, ...]
@@ -80,6 +93,7 @@ class Notation:
     projectors: tuple[sp.Symbol, ...] = ()
     names: Mapping[sp.Symbol, str] = field(default_factory=dict)
     responses: Responses = field(default_factory=Responses)
+    behind: Mapping[str, str] = field(default_factory=dict)
 
     def with_names(self, names: Mapping[sp.Symbol, str]) -> Notation:
         """The same notation with more symbols that the document introduces."""
@@ -98,9 +112,19 @@ class Notation:
         inner, by, variable = text.rpartition("_by_")
         if by:
             return rf"\partial_{{{self.symbol(variable)}}} {self.symbol(inner)}"
+        reduced = _REDUCED.fullmatch(text)
+        if reduced:
+            return f"{self.symbol(reduced[1])}^{{[{reduced[2]}]}}"
         inner, times, variable = text.rpartition("_times_")
         if times:
-            return rf"{self.symbol(inner)}^{{({self.symbol(variable)})}}"
+            return _indexed(self.symbol(inner), self.symbol(variable))
+        part = self._part(text)
+        if part:
+            return part
+        if text.endswith("_constant"):
+            return _barred(self.symbol(text.removesuffix("_constant")))
+        if text.endswith("_slope"):
+            return f"{self._linear['coefficient']}_{{{self.symbol(text.removesuffix('_slope'))}}}"
         if text in self._functions:
             return self.latex(self._functions[text])
         state = self._state_at(text)
@@ -113,6 +137,9 @@ class Notation:
         for part, letter in _PARTS.items():
             if text.startswith(f"{part}_"):
                 return f"{letter}_{{{_identifier(text.removeprefix(f'{part}_'))}}}"
+        linear = _NAME.fullmatch(text)
+        if linear and linear[1] in _LINEAR:
+            return _identifier(text).replace(rf"\mathrm{{{linear[1]}}}", self._linear[linear[1]], 1)
         return _identifier(text)
 
     def latex(self, expression: Any) -> str:
@@ -211,6 +238,18 @@ class Notation:
             return None
         return match[1], match[2], "+" if match[3] else ""
 
+    def _part(self, text: str) -> str | None:
+        """A coefficient of a state behind a phase, where that is affine in the start."""
+        match = _PART.match(text)
+        if match is None:
+            return None
+        for dwell, mark in self.behind.items():
+            variable = text[match.end() :].removesuffix(f"_{dwell}")
+            if text == f"{match[0]}{variable}_{dwell}":
+                state = f"{_identifier(self._state_names[int(match[1])])}^{{{mark}}}"
+                return _barred(state) if variable == "1" else _indexed(state, self.symbol(variable))
+        return None
+
     def _is_name(self, word: str) -> bool:
         known = word in self._known and (len(word) > 1 or word.isupper())
         indexed = re.fullmatch(rf"[A-Za-z]{{1,2}}\d+|(?:{'|'.join(_GREEK)})\d*", word)
@@ -229,8 +268,29 @@ class Notation:
         return frozenset(str(s) for s in (*self.states, *self.constants, *self.unknowns))
 
     @cached_property
+    def _linear(self) -> dict[str, str]:
+        """Letters of linear equations and of characteristic factors."""
+        taken = {_identifier(name).partition("_")[0] for name in self._known}
+        return {
+            role: next((c for c in choices if c not in taken), choices[-1])
+            for role, choices in _LINEAR.items()
+        }
+
+    @cached_property
     def _printer(self) -> Printer:
         return Printer(self)
+
+
+def _indexed(latex: str, index: str) -> str:
+    """A symbol with one more index."""
+    head, raised, above = latex.partition("^")
+    head = f"{head[:-1]},{index}}}" if "_{" in head else f"{head}_{{{index}}}"
+    return f"{head}{raised}{above}"
+
+
+def _barred(latex: str) -> str:
+    """A symbol with a bar over its letter."""
+    return _LETTER.sub(lambda letter: rf"\bar{{{letter[0]}}}", latex, count=1)
 
 
 def _identifier(name: str) -> str:

@@ -49,7 +49,8 @@ def _lines(view: View, index: int, assigned: dict[sp.Symbol, sp.Expr]) -> list[L
     lines = []
     for row, (symbol, value) in enumerate(zip(naming.system.states, link.after, strict=True)):
         named = sp.Symbol(f"{symbol}_{index}", real=True)
-        line = naming.equal(named, assigned.get(value, value))
+        # a state that does not move is what it was, not once more how that came about
+        line = naming.equal(named, assigned[named] if value == named else value)
         if view.reversible or link.flow.configuration in view.centres.columns:
             line = replace(line, pieces=_about_centre(view, link, row))
         lines.append(line)

@@ -84,6 +84,11 @@ def _chain_rule(view: View) -> list[Block]:
         if swapped
         else ""
     )
+    by_forcing = (
+        " Those of the conditions on the forcing are their derivatives as they stand."
+        if equations.chain.forcing
+        else ""
+    )
     last = "" if _is_unit(links[-1]) else f"R_{{{len(links)}}} "
     unit = " and $R_{0}$ the unit matrix" if _resets(view) else ""
     return [
@@ -103,7 +108,7 @@ def _chain_rule(view: View) -> list[Block]:
             f"$E$ being the derivative of ${state}^{{(0)}}$ by the section's coordinates{unit}. The"
             " rows of the Jacobian of the equations are $n_{k} U_{k}$ for the switching conditions"
             f" and the section's rows of ${last}U_{{{len(links)}}} - U_{{0}}$ for the closure."
-            f"{by_parameter}"
+            f"{by_forcing}{by_parameter}"
         ),
     ]
 

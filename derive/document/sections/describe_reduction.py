@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import groupby
+
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph, Table
@@ -39,14 +41,16 @@ def reduction_section(view: View) -> list[Block]:
         )
     ]
     if reduction.eliminations:
+        together = groupby(reduction.eliminations, lambda e: e.rule)
         rows = [
-            (f"${notation.symbol(e.unknown)}$", naming.prose(e.rule))
-            for e in reduction.eliminations
+            (", ".join(f"${notation.symbol(e.unknown)}$" for e in found), naming.prose(rule))
+            for rule, found in together
         ]
-        blocks.append(Table(("Eliminated", "Rule"), tuple(rows)))
+        blocks.append(Table(("Eliminated", "Rule"), tuple(rows), wrapped=1))
     if any(e.rule == RETURN for e in reduction.eliminations):
         blocks.append(Paragraph(_FIRST_RETURN))
     blocks += _beyond(view)
+    blocks += _parts(view)
     blocks += _stages(view)
     if reduction.equations:
         blocks.append(
@@ -70,17 +74,32 @@ def _both_roots(view: View) -> list[Block]:
         return []
     (unknown,), ((_, equation),) = reduction.unknowns, reduction.equations
     a, b, c = sp.Poly(sp.expand(equation), unknown).all_coeffs()
-    half, radicand = sp.factor_terms(-b / 2), sp.expand((b / 2) ** 2 - a * c)
+    half, radicand = sp.factor_terms(-b / 2), difference_of_squares((b / 2) ** 2 - a * c)
     latex = naming.notation.latex
     above = rf"{latex(half)} \pm \sqrt{{{latex(radicand)}}}"
     value = rf"\frac{{{above}}}{{{latex(a)}}}."
     return [
         Paragraph(
-            "It is quadratic, so that the orbit is explicit. An itinerary has up to two orbits;"
-            " which of them is a motion of the system, admissibility decides:"
+            "It is quadratic, so that the orbit is explicit: there are two of them where the"
+            " radicand is positive, which meet in a fold where it vanishes, and none where it is"
+            " negative. Which of the two is a motion of the system, admissibility decides:"
         ),
         Formula((Line(naming.notation.symbol(unknown), "=", (value,)),)),
     ]
+
+
+def difference_of_squares(expression: sp.Expr) -> sp.Expr:
+    """Write a polynomial as p g^2 - q^2 with one of its symbols g, where it is of that form."""
+    expanded = sp.expand(expression)
+    for symbol in sorted(expanded.free_symbols, key=str):
+        coefficients = sp.Poly(expanded, symbol).as_dict()
+        if set(coefficients) != {(0,), (2,)}:
+            continue
+        number, factors = sp.factor_list(-coefficients[(0,)])
+        if sp.sqrt(number).is_rational and all(power % 2 == 0 for _, power in factors):
+            root = sp.Mul(sp.sqrt(number), *(base ** (power // 2) for base, power in factors))
+            return sp.factor_terms(coefficients[(2,)]) * symbol**2 - root**2
+    return expanded
 
 
 def _beyond(view: View) -> list[Block]:
@@ -99,6 +118,50 @@ def _beyond(view: View) -> list[Block]:
         )
         for k in found
     ]
+
+
+def _parts(view: View) -> list[Block]:
+    """What a bar, an index and a number in brackets say of the symbols of the stages."""
+    naming, reduction = view.naming, view.equations.reduction
+    notation = naming.notation
+    names = [str(s) for stage in reduction.stages for s, _ in stage.assignments]
+    blocks: list[Block] = []
+    parts = [n for n in names if n.startswith("part")]
+    of_start = next((n for n in reversed(parts) if "_of_1_" not in n), None)
+    if of_start:
+        blocks.append(
+            Paragraph(
+                f"Given the dwell times, the states ${naming.state}^{{(k)}}$ are affine in the"
+                " coordinates of the start. A bar marks their value where these coordinates are"
+                f" zero, and a coordinate as the last index, as in ${notation.symbol(of_start)}$,"
+                " its coefficient."
+            )
+        )
+    if not any(n.startswith("right") for n in names):
+        return blocks
+    rule = reduction.eliminations[-1].rule
+    columns = [e.unknown for e in reduction.eliminations if e.rule == rule]
+    kept = [u for u in reduction.unknowns if u in view.equations.chain.start.coordinates]
+    matrix, right = (notation.symbol(f"{n}1").partition("_")[0] for n in ("coefficient", "right"))
+    left = [rf"{matrix}_{{ij}}\, {notation.symbol(q)}" for q in columns]
+    left = [t.replace("ij", f"i{j}") for j, t in enumerate(left, start=1)]
+    side = [f"{right}_{{i}}"]
+    side += [f"{right}_{{i,{notation.symbol(q)}}} {notation.symbol(q)}" for q in kept]
+    many = f"The {count(len(columns), 'linear equation')} for {naming.list(columns)}"
+    blocks += [
+        Paragraph(f"{many} {'is' if len(columns) == 1 else 'are'}, in the order of the table,"),
+        Formula((Line(" + ".join(left), "=", (" + ".join(side),)),)),
+        Paragraph(
+            "An entry that is a number, or one function or symbol, is not listed below, but"
+            " stands where it is used."
+            + (
+                " A number in square brackets counts the steps of elimination."
+                if any("_without" in n for n in names)
+                else ""
+            )
+        ),
+    ]
+    return blocks
 
 
 def numbered_rest(view: View) -> list[Formula]:

@@ -2,57 +2,99 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
 from nonsmooth.derive.document.blocks import Block, Formula, Line, Paragraph
 from nonsmooth.derive.document.notation.characteristic import polynomial_pieces
-from nonsmooth.derive.document.notation.letters import letters_of
+from nonsmooth.derive.document.notation.letters import Letters, letters_of
 from nonsmooth.derive.document.notation.responses import Factors
+from nonsmooth.derive.document.notation.symbols import Notation
 from nonsmooth.derive.document.notation.wording import Naming
+from nonsmooth.derive.document.sections.describe_motions import motion_blocks, steady_blocks
+from nonsmooth.derive.document.views.motions import Displacements
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, Flow
 
 __all__ = ["response_flows"]
 
 _CONSTANT = sp.Tuple(sp.Integer(0))
+_REGIMES = (
+    (-1, "sin", "<", "underdamped"),
+    (0, "", "=", "critically damped"),
+    (1, "sinh", ">", "overdamped"),
+)
 
 
-def response_flows(naming: Naming, flows: Sequence[Flow]) -> tuple[list[Block], dict[str, int]]:
-    """Flows in impulse responses, coordinate by coordinate, and the number of each.
+def response_flows(
+    naming: Naming, flows: Sequence[Flow], spectrum: Mapping[sp.Symbol, sp.Expr]
+) -> tuple[list[Block], dict[str, int]]:
+    """Flows in impulse responses, and the number of each.
 
     Parameters
     ----------
     naming : Naming
     flows : sequence of Flow
+    spectrum : mapping of symbol to expression
     """
     alike: dict[tuple[object, ...], list[Flow]] = {}
     for flow in flows:
         alike.setdefault((flow.basis, flow.matrices, flow.offsets), []).append(flow)
-    blocks = _definitions(naming)
+    letters = letters_of(naming, (*naming.system.states, *naming.notation.constants))
+    displacements = _displacements(naming, letters, spectrum)
+    motions: list[Block] = []
     numbers: dict[str, int] = {}
     for number, sharing in enumerate(alike.values(), start=1):
         numbers |= {f.configuration: number for f in sharing}
         listed = ", ".join(f"*{f.configuration}*" for f in sharing)
-        blocks += [
-            Paragraph(rf"$\Phi_{{{number}}}$, of {listed}: each coordinate by itself,"),
-            _motion(naming, sharing[0]),
-        ]
-    return blocks, numbers
+        motions += motion_blocks(naming, letters, sharing[0], displacements, number, listed)
+    shared = [
+        (", ".join(f"*{f.configuration}*" for f in sharing), sharing[0])
+        for sharing in alike.values()
+    ]
+    steady = steady_blocks(naming, letters, shared)
+    shown = "".join(line.latex for b in motions if isinstance(b, Formula) for line in b.lines)
+    used = {
+        s
+        for f, s in displacements.symbols.items()
+        if rf"{letters.displacement}_{{{naming.notation.responses.number(f)}}}" in shown
+    }
+    return [*_definitions(naming, letters, displacements, used), *motions, *steady], numbers
 
 
-def _definitions(naming: Naming) -> list[Block]:
+def _displacements(
+    naming: Naming, letters: Letters, spectrum: Mapping[sp.Symbol, sp.Expr]
+) -> Displacements:
+    """Symbols of the responses to displacements, of each damped factor."""
+    factors = naming.notation.responses.factors
+    return Displacements(
+        {
+            f: sp.Symbol(f"{letters.displacement}{number}_displacement", real=True)
+            for number, f in enumerate(factors, start=1)
+            if len(f) == 2 and f[1] != 0
+        },
+        spectrum,
+    )
+
+
+def _definitions(
+    naming: Naming, letters: Letters, displacements: Displacements, used: set[sp.Basic]
+) -> list[Block]:
     """What the impulse responses are: by their factors, and in closed form.
 
     Parameters
     ----------
     naming : Naming
         Its notation numbers the factors.
+    letters : Letters
+    displacements : Displacements
+    used : set of symbols
+        Responses to displacements that the motions contain.
     """
     notation, responses = naming.notation, naming.notation.responses
-    letters = letters_of(naming, (*naming.system.states, *notation.constants))
     h, chi, s = responses.letter, responses.polynomial, letters.eigenvalue
     factors = list(responses.factors)
     if any(_CONSTANT in product for product in responses.products):
@@ -82,50 +124,122 @@ def _definitions(naming: Naming) -> list[Block]:
         " is 1. They have no singularity where roots of the factors meet: in resonance, at critical"
         " damping or without stiffness they take the limit of the formulas below"
     )
+    if any(len(factor) > 2 for factor in factors):
+        means += (
+            "; a factor of higher degree than two has none, and its response follows from its"
+            " roots, which are found numerically"
+        )
     blocks: list[Block] = [Paragraph(text), Formula(tuple(definitions)), Paragraph(f"{means}.")]
-    for product in (*single, *several):
-        blocks += _closed_form(naming, product)
+    for (factor,) in single:
+        if len(factor) <= 2:
+            blocks.append(Formula(_single(naming, letters, factor)))
+    shown = [f for f, symbol in displacements.symbols.items() if symbol in used]
+    if shown:
+        g = letters.displacement
+        blocks += [
+            Paragraph(
+                f"An impulse starts ${h}_{{j}}$ with the velocity 1; released at a distance of 1"
+                f" from rest, the same oscillation is ${g}_{{j}}$,"
+            ),
+            Formula(tuple(k for f in shown for k in _displacement(naming, letters, f))),
+        ]
+    for product in several:
+        if len(product) == 2 and product[0] != product[1] and max(map(len, product)) <= 2:
+            blocks.append(Formula(_pair(naming, product, displacements.spectrum)))
     return blocks
 
 
-def _closed_form(naming: Naming, product: Factors) -> list[Block]:
-    """Formulas of one response, case by case."""
-    if len(product) == 1 and len(product[0]) <= 2:
-        return [Formula(_single(naming, product))]
-    if len(product) == 2 and product[0] != product[1] and max(map(len, product)) <= 2:
-        return [Formula(_pair(naming, product))]
-    return []
+def _displacement(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, ...]:
+    """Response to a displacement: by that to an impulse, and where it oscillates."""
+    notation, number = naming.notation, naming.notation.responses.number(factor)
+    shown = ExponentialDifference(1, TIME, factor)
+    impulse = ExponentialDifference(0, TIME, factor)
+    sign, rate = notation.factor(factor[1])
+    left = rf"{letters.displacement}_{{{number}}}\left(t\right)"
+    pieces = (notation.latex(shown), f"{'-' if sign < 0 else '+'} {rate} {notation.latex(impulse)}")
+    lines = (Line(left, "=", pieces),)
+    oscillation = _oscillation(naming, letters, factor)
+    if -1 not in oscillation.conditions:
+        return lines
+    below = oscillation.below(notation, -1)
+    sign, decay = notation.factor(oscillation.decay)
+    decay = "" if decay == "1" else rf"{decay}\,"
+    turning = rf"\cos\left({below}\,t\right) {'-' if sign < 0 else '+'}"
+    text = rf"{turning} {decay}\frac{{\sin\left({below}\,t\right)}}{{{below}}}"
+    whole = rf"{oscillation.front}\left({text}\right){oscillation.conditions[-1]}"
+    return (*lines, Line(left, "=", (whole,)))
 
 
-def _single(naming: Naming, product: Factors) -> tuple[Line, ...]:
+def _single(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, ...]:
     """Response of one factor: an exponential, or a damped oscillation in its regimes."""
-    notation, parameters = naming.notation, naming.system.parameters
-    (factor,) = product
-    left = notation.responses.latex(0, product, "t")
+    notation = naming.notation
+    left = notation.responses.latex(0, (factor,), "t")
     if len(factor) == 1:
         function = sp.exp(-factor[0] * TIME)
         return (Line(left, "=", (notation.latex(function),), None, function),)
+    oscillation = _oscillation(naming, letters, factor)
+    lines = []
+    if oscillation.root.startswith(letters.damped):
+        inside = " ".join(notation.pieces(sp.expand(-oscillation.discriminant)))
+        lines.append(Line(oscillation.root, "=", (rf"\sqrt{{|{inside}|}}",)))
+    for sign, name, _, regime in oscillation.regimes:
+        below = oscillation.below(notation, sign)
+        text = rf"\frac{{\{name}\left({below}\,t\right)}}{{{below}}}" if sign else "t"
+        text = rf"\{name} t" if sign and below == "1" else text
+        condition = oscillation.conditions[sign]
+        condition += rf"\text{{ ({regime})}}" if condition else ""
+        pieces = (f"{oscillation.front}{text}{condition}",)
+        lines.append(Line(left, "=", pieces))
+    return tuple(lines)
+
+
+@dataclass(frozen=True)
+class _Oscillation:
+    """A factor of degree two as one writes it.
+
+    Attributes
+    ----------
+    decay, discriminant : expression
+        Half the coefficient of lambda, and its square less the constant.
+    regimes : tuple
+        Those of `_REGIMES` that the parameters allow.
+    root : LaTeX
+        Letter of the damped frequency, where there is more than one.
+    front : LaTeX
+        The envelope.
+    conditions : mapping of sign to LaTeX
+        When each regime applies.
+    """
+
+    decay: sp.Expr
+    discriminant: sp.Expr
+    regimes: tuple[tuple[int, str, str, str], ...]
+    root: str
+    front: str
+    conditions: Mapping[int, str]
+
+    def below(self, notation: Notation, sign: int) -> str:
+        """The frequency."""
+        return self.root or notation.latex(sp.sqrt(sp.expand(sign * self.discriminant)))
+
+
+def _oscillation(naming: Naming, letters: Letters, factor: sp.Tuple) -> _Oscillation:
+    notation, parameters = naming.notation, naming.system.parameters
     square, rate = factor
     decay = rate / 2
     discriminant = sp.factor_terms(sp.expand(decay**2 - square))
-    envelope = sp.exp(-decay * TIME) if decay != 0 else sp.Integer(1)
-    lines = []
-    for sign, name, regime in (
-        (-1, "sin", "underdamped"),
-        (0, "", "critically damped"),
-        (1, "sinh", "overdamped"),
-    ):
-        if not _possible(sign, discriminant, parameters):
-            continue
-        front = "" if envelope == 1 else rf"{notation.latex(envelope)}\,"
-        root = notation.latex(sp.sqrt(sp.expand(sign * discriminant))) if sign else ""
-        text = rf"\frac{{\{name}\left({root}\,t\right)}}{{{root}}}" if sign else "t"
-        relation = {-1: "<", 0: "=", 1: ">"}[sign]
-        known = discriminant.is_number
-        condition = "" if known else rf"\quad\text{{if }} {notation.latex(decay**2)} {relation}"
-        condition += "" if known else rf" {notation.latex(square)}\text{{ ({regime})}}"
-        lines.append(Line(left, "=", (rf"{front}{text}{condition}",)))
-    return tuple(lines)
+    regimes = tuple(r for r in _REGIMES if _possible(r[0], discriminant, parameters))
+    several = len(regimes) > 1
+    # without denominators
+    scale = sp.fraction(sp.together(decay**2))[1]
+    left, right = (notation.latex(sp.expand(scale * e)) for e in (decay**2, square))
+    conditions = {
+        sign: rf"\quad\text{{if }} {left} {relation} {right}" if several else ""
+        for sign, _, relation, _ in regimes
+    }
+    root = rf"{letters.damped}_{{{notation.responses.number(factor)}}}" if several else ""
+    front = rf"{notation.latex(sp.exp(-decay * TIME))}\," if decay != 0 else ""
+    return _Oscillation(decay, discriminant, regimes, root, front, conditions)
 
 
 def _possible(sign: int, value: sp.Expr, parameters: Sequence[Parameter]) -> bool:
@@ -136,7 +250,9 @@ def _possible(sign: int, value: sp.Expr, parameters: Sequence[Parameter]) -> boo
     return not any(shown) or (sign == 1 and shown[0]) or (sign == -1 and shown[1])
 
 
-def _pair(naming: Naming, product: Factors) -> tuple[Line, ...]:
+def _pair(
+    naming: Naming, product: Factors, spectrum: Mapping[sp.Symbol, sp.Expr]
+) -> tuple[Line, ...]:
     """Response of two factors in partial fractions, where they have no root in common."""
     notation = naming.notation
     s = sp.Dummy("s")
@@ -149,24 +265,74 @@ def _pair(naming: Naming, product: Factors) -> tuple[Line, ...]:
     identity = sp.Poly(first * polynomials[1] + second * polynomials[0] - sp.expand(resultant), s)
     (solution,) = sp.linsolve(identity.all_coeffs(), unknowns)
     values = dict(zip(unknowns, map(sp.factor, solution), strict=True))
+    resultant, values = _shortened(resultant, values)
     terms: list[str] = []
     for factor, found in zip(product, numerators, strict=True):
         for k, n in reversed(list(enumerate(found))):
-            coefficient = sp.factor_terms(sp.cancel(values[n]))
+            coefficient = sp.factor_terms(sp.radsimp(sp.cancel(values[n])))
             if coefficient == 0:
                 continue
             function = _response_text(naming, k, factor)
-            sign, text = notation.factor(coefficient)
-            text = function if text == "1" else rf"{text}\,{function}"
+            sign, text = (notation.term if function == "1" else notation.factor)(coefficient)
+            if function != "1":
+                text = function if text == "1" else rf"{text}\,{function}"
             terms.append(f"- {text}" if sign < 0 else f"+ {text}" if terms else text)
     left = notation.responses.latex(0, product, "t")
     below = notation.latex(resultant)
-    outer = rf"\frac{{1}}{{{below}}} \biggl({terms[0]}"
-    pieces = [outer, *terms[1:]]
+    if resultant == 1:
+        return (Line(left, "=", tuple(terms)),)
+    front = notation.latex(1 / resultant)
+    pieces = [rf"{front} \biggl({terms[0]}", *terms[1:]]
     pieces[-1] += r"\biggr)"
-    if not resultant.is_number:
+    lines = [Line(left, "=", tuple(pieces))]
+    if not _never_zero(resultant, naming, spectrum):
         pieces.append(rf"\quad\text{{if }} {below} \neq 0")
-    return (Line(left, "=", tuple(pieces)),)
+        lines = [Line(left, "=", tuple(pieces))]
+        if all(len(f) == 2 and f[1] == 0 for f in product):
+            square = product[1][0]
+            omega = sp.sqrt(square)
+            limit = (sp.sin(omega * TIME) / omega - TIME * sp.cos(omega * TIME)) / (2 * square)
+            pieces = [*notation.pieces(limit), rf"\quad\text{{if }} {below} = 0"]
+            pieces[-1] += r"\text{ (resonance)}"
+            lines.append(Line(left, "=", tuple(pieces)))
+    return tuple(lines)
+
+
+def _shortened(
+    below: sp.Expr, above: dict[sp.Symbol, sp.Expr]
+) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
+    """A fraction without the factors that its denominator shares with all numerators."""
+    whole = below
+    _, factors = sp.factor_list(sp.fraction(sp.together(below))[0])
+    for factor, power in factors:
+        for _ in range(power):
+            divided = {n: sp.cancel(e / factor) for n, e in above.items()}
+            if any(sp.fraction(e)[1].has(*factor.free_symbols) for e in divided.values()):
+                break
+            below, above = sp.factor(sp.cancel(below / factor)), divided
+    contents = [sp.sympify(e).as_content_primitive()[0] for e in above.values()]
+    common = sp.gcd_list([below, *contents]) if below.is_Integer else sp.Integer(1)
+    if common.is_Integer:
+        below, above = below / common, {n: e / common for n, e in above.items()}
+    below = below if below == whole else sp.expand(below)
+    number = below.as_coeff_Add()[0]
+    if number < 0 or (number == 0 and below.could_extract_minus_sign()):
+        below, above = -below, {n: -e for n, e in above.items()}
+    return below, above
+
+
+def _never_zero(expression: sp.Expr, naming: Naming, spectrum: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    """Whether a sum of squares, or a product, is shown not to vanish for any parameters."""
+    parameters, expression = naming.system.parameters, expression.xreplace(spectrum)
+    if is_positive(expression, parameters) or is_positive(-expression, parameters):
+        return True
+    terms = sp.Add.make_args(expression)
+    squares = [
+        number > 0 and all(f.as_base_exp()[1] == 2 for f in sp.Mul.make_args(rest))
+        for number, rest in (t.as_coeff_Mul() for t in terms)
+    ]
+    positive = [is_positive(t, parameters) for t in terms]
+    return any(positive) and all(a or b for a, b in zip(squares, positive, strict=True))
 
 
 def _resultant(one: sp.Tuple, other: sp.Tuple) -> sp.Expr:
@@ -190,35 +356,3 @@ def _response_text(naming: Naming, order: int, factor: sp.Tuple) -> str:
         trigonometric = sp.cos(omega * TIME) if order else sp.sin(omega * TIME) / omega
         return notation.latex(trigonometric)
     return notation.responses.latex(order, (factor,), "t")
-
-
-def _motion(naming: Naming, flow: Flow) -> Formula:
-    """Each state after a time, from the states at the start."""
-    notation, states = naming.notation, naming.system.states
-    matrix, offset = flow.matrix(), flow.offset()
-    field, _ = flow.field
-    starts = [sp.Symbol(f"{s}_start", real=True) for s in states]
-    written = notation.with_names(
-        {b: f"{notation.symbol(s)}(0)" for b, s in zip(starts, states, strict=True)}
-    )
-    lines = []
-    for i, state in enumerate(states):
-        rate = [j for j in range(len(states)) if field[j, i] == 1 and _only(field.row(j), i)]
-        left = f"{notation.symbol(state)}(t)"
-        if rate and rate[0] < i and flow.field[1][rate[0]] == 0:
-            right = (f"{notation.symbol(states[rate[0]])}'(t)",)
-            lines.append(Line(left, "=", right))
-            continue
-        total = sp.Add(
-            *(
-                sp.factor_terms(sp.expand(e)) * s
-                for e, s in zip(matrix.row(i), starts, strict=True)
-            ),
-            sp.factor_terms(sp.expand(offset[i])),
-        )
-        lines.append(Line(left, "=", written.pieces(total)))
-    return Formula(tuple(lines))
-
-
-def _only(row: sp.Matrix, place: int) -> bool:
-    return all(e == 0 for j, e in enumerate(row) if j != place)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.parameter import Parameter
+from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.blocks import Block, Formula, Paragraph, Table
 from nonsmooth.derive.document.notation.letters import letters_of
 from nonsmooth.derive.document.notation.responses import is_response
@@ -46,7 +48,9 @@ def system_section(
     """
     system = itinerary.system if itinerary else naming.system
     size = len(system.states) // 2
-    text = f"The system is *{system.name}*: {naming.notation.prose(system.description)}."
+    # a dwell time may be called as a word of a description is
+    described = replace(naming.notation, unknowns=())
+    text = f"The system is *{system.name}*: {described.prose(system.description)}."
     if naming.second_order:
         plural = "" if size == 1 else "s"
         velocities = enumeration(
@@ -61,7 +65,7 @@ def system_section(
             " by time."
         )
     else:
-        text += f" Its state is {naming.list(system.states)}."
+        text += f" Its state is {naming.list(system.states)}.{_forcing(naming, system)}"
     parameters = list(system.parameters)
     blocks: list[Block] = [Paragraph(text)]
     presentation = itinerary.presentation if itinerary else None
@@ -72,7 +76,7 @@ def system_section(
     rows = tuple(
         (
             f"${naming.notation.symbol(p.symbol)}$",
-            naming.notation.prose(p.description),
+            described.prose(p.description),
             f"${_domain(p, naming.notation)}$",
         )
         for p in parameters
@@ -110,6 +114,19 @@ def system_section(
                 Formula(substituted),
             ]
     return blocks
+
+
+def _forcing(naming: Naming, system: System) -> str:
+    """What the two states of each harmonic forcing are."""
+    matrix, _ = system.configurations[0].dynamics.field(system.states)
+    found = ""
+    for cosine, sine in system.forcing:
+        frequency = matrix[system.states.index(sine), system.states.index(cosine)]
+        found += (
+            f" Of these {naming.list((cosine, sine))} are the cosine and the sine of the phase of"
+            f" a forcing, which turns with the frequency ${naming.notation.latex(frequency)}$."
+        )
+    return found
 
 
 def _domain(parameter: Parameter, notation: Notation) -> str:
@@ -219,11 +236,13 @@ def modal_section(
             Paragraph(
                 "All that needs a root of the parameters is the spectrum, evaluated once for"
                 f" each set of parameters{_meaning(naming, used, dict(entries))}:"
+                if any(_has_root(e) for _, e in entries)
+                else "The factors below contain"
             ),
             Formula(tuple(naming.equal(s, e, tidy=_single(e)) for s, e in entries)),
         ]
     if any(map(is_response, used)):
-        more, numbers = response_flows(naming, used)
+        more, numbers = response_flows(naming, used, dict(spectrum.entries))
     else:
         in_blocks = naming.second_order
         more, numbers = flow_blocks(naming.notation, naming.state, used, in_blocks, centres)
@@ -273,6 +292,12 @@ def _meaning(naming: Naming, flows: Sequence[Flow], entries: Mapping[sp.Symbol, 
     if "p" in stems:
         found.append("the entries $p$ of the projectors on the modes")
     return f". It consists of {enumeration(found)}"
+
+
+def _has_root(expression: sp.Expr) -> bool:
+    """Whether parameters stand below a root."""
+    powers = expression.atoms(sp.Pow)
+    return any(not p.exp.is_integer and p.free_symbols for p in powers)
 
 
 def _single(expression: sp.Expr) -> bool:

@@ -162,8 +162,19 @@ def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
         | dict(zip(start.coordinates, start.places, strict=True)),
         tuple(s for s in spectrum.symbols if s in entries - frequencies),
         centres.names,
+        behind=_marks(equations),
     ).with_responses(flows)
     return Naming(notation, system), centres
+
+
+def _marks(equations: EquationSystem) -> dict[str, str]:
+    """What marks the state behind each phase that the reduction takes apart."""
+    found = {}
+    for number, link in enumerate(equations.chain.links, start=1):
+        # that of a forced orbit is taken apart behind the transition
+        changed = equations.chain.forcing is not None and link.reset != sp.eye(link.reset.rows)
+        found[str(link.dwell)] = f"({number}){'+' if changed else ''}"
+    return found
 
 
 def functions_of(equations: EquationSystem) -> dict[sp.Symbol, sp.Expr]:

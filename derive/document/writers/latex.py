@@ -23,6 +23,8 @@ _PREAMBLE = r"""\documentclass[10pt,a4paper]{article}
 \allowdisplaybreaks[4]
 \setcounter{MaxMatrixCols}{40}
 \setlength{\parindent}{0pt}
+% a row vector in running text is not broken: the spaces before it give way
+\setlength{\emergencystretch}{8em}
 \setlength{\parskip}{0.5\baselineskip plus 2pt minus 1pt}
 \setlength{\LTpre}{0.7\baselineskip}
 \setlength{\LTpost}{0.4\baselineskip}

@@ -1,0 +1,219 @@
+"""Motions in impulse responses, as one writes them: by displacements, by modes, steady parts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from nonsmooth.derive.document.notation.responses import Factors
+from nonsmooth.derive.flows.entire import ExponentialDifference
+from nonsmooth.derive.flows.modal import TIME, Flow
+
+__all__ = ["Displacements", "Modes", "Steady", "modes_of", "positions_of", "steady_of"]
+
+_CONSTANT = sp.Tuple(sp.Integer(0))
+
+
+@dataclass(frozen=True)
+class Displacements:
+    """Symbols g = h' + 2 delta h of damped oscillations: responses to a displacement of 1.
+
+    Attributes
+    ----------
+    symbols : mapping of factor to symbol
+    spectrum : mapping of symbol to expression
+        What factors may contain.
+    """
+
+    symbols: Mapping[sp.Tuple, sp.Symbol]
+    spectrum: Mapping[sp.Symbol, sp.Expr]
+
+    def insert(self, expression: sp.Expr) -> sp.Expr:
+        """Write an expanded expression with them, where that makes it shorter."""
+        values = {
+            ExponentialDifference(1, TIME, f): g
+            - f[1].xreplace(self.spectrum) * ExponentialDifference(0, TIME, f)
+            for f, g in self.symbols.items()
+        }
+        expression = sp.expand(expression)
+        inserted = sp.expand(expression.xreplace(values))
+        shorter = len(sp.Add.make_args(inserted)) < len(sp.Add.make_args(expression))
+        return inserted if shorter else expression
+
+    def functions(self, expression: sp.Expr) -> dict[sp.Expr, sp.Expr]:
+        """Coefficient of each function of time in an expanded expression."""
+        found: dict[sp.Expr, sp.Expr] = {}
+        for term in sp.Add.make_args(expression):
+            if term == 0:
+                continue
+            moving = {*self.symbols.values(), TIME}
+            parts = [f for f in sp.Mul.make_args(term) if f.free_symbols & moving]
+            function = sp.Mul(*parts)
+            found[function] = found.get(function, sp.Integer(0)) + term / function
+        return {f: sp.factor_terms(c) for f, c in found.items() if c != 0}
+
+
+def positions_of(flow: Flow) -> dict[int, int]:
+    """Places of coordinates whose derivative is another state, and the place of that."""
+    matrix, offset = flow.field
+    found = {}
+    for i in range(matrix.rows):
+        entries = [j for j in range(matrix.rows) if matrix[i, j] != 0]
+        if len(entries) == 1 and entries[0] > i and matrix[i, entries[0]] == 1 and offset[i] == 0:
+            found[i] = entries[0]
+    return found
+
+
+@dataclass(frozen=True)
+class Modes:
+    """Positions as a sum of matrices and columns times functions of time.
+
+    Attributes
+    ----------
+    positions : tuple of int
+    matrices : mapping of matrix to pair of expressions
+        Functions of time beside the positions at the start, and beside their velocities.
+    columns : mapping of column to mapping of int to expression
+        Functions of time beside the other states at the start; those of none at -1.
+    """
+
+    positions: tuple[int, ...]
+    matrices: Mapping[sp.Matrix, tuple[sp.Expr, sp.Expr]]
+    columns: Mapping[sp.Matrix, Mapping[int, sp.Expr]]
+
+
+def modes_of(flow: Flow, displacements: Displacements) -> Modes | None:
+    """Modal form of a motion that is a sum over projectors; None where it is not, or is no shorter.
+
+    Parameters
+    ----------
+    flow : Flow
+    displacements : Displacements
+    """
+    pairs = positions_of(flow)
+    places = tuple(pairs)
+    if len(places) < 2:
+        return None
+    matrix, offset = flow.matrix(), flow.offset()
+    matrices: dict[sp.Matrix, list[sp.Expr]] = {}
+    for side, columns in enumerate((places, tuple(pairs.values()))):
+        block = matrix.extract(list(places), list(columns))
+        for function, part in _by_function(block, displacements).items():
+            known, ratio = _multiple(part, list(matrices))
+            matrices.setdefault(known, [sp.Integer(0), sp.Integer(0)])[side] += ratio * function
+    projectors = all(_is_projector(m.xreplace(displacements.spectrum)) for m in matrices)
+    if len(matrices) > len(places) or not projectors or all(m.is_diagonal() for m in matrices):
+        return None
+    columns_found: dict[sp.Matrix, dict[int, sp.Expr]] = {}
+    others = [i for i in range(matrix.rows) if i not in {*pairs, *pairs.values()}]
+    for start in (*others, -1):
+        whole = offset if start < 0 else matrix[:, start]
+        block = sp.Matrix(whole).extract(list(places), [0])
+        for function, part in _by_function(block, displacements).items():
+            known, ratio = _multiple(part, list(columns_found))
+            beside = columns_found.setdefault(known, {})
+            beside[start] = beside.get(start, sp.Integer(0)) + ratio * function
+    return Modes(places, {m: (a, b) for m, (a, b) in matrices.items()}, columns_found)
+
+
+def _is_projector(matrix: sp.Matrix) -> bool:
+    return bool((matrix * matrix - matrix).applyfunc(sp.expand).is_zero_matrix)
+
+
+def _by_function(block: sp.Matrix, displacements: Displacements) -> dict[sp.Expr, sp.Matrix]:
+    """Constant matrix beside each function of time."""
+    found: dict[sp.Expr, sp.Matrix] = {}
+    for place, entry in enumerate(block):
+        for function, coefficient in displacements.functions(displacements.insert(entry)).items():
+            part = found.setdefault(function, sp.zeros(*block.shape))
+            part[place] = coefficient
+    return {f: sp.ImmutableMatrix(m) for f, m in found.items()}
+
+
+def _multiple(matrix: sp.Matrix, known: Sequence[sp.Matrix]) -> tuple[sp.Matrix, sp.Expr]:
+    """A known matrix of which this is a multiple, and by what; else itself."""
+    for other in known:
+        place = next(i for i, e in enumerate(other) if e != 0)
+        ratio = sp.cancel(matrix[place] / other[place])
+        if (matrix - ratio * other).applyfunc(sp.expand).is_zero_matrix:
+            return other, ratio
+    return matrix, sp.Integer(1)
+
+
+@dataclass(frozen=True)
+class Steady:
+    """Steady responses of the coordinates to one harmonic forcing.
+
+    Attributes
+    ----------
+    frequency : expression
+    terms : mapping of int to tuple of (factors, cosine, sine)
+        By the place of a coordinate: what the response of these factors to the cosine, and to
+        the sine, is multiplied by.
+    """
+
+    frequency: sp.Expr
+    terms: Mapping[int, tuple[tuple[Factors, sp.Expr, sp.Expr], ...]]
+
+    @cached_property
+    def factors(self) -> tuple[sp.Tuple, ...]:
+        """All characteristic factors that answer."""
+        products = (product for found in self.terms.values() for product, _, _ in found)
+        return tuple(dict.fromkeys(factor for product in products for factor in product))
+
+    def transfer(self, factor: sp.Tuple) -> tuple[sp.Expr, sp.Expr]:
+        """Real and imaginary part of a factor at i times the frequency."""
+        w = self.frequency
+        coefficients = (*factor, sp.Integer(1))
+        real = sum(c * (-1) ** (k // 2) * w**k for k, c in enumerate(coefficients) if k % 2 == 0)
+        imaginary = sum(c * (-1) ** (k // 2) * w**k for k, c in enumerate(coefficients) if k % 2)
+        return sp.sympify(real), sp.sympify(imaginary)
+
+
+def steady_of(flow: Flow, cosine: int, sine: int) -> Steady | None:
+    """Steady responses of all coordinates; None where one has none of this simple form."""
+    matrix, frequency = flow.matrix(), flow.field[0][sine, cosine]
+    forcing = sp.Tuple(frequency**2, sp.Integer(0))
+    found = {}
+    for place in positions_of(flow):
+        by_cosine = _answers(matrix[place, cosine], forcing)
+        by_sine = _answers(matrix[place, sine], forcing)
+        if by_cosine is None or by_sine is None:
+            return None
+        terms = []
+        for product in dict.fromkeys((*by_cosine, *by_sine)):
+            (plain, rate), (other, turned) = (
+                found_by.get(product, (sp.Integer(0), sp.Integer(0)))
+                for found_by in (by_cosine, by_sine)
+            )
+            # the cosine's h' and -w h, the sine's h' and w h
+            if sp.expand(other + frequency * rate) != 0 or sp.expand(plain - frequency * turned):
+                return None
+            terms.append((product, rate, turned))
+        if terms:
+            found[place] = tuple(terms)
+    return Steady(frequency, found) if found else None
+
+
+def _answers(
+    expression: sp.Expr, forcing: sp.Tuple
+) -> dict[Factors, tuple[sp.Expr, sp.Expr]] | None:
+    """Coefficients of h and h' of each product with the forcing's factor."""
+    found: dict[Factors, tuple[sp.Expr, sp.Expr]] = {}
+    for term in sp.Add.make_args(sp.expand(expression)):
+        if term == 0:
+            continue
+        functions = [f for f in sp.Mul.make_args(term) if TIME in f.free_symbols]
+        if len(functions) != 1 or not isinstance(functions[0], ExponentialDifference):
+            return None
+        order, _, *factors = functions[0].args
+        if factors.count(forcing) != 1 or order > 1 or _CONSTANT in factors:
+            return None
+        product = tuple(f for f in factors if f != forcing)
+        coefficients = list(found.get(product, (sp.Integer(0), sp.Integer(0))))
+        coefficients[int(order)] += term / functions[0]
+        found[product] = (coefficients[0], coefficients[1])
+    return found
