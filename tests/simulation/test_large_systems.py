@@ -6,13 +6,15 @@ import sys
 
 import numpy as np
 import pytest
+import sympy as sp
 
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.model.boundary_sets import mask_of, masks_of, members_of, words_of
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.engines import compiled_engine, run_compiled, run_motions
-from nonsmooth.runtime.simulation.simulate import follow
+from nonsmooth.runtime.simulation.simulate import follow, simulate
 from nonsmooth.runtime.simulation.stepping import run
 from tests.large_systems import RESTITUTION, chain, integrated, masses_apart
 
@@ -71,7 +73,7 @@ def test_stops_reached_one_by_one(count: int) -> None:
     rng = np.random.default_rng(count)
     gaps = rng.uniform(0.3, 0.6, 2 * count)
     state = np.array([*np.zeros(count), *rng.uniform(0.9, 1.1, count)])
-    found, known = engines(masses_apart(count, gaps), state, 2 * count)
+    found, known = engines(masses_apart(count, gaps), state, count + 5)
     assert found.sets.dtype == (np.int32 if 2 * count < 32 else object)
     assert found.sets.tolist() == known.sets.tolist()
     np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-12)
@@ -127,8 +129,8 @@ def test_masks_are_words_and_back() -> None:
 
 @compiled
 def test_the_compiled_engine_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A motion of 60 masses ends as it would in Python, whichever engine is asked for."""
-    system, state = chain(60), start_of(60, 7)
+    """A motion of 40 masses ends as it would in Python, whichever engine is asked for."""
+    system, state = chain(40), start_of(40, 7)
     monkeypatch.setenv("NONSMOOTH_BACKEND", "c")
     found = follow(system, state, 0, transitions=200)
     assert len(found.times) == 201
@@ -136,6 +138,30 @@ def test_the_compiled_engine_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
     known = follow(system, state, 0, transitions=2)
     assert found.sets[:3].tolist() == known.sets.tolist()
     np.testing.assert_allclose(found.states[:3], known.states, rtol=0, atol=1e-11)
+
+
+@compiled
+def test_a_declared_chain() -> None:
+    """Twelve masses through the declaration, derived in a second: the motion of the matrices."""
+    count = 12
+    stiffness = 2 * sp.eye(count)
+    for i in range(count - 1):
+        stiffness[i, i + 1] = stiffness[i + 1, i] = -1
+    place = Parameter("place", "of the stop")
+    declared = oscillator(
+        "long-chain",
+        [f"x{i}" for i in range(count)],
+        mass=sp.eye(count),
+        stiffness=stiffness,
+        damping=(stiffness + sp.eye(count)) / 50,
+        forcing=[Harmonic(sp.Rational(7, 10), cosine=[1, *[0] * (count - 1)])],
+        elements=[RigidStop(f"x{count - 1}", at=place.symbol, restitution="4/5", name="stop")],
+        parameters=[place],
+    )
+    found = simulate(declared, {"place": "0.3"}, start_of(count, 9), transitions=15)
+    known = run(chain(count), start_of(count, 9), 0, transitions=15)
+    np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(found.states, known.states, rtol=0, atol=1e-11)
 
 
 MEMORY = """
