@@ -122,7 +122,7 @@ def _guaranteed(
     start: np.ndarray,
 ) -> int:
     """The same of one orbit, by its boundary functions."""
-    here = piecewise_at(system, point)
+    here = piecewise_at(system, point, cycle.configurations)
     cycle = cycle.at(here.structure)
     now = shoot(cycle, numbers_in(here), dwell, start, np)
     if not (dwell > 0).all():
