@@ -11,7 +11,6 @@ import nonsmooth.derive
 from nonsmooth.derive.codegen import derived
 from nonsmooth.derive.flows import resolvent
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
-from nonsmooth.runtime.model import engine_layout
 from nonsmooth.runtime.orbits.refine import MOST_DIGITS
 
 HERE = Path(__file__).parent
@@ -76,8 +75,6 @@ myst_enable_extensions = [
     "substitution",
 ]
 myst_substitutions = {
-    "most_states": engine_layout.MOST_STATES,
-    "most_boundaries": engine_layout.MOST_BOUNDARIES,
     "most_phases": derived.MOST_PHASES,
     "most_kernel_states": derived.MOST_STATES,
     "most_roots": resolvent.MOST_ROOTS,

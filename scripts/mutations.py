@@ -227,9 +227,9 @@ ENGINES = (
              "return (long_time){sum, 0.0};", EXACT),
     Mutation("runtime/engine/engine.c", "reset", "double sum = matrix[n],", "double sum = 0.0,",
              ENGINE),
-    Mutation("runtime/engine/engine.c", "choose", "!= set", "== 0", ENGINE),
-    Mutation("runtime/engine/engine.c", "rises_first", "return value[k] > 0.0;",
-             "return value[k] < 0.0;", ENGINE),
+    Mutation("runtime/engine/engine.c", "choose", "== set[k]", "!= 0", ENGINE),
+    Mutation("runtime/engine/engine.c", "rises_first", "return value > 0.0;",
+             "return value < 0.0;", ENGINE),
     Mutation("runtime/engine/engine.c", "same_functions", "row[b] == located", "b == 0",
              ("tests/simulation/test_order_of_boundaries.py",),
              equivalent="what is known to be zero has a slack of 1024 times the rounding of its"

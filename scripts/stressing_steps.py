@@ -7,6 +7,7 @@ import math
 import numpy as np
 from stressing import EPS, Ball, Sums, first_excess, undecided
 
+from nonsmooth.runtime.model.boundary_sets import members_of
 from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
@@ -105,7 +106,7 @@ def _followed(system: PiecewiseLinear, run: Run, k: int, drift: float) -> str:
         return f"the state is off by {np.abs(before - run.before[k]).max():.1e}"
     extended = np.append(run.before[k], 1.0)
     error = _time_error(system, run, k, dwell, drift)
-    rows = {structure.boundaries[c][b].row for b in range(31) if reached >> b & 1}
+    rows = {structure.boundaries[c][b].row for b in members_of(reached)}
     possible = []
     for transition in structure.transitions[c]:
         if sum(1 << b for b in transition.boundaries) != reached:

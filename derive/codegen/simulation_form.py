@@ -192,9 +192,10 @@ class SimulationForm:
         states = self.system.states
         forced = {state for pair in self.system.forcing for state in pair}
         fields = [c.dynamics.field(states) for c in self.system.configurations]
+        velocities = [matrix * sp.Matrix(states) + offset for matrix, offset in fields]
         found = []
         for place, state in enumerate(states):
-            rates = {(matrix * sp.Matrix(states) + offset)[place] for matrix, offset in fields}
+            rates = {velocity[place] for velocity in velocities}
             moving = rates - {sp.Integer(0)}
             if len(moving) == 1 and moving <= set(states) - forced and state not in forced:
                 found.append((state, *moving))

@@ -316,7 +316,12 @@ def _eigenvalues(
 ) -> list[sp.Expr] | None:
     """Real, distinct eigenvalues in radicals; None where they are not shown to be."""
     s = sp.Dummy("s")
-    _, factors = sp.factor_list((s * sp.eye(matrix.rows) - matrix).det(method="berkowitz"), s)
+    exact = _exact(matrix)
+    # in the domain of its entries: of thirty masses a determinant of expressions has no end
+    polynomial = sum(
+        _shown(exact.domain.to_sympy(c)) * s**k for k, c in enumerate(reversed(exact.charpoly()))
+    )
+    _, factors = sp.factor_list(polynomial, s)
     found: list[sp.Expr] = []
     for factor, multiplicity in factors:
         *rest, leading = reversed(sp.Poly(factor, s).all_coeffs())

@@ -21,63 +21,65 @@ sample cell_sample(const sampler *s, double time, double *error)
             *error = error_at(s->p, s->boundary, time);
         return sample_at(s->p, s->boundary, time);
     }
+    const double *series = s->p->series, unit = s->p->c->unit, at = time / unit;
     double value = 0.0, slope = 0.0;
-    for (int k = SERIES - 1; k >= s->order; --k) {
-        value = value * time + s->series[k];
-        slope = slope * time + k * s->series[k];
+    for (int k = s->p->orders - 1; k >= s->order; --k) {
+        value = value * at + series[k];
+        slope = slope * at + k * series[k];
     }
-    const double lower = pow(time, s->order - 1);
+    const double lower = pow(at, s->order - 1);
     if (error)
-        *error = lower * time * s->error_of_series;
-    return (sample){value * lower * time, slope * lower};
+        *error = lower * at * s->error_of_series;
+    return (sample){value * lower * at, slope * lower / unit};
 }
 
 void cell_leave(sampler *s)
 {
     const phase *p = s->p;
     const configuration *c = p->c;
-    double value[MOST_FUNCTIONS], next[MOST_FUNCTIONS], factor = 1.0;
+    s->order = phase_beginning(p, s->boundary).order;
+    double *value = p->scratch, *next = value + c->functions, factor = 1.0;
     for (int f = 0; f < c->functions; ++f)
         value[f] = value_of(p, s->boundary)[f];
-    s->order = phase_beginning(p, s->boundary).order;
-    for (int k = 0; k < SERIES; ++k) {
-        s->series[k] = at_start(c, value) * factor;
+    for (int k = 0; k < p->orders; ++k) {
+        p->series[k] = at_start(c, value) * factor;
         factor /= k + 1;
         differentiate(c, value, next);
         for (int f = 0; f < c->functions; ++f)
-            value[f] = next[f];
+            value[f] = next[f] * c->unit;
     }
-    s->error_of_series = VALUE * fabs(s->series[s->order]);
+    s->error_of_series = VALUE * fabs(p->series[s->order]);
 }
 
 double cell_away(const sampler *s, double end)
 {
     const phase *p = s->p;
     const configuration *c = p->c;
-    double value[MOST_FUNCTIONS], next[MOST_FUNCTIONS], factorial = 1.0;
+    double *value = p->scratch, *next = value + c->functions, factorial = 1.0;
     for (int f = 0; f < c->functions; ++f)
         value[f] = value_of(p, s->boundary)[f];
     for (int k = 0; k <= s->order; ++k) {
         factorial *= k > 0 ? k : 1;
         differentiate(c, value, next);
         for (int f = 0; f < c->functions; ++f)
-            value[f] = next[f];
+            value[f] = next[f] * c->unit;
     }
     const double bound = bound_on(c, value, 0.0, end);
-    const double leading = fabs(s->series[s->order]) * factorial;
-    return bound > 0.0 ? 0.5 * (s->order + 1) * leading / bound : HUGE_VAL;
+    const double leading = fabs(p->series[s->order]) * factorial;
+    return bound > 0.0 ? 0.5 * (s->order + 1) * leading / bound * c->unit : HUGE_VAL;
 }
 
 /* A step that is safe behind a slow start, where the uniform bound on g'' hardly lets go on: no
  * longer than the time itself, over which g'' changes little. */
 static double leaving_step(const sampler *s, sample at, double time, double third)
 {
+    const double *series = s->p->series, unit = s->p->c->unit, place = time / unit;
     double curve = 0.0, size = 0.0;
-    for (int k = SERIES - 1; k >= 2; --k) {
-        curve = curve * time + k * (k - 1) * s->series[k];
-        size = size * time + k * (k - 1) * fabs(s->series[k]);
+    for (int k = s->p->orders - 1; k >= 2; --k) {
+        curve = curve * place + k * (k - 1) * series[k];
+        size = size * place + k * (k - 1) * fabs(series[k]);
     }
-    const double bend = curve + SAMPLE * size + third * time;
+    const double bend = (curve + SAMPLE * size) / (unit * unit) + third * time;
     const double step = safe_step(at, bend > 0.0 ? bend : 0.0);
     return step < time ? step : time;
 }
@@ -191,7 +193,7 @@ double cell_first(phase *p, const sampler *s, double from, double to, double cel
             if (!(at.value < -error))
                 break;
             if (s->order == 0)
-                p->leaving &= ~((uint32_t)1 << b);
+                p->start_of[b] &= (unsigned char)~LEAVING;
             if (time >= to)
                 return HUGE_VAL;
             double step = safe_step(at, second);
@@ -231,7 +233,7 @@ double cell_first(phase *p, const sampler *s, double from, double to, double cel
         if (at.value >= -error && time >= to && at.slope > 0.0)
             return HUGE_VAL; /* the next cell begins here and decides */
         /* a start that is left so slowly that it takes more than a cell is no touch */
-        if (s->order > 0 || !(p->leaving >> b & 1)) {
+        if (s->order > 0 || !(p->start_of[b] & LEAVING)) {
             if (p->reached[b])
                 return top;
             remember(p, b, entered, time, 0.5 * (entered + time), depth);

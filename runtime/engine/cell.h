@@ -9,14 +9,14 @@
 typedef struct {
     const phase *p;
     int boundary, order;    /* 0: directly */
-    double series[SERIES];  /* g^(k)(0)/k! */
     double error_of_series; /* of the leading coefficient */
 } sampler;
 
 /* Value and slope at a time, and the error of the value unless that is NULL. */
 sample cell_sample(const sampler *s, double time, double *error);
 
-/* Make the series with which the boundary is left; the order stays 0 if there is none. */
+/* Make the phase's series with which the boundary is left, g^(k)(0)/k! in the configuration's unit
+ * of time; the order stays 0 if there is none. */
 void cell_leave(sampler *s);
 
 /* Time before which a boundary that is left cannot come back: half of where the bound on the next

@@ -74,7 +74,7 @@ void chain_bounds(const mode *first, int modes, double from, double to, double *
     const double growth = rate == 0.0 ? 1.0 : exp(rate * (rate < 0.0 ? from : to));
     for (int i = 0; i < modes; ++i) {
         const mode *m = &first[i];
-        double *at = bounds + m->first;
+        double *at = bounds + (m->first - first->first);
         add(&d, m);
         if (i == 0 && !m->paired) {
             double power = growth;

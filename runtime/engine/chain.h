@@ -14,7 +14,7 @@ enum { MOST_POLES = 7 };
 /* Values at `time` of the functions of a chain. */
 void chain_functions(const mode *first, int modes, double time, double *functions);
 
-/* Bounds on their absolute values over [from, to]. */
+/* Bounds on their absolute values over [from, to]; `bounds` begins with the chain. */
 void chain_bounds(const mode *first, int modes, double from, double to, double *bounds);
 
 #endif

@@ -14,25 +14,42 @@ static const double MOST_RESIDUAL = 1e-9;
 static const double SHORTEST = 1e-6; /* in units of the period: on the way to no time at all */
 enum { MOST_ITERATIONS = 32 };
 
+/* Of so few states arrays are in registers, where their number is a constant. */
+enum { FEW = 4 };
+
 int compose_create(compose_room *room, const layout *l, int phases)
 {
+    enum { ARRAYS = 11 };
     const size_t n = (size_t)l->states, p = (size_t)phases;
-    const size_t flow = p * n * (n + 1), rate = p * (n + 1), matrix = (p + n + 1) * n;
-    double *memory = calloc(flow + rate + matrix + p + n + 1, sizeof *memory);
-    *room = (compose_room){.memory = memory};
-    if (!memory)
+    const size_t wide = size_product(n, n + 2);
+    double **const array[ARRAYS] = {&room->flow,  &room->rate, &room->matrix,   &room->right,
+                                    &room->block, &room->ends, &room->size,     &room->velocity,
+                                    &room->step,  &room->pivot, &room->unit};
+    const size_t size[ARRAYS] = {size_product(p, wide), size_product(p, n + 1),
+                                 size_product(p + n + 1, n), p + n + 1, wide, wide, n, n, n, n, n};
+    size_t doubles = 0;
+    for (int i = 0; i < ARRAYS; ++i)
+        doubles = size_sum(doubles, size[i]);
+    *room = (compose_room){.memory = calloc(doubles, sizeof(double)),
+                           .order = calloc(n, sizeof(int))};
+    if (!room->memory || !room->order) {
+        compose_free(room);
         return -1;
-    room->flow = memory;
-    room->rate = room->flow + flow;
-    room->matrix = room->rate + rate;
-    room->right = room->matrix + matrix;
+    }
+    double *at = room->memory;
+    for (int i = 0; i < ARRAYS; ++i) {
+        *array[i] = at;
+        at += size[i];
+    }
     return 0;
 }
 
 void compose_free(compose_room *room)
 {
     free(room->memory);
+    free(room->order);
     room->memory = NULL;
+    room->order = NULL;
 }
 
 /* The numbers of one parameter point, by kind. */
@@ -61,11 +78,11 @@ static inline int chain_from(const layout *l, int m, int end)
 }
 
 /* Add the functions of a chain times their matrices; gives what follows those. */
-static const double *add_chain(int size, const layout *l, const point *at, int first, int count,
+static const double *add_chain(size_t size, const layout *l, const point *at, int first, int count,
                                double time, const double *part, double *flow)
 {
     mode modes[MOST_POLES];
-    double functions[MOST_FUNCTIONS];
+    double functions[2 * MOST_POLES];
     int function = 0;
     for (int i = 0; i < count; ++i) {
         const int m = first + i;
@@ -80,17 +97,18 @@ static const double *add_chain(int size, const layout *l, const point *at, int f
     }
     chain_functions(modes, count, time, functions);
     for (int f = 0; f < function; ++f, part += size)
-        for (int i = 0; i < size; ++i)
+        for (size_t i = 0; i < size; ++i)
             flow[i] += functions[f] * part[i];
     return part;
 }
 
 /* flow (n, n + 1) of a configuration at a time: matrix and constant. */
-INLINED void flow_at(int n, const layout *l, const point *at, int c, double time, double *flow)
+INLINED void flow_at(ptrdiff_t n, const layout *l, const point *at, int c, double time,
+                     double *flow)
 {
-    const int size = n * (n + 1);
-    const double *part = at->flows + (size_t)l->function_start[c] * (size_t)size;
-    for (int i = 0; i < size; ++i)
+    const size_t size = (size_t)n * (size_t)(n + 1);
+    const double *part = at->flows + (size_t)l->function_start[c] * size;
+    for (size_t i = 0; i < size; ++i)
         flow[i] = 0.0;
     for (int m = l->mode_start[c]; m < l->mode_start[c + 1]; ++m) {
         const int chain = chain_from(l, m, l->mode_start[c + 1]);
@@ -107,11 +125,11 @@ INLINED void flow_at(int n, const layout *l, const point *at, int c, double time
         for (int k = 0; k < l->mode_length[m]; ++k) {
             const double even = power * cosine, odd = power * sine;
             if (l->mode_oscillates[m]) {
-                for (int i = 0; i < size; ++i)
+                for (size_t i = 0; i < size; ++i)
                     flow[i] += even * part[i] + odd * part[size + i];
                 part += 2 * size;
             } else {
-                for (int i = 0; i < size; ++i)
+                for (size_t i = 0; i < size; ++i)
                     flow[i] += even * part[i];
                 part += size;
             }
@@ -122,111 +140,115 @@ INLINED void flow_at(int n, const layout *l, const point *at, int c, double time
 
 /* after (n, w) = the matrix of an affine map (n, n + 1) times before; its constant is added to
  * the last column. */
-INLINED void apply(int n, int w, const double *map, const double *before, double *after)
+INLINED void apply(ptrdiff_t n, ptrdiff_t w, const double *map, const double *before,
+                   double *restrict after)
 {
-    for (int i = 0; i < n; ++i) {
-        double *row = after + i * w;
-        for (int k = 0; k < w; ++k)
-            row[k] = 0.0;
-        for (int j = 0; j < n; ++j) {
-            const double factor = map[i * (n + 1) + j];
-            for (int k = 0; k < w; ++k)
-                row[k] += factor * before[j * w + k];
+    for (ptrdiff_t i = 0; i < n; ++i, map += n + 1, after += w) {
+        const double *from = before;
+        for (ptrdiff_t k = 0; k < w; ++k)
+            after[k] = 0.0;
+        for (ptrdiff_t j = 0; j < n; ++j, from += w) {
+            const double factor = map[j];
+            for (ptrdiff_t k = 0; k < w; ++k)
+                after[k] += factor * from[k];
         }
-        row[w - 1] += map[i * (n + 1) + n];
+        after[w - 1] += map[n];
     }
 }
 
-INLINED void identity(int n, int w, double *block)
+INLINED void identity(ptrdiff_t n, ptrdiff_t w, double *block)
 {
-    for (int i = 0; i < n; ++i)
-        for (int k = 0; k < w; ++k)
+    for (ptrdiff_t i = 0; i < n; ++i)
+        for (ptrdiff_t k = 0; k < w; ++k)
             block[i * w + k] = i == k ? 1.0 : 0.0;
 }
 
 /* The start that fits given dwell times best: closure and switching are linear in it. */
-INLINED double start_of(int n, const cycle *c, const point *at, compose_room *room, double *start)
+INLINED double start_of(ptrdiff_t n, const cycle *c, const point *at, compose_room *room,
+                        double *start)
 {
-    const int w = n + 1, count = c->phases;
-    double from[MOST_STATES * (MOST_STATES + 1)], to[MOST_STATES * (MOST_STATES + 1)];
+    const ptrdiff_t w = n + 1, count = c->phases;
+    const least_squares_room scratch = {room->order, room->pivot, room->unit};
+    double *const from = room->block, *const to = room->ends;
     identity(n, w, from);
-    for (int i = 0; i < count; ++i) {
+    for (ptrdiff_t i = 0; i < count; ++i) {
         const double *row = at->rows + c->row[i] * w;
         double *equation = room->matrix + i * n, right = -row[n];
         apply(n, w, room->flow + i * n * w, from, to);
-        for (int k = 0; k < n; ++k)
+        for (ptrdiff_t k = 0; k < n; ++k)
             equation[k] = 0.0;
-        for (int j = 0; j < n; ++j) {
-            for (int k = 0; k < n; ++k)
+        for (ptrdiff_t j = 0; j < n; ++j) {
+            for (ptrdiff_t k = 0; k < n; ++k)
                 equation[k] += row[j] * to[j * w + k];
             right -= row[j] * to[j * w + n];
         }
         room->right[i] = right;
         apply(n, w, at->resets + c->reset[i] * n * w, to, from);
     }
-    for (int i = 0; i < n; ++i) {
+    for (ptrdiff_t i = 0; i < n; ++i) {
         double *equation = room->matrix + (count + i) * n;
-        for (int k = 0; k < n; ++k)
+        for (ptrdiff_t k = 0; k < n; ++k)
             equation[k] = (i == k ? 1.0 : 0.0) - from[i * w + k];
         room->right[count + i] = from[i * w + n];
     }
-    return balanced_least_squares(count, n, room->matrix, room->right, start);
+    return balanced_least_squares(count, n, room->matrix, room->right, start, &scratch);
 }
 
 /* One passage of the cycle and its linearisation. */
 typedef struct {
-    double size[MOST_STATES];                  /* of each state along the cycle */
-    double block[MOST_STATES * (MOST_STATES + 2)]; /* map, its constant, the state at the end */
+    double *size;  /* of each state along the cycle */
+    double *block; /* map, its constant, the state at the end */
     double residual, relative;
 } passage;
 
-INLINED void pass(int n, const cycle *c, const point *at, const double *dwell, double *starts,
+INLINED void pass(ptrdiff_t n, const cycle *c, const point *at, const double *dwell, double *starts,
                   compose_room *room, passage *result)
 {
-    const int w = n + 2, columns = n + 1;
-    double ends[MOST_STATES * (MOST_STATES + 2)], *block = result->block, sum_of_all = 0.0;
+    const ptrdiff_t w = n + 2, columns = n + 1;
+    double *const ends = room->ends, *const block = result->block, sum_of_all = 0.0;
+    double *const velocity = room->velocity;
     identity(n, w, block);
-    for (int i = 0; i < n; ++i) {
+    for (ptrdiff_t i = 0; i < n; ++i) {
         block[i * w + n + 1] = starts[i];
         result->size[i] = fabs(starts[i]);
     }
     result->residual = result->relative = 0.0;
-    for (int i = 0; i < c->phases; ++i) {
+    for (ptrdiff_t i = 0; i < c->phases; ++i) {
         const double *row = at->rows + c->row[i] * columns;
         const double *field = at->fields + (size_t)(c->configuration[i] * n * columns);
         double *rate = room->rate + i * columns;
-        double speed = 0.0, gap = row[n], scale = fabs(row[n]), velocity[MOST_STATES];
-        for (int j = 0; j < n; ++j)
+        double speed = 0.0, gap = row[n], scale = fabs(row[n]);
+        for (ptrdiff_t j = 0; j < n; ++j)
             starts[i * n + j] = block[j * w + n + 1];
         apply(n, w, room->flow + i * n * columns, block, ends);
-        for (int k = 0; k < columns; ++k)
+        for (ptrdiff_t k = 0; k < columns; ++k)
             rate[k] = 0.0;
-        for (int j = 0; j < n; ++j) {
+        for (ptrdiff_t j = 0; j < n; ++j) {
             const double state = ends[j * w + n + 1];
             double sum = field[j * columns + n];
-            for (int k = 0; k < n; ++k)
+            for (ptrdiff_t k = 0; k < n; ++k)
                 sum += field[j * columns + k] * ends[k * w + n + 1];
             velocity[j] = sum;
             speed += row[j] * sum;
             gap += row[j] * state;
             scale += fabs(row[j]) * larger(fabs(state), fabs(sum * dwell[i]));
-            for (int k = 0; k < columns; ++k)
+            for (ptrdiff_t k = 0; k < columns; ++k)
                 rate[k] -= row[j] * ends[j * w + k];
             result->size[j] = larger(result->size[j], larger(fabs(state), fabs(sum * dwell[i])));
         }
         rate[n] -= gap;
         const double inverse = 1.0 / speed;
-        for (int k = 0; k < columns; ++k)
+        for (ptrdiff_t k = 0; k < columns; ++k)
             rate[k] *= inverse;
-        for (int j = 0; j < n; ++j)
-            for (int k = 0; k < columns; ++k)
+        for (ptrdiff_t j = 0; j < n; ++j)
+            for (ptrdiff_t k = 0; k < columns; ++k)
                 ends[j * w + k] += velocity[j] * rate[k];
         sum_of_all += gap;
         result->residual = larger(result->residual, fabs(gap));
         result->relative = larger(result->relative, scale > 0.0 ? fabs(gap) / scale : 0.0);
         apply(n, w, at->resets + c->reset[i] * n * columns, ends, block);
     }
-    for (int j = 0; j < n; ++j) {
+    for (ptrdiff_t j = 0; j < n; ++j) {
         if (result->size[j] == 0.0)
             result->size[j] = 1.0;
         const double gap = fabs(block[j * w + n + 1] - starts[j]);
@@ -239,12 +261,13 @@ INLINED void pass(int n, const cycle *c, const point *at, const double *dwell, d
 }
 
 /* Newton's step of the start in units of its size; the smallest relative pivot. */
-INLINED double step_of(int n, const cycle *c, const double *start, double missing, double total,
-                       compose_room *room, const passage *now, double *step)
+INLINED double step_of(ptrdiff_t n, const cycle *c, const double *start, double missing,
+                       double total, compose_room *room, const passage *now, double *step)
 {
-    const int w = n + 2, columns = n + 1, timed = !isnan(missing);
-    for (int i = 0; i < n; ++i) {
-        for (int k = 0; k < n; ++k)
+    const ptrdiff_t w = n + 2, columns = n + 1;
+    const int timed = !isnan(missing);
+    for (ptrdiff_t i = 0; i < n; ++i) {
+        for (ptrdiff_t k = 0; k < n; ++k)
             room->matrix[i * n + k] =
                 ((i == k ? 1.0 : 0.0) - now->block[i * w + k]) * (now->size[k] / now->size[i]);
         room->right[i] =
@@ -252,47 +275,56 @@ INLINED double step_of(int n, const cycle *c, const double *start, double missin
     }
     if (timed) {
         double *equation = room->matrix + n * n, right = missing;
-        for (int k = 0; k < n; ++k)
+        for (ptrdiff_t k = 0; k < n; ++k)
             equation[k] = 0.0;
-        for (int i = 0; i < c->phases; ++i) {
-            for (int k = 0; k < n; ++k)
+        for (ptrdiff_t i = 0; i < c->phases; ++i) {
+            for (ptrdiff_t k = 0; k < n; ++k)
                 equation[k] += room->rate[i * columns + k];
             right -= room->rate[i * columns + n];
         }
-        for (int k = 0; k < n; ++k)
+        for (ptrdiff_t k = 0; k < n; ++k)
             equation[k] *= now->size[k] / total;
         room->right[n] = right / total;
     }
-    int equations = timed ? n + 1 : n;
+    ptrdiff_t equations = timed ? n + 1 : n;
     if (c->forcing) {
         double *equation = room->matrix + equations * n, right = 0.5;
-        for (int k = 0; k < n; ++k)
+        for (ptrdiff_t k = 0; k < n; ++k)
             equation[k] = 0.0;
-        for (int k = 0; k < 2; ++k) {
+        for (ptrdiff_t k = 0; k < 2; ++k) {
             const int state = c->forcing[k];
             equation[state] = start[state] * now->size[state];
             right -= 0.5 * start[state] * start[state];
         }
         room->right[equations++] = right;
     }
-    return least_squares(equations, n, room->matrix, room->right, step);
+    const least_squares_room scratch = {room->order, room->pivot, room->unit};
+    return least_squares(equations, n, room->matrix, room->right, step, &scratch);
 }
 
-INLINED composed solve(int n, const layout *l, const cycle *c, const double *numbers,
+INLINED composed solve(ptrdiff_t n, const layout *l, const cycle *c, const double *numbers,
                        double period, int guided, double *dwell, double *starts, double *map,
-                       compose_room *room, patience *patience)
+                       compose_room *memory, patience *patience)
 {
+    double few[2 * FEW * (FEW + 2)];
+    int few_places[FEW];
+    compose_room own = *memory, *const room = &own;
+    if (n <= FEW) {
+        own.block = few;
+        own.ends = few + n * (n + 2);
+        own.order = few_places;
+    }
     const point at = point_of(l, numbers);
-    const int columns = n + 1, w = n + 2, count = c->phases;
+    const ptrdiff_t columns = n + 1, w = n + 2, count = c->phases;
     composed result = {.residual = NAN, .iterations = 0, .status = COMPOSE_STALLED};
-    double step[MOST_STATES] = {0}, least = 1.0;
-    passage now;
+    double *const step = room->step, least = 1.0;
+    passage now = {.size = room->size, .block = room->block};
     for (;;) {
         double total = 0.0;
-        for (int i = 0; i < count; ++i) {
+        for (ptrdiff_t i = 0; i < count; ++i) {
             flow_at(n, l, &at, c->configuration[i], dwell[i], room->flow + i * n * columns);
             total += dwell[i];
-            if (lost(patience))
+            if (lost_after(patience, (size_t)n * (size_t)n * (size_t)n))
                 return result;
         }
         if (result.iterations == 0 && !guided)
@@ -308,11 +340,11 @@ INLINED composed solve(int n, const layout *l, const cycle *c, const double *num
         ++result.iterations;
         least = step_of(n, c, starts, period - total, total, room, &now, step);
         double largest = 0.0, fraction = 1.0;
-        for (int j = 0; j < n; ++j)
+        for (ptrdiff_t j = 0; j < n; ++j)
             largest = larger(largest, fabs(step[j]));
-        for (int i = 0; i < count; ++i) {
+        for (ptrdiff_t i = 0; i < count; ++i) {
             double change = room->rate[i * columns + n];
-            for (int k = 0; k < n; ++k)
+            for (ptrdiff_t k = 0; k < n; ++k)
                 change += room->rate[i * columns + k] * (now.size[k] * step[k]);
             room->rate[i * columns] = change;
             largest = larger(largest, fabs(change) / total);
@@ -321,18 +353,18 @@ INLINED composed solve(int n, const layout *l, const cycle *c, const double *num
             else if (change > 3.0 * dwell[i])
                 fraction = smaller(fraction, 3.0 * dwell[i] / change);
         }
-        for (int j = 0; j < n; ++j)
+        for (ptrdiff_t j = 0; j < n; ++j)
             starts[j] += fraction * (now.size[j] * step[j]);
-        for (int i = 0; i < count; ++i)
+        for (ptrdiff_t i = 0; i < count; ++i)
             dwell[i] += fraction * room->rate[i * columns];
         if (fraction == 1.0 && largest <= TOLERANCE)
             result.status = COMPOSE_CONVERGED;
     }
-    for (int i = 0; i < n; ++i)
-        for (int k = 0; k < n; ++k)
+    for (ptrdiff_t i = 0; i < n; ++i)
+        for (ptrdiff_t k = 0; k < n; ++k)
             map[i * n + k] = now.block[i * w + k];
     double total = 0.0, shortest = INFINITY;
-    for (int i = 0; i < count; ++i) {
+    for (ptrdiff_t i = 0; i < count; ++i) {
         total += dwell[i];
         shortest = smaller(shortest, dwell[i]);
     }

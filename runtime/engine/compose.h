@@ -28,6 +28,10 @@ enum {
 /* Room for one cycle of one layout. */
 typedef struct {
     double *memory, *flow, *rate, *matrix, *right;
+    double *block, *ends;            /* (states, states + 2) */
+    double *size, *velocity, *step;  /* of each state */
+    double *pivot, *unit;            /* of least squares */
+    int *order;
 } compose_room;
 
 int compose_create(compose_room *room, const layout *l, int phases);

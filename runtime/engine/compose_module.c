@@ -55,24 +55,30 @@ PyObject *py_compose(PyObject *self, PyObject *arguments)
     layout layout;
     cycle cycle;
     compose_room room = {0};
-    Py_ssize_t count[BUFFERS] = {-1, -1, -1};
+    size_t each[BUFFERS] = {0}; /* items of one point */
+    Py_ssize_t points = 0;
     while (held < BUFFERS) {
         const int k = held;
-        if (!module_buffer(object[k], &view[k], NAMES[k], FORMATS[k], count[k], k >= DWELL))
+        if (!module_buffer(object[k], &view[k], NAMES[k], FORMATS[k], k >= DWELL))
             goto release;
         ++held;
+        if (k > PERIODS && !module_holds(&view[k], points, each[k], (size_t)view[k].itemsize)) {
+            PyErr_Format(PyExc_ValueError, "%s: wrong type or size of array", NAMES[k]);
+            goto release;
+        }
         if (k == LAYOUT && module_layout(&view[k], &layout) != 0)
             goto release;
         if (k == CYCLE && read_cycle(&view[k], &layout, &cycle) != 0)
             goto release;
         if (k != PERIODS)
             continue;
-        const Py_ssize_t points = view[k].len / (Py_ssize_t)sizeof(double), n = layout.states;
-        count[NUMBERS] = points * (Py_ssize_t)layout_numbers(&layout);
-        count[DWELL] = points * cycle.phases;
-        count[STARTS] = points * cycle.phases * n;
-        count[MAPS] = points * n * n;
-        count[RESIDUALS] = count[ITERATIONS] = count[STATUSES] = points;
+        const size_t n = (size_t)layout.states, phases = (size_t)cycle.phases;
+        points = view[k].len / (Py_ssize_t)sizeof(double);
+        each[NUMBERS] = layout_numbers(&layout);
+        each[DWELL] = phases;
+        each[STARTS] = size_product(phases, n);
+        each[MAPS] = size_product(n, n);
+        each[RESIDUALS] = each[ITERATIONS] = each[STATUSES] = 1;
     }
     if (compose_create(&room, &layout, cycle.phases) != 0) {
         PyErr_NoMemory();
@@ -82,13 +88,11 @@ PyObject *py_compose(PyObject *self, PyObject *arguments)
     double *dwell = view[DWELL].buf, *starts = view[STARTS].buf, *maps = view[MAPS].buf;
     double *residuals = view[RESIDUALS].buf;
     int32_t *iterations = view[ITERATIONS].buf, *statuses = view[STATUSES].buf;
-    const size_t points = (size_t)view[PERIODS].len / sizeof(double);
-    const size_t size = layout_numbers(&layout), n = (size_t)layout.states;
-    const size_t phases = (size_t)cycle.phases;
+    const size_t size = each[NUMBERS], n = (size_t)layout.states, phases = (size_t)cycle.phases;
     nonsmooth_work work = {0};
     patience patience = {.ends = module_ends, .context = &work};
     Py_BEGIN_ALLOW_THREADS
-    for (size_t i = 0; i < points && !patience.ended; ++i) {
+    for (size_t i = 0; i < (size_t)points && !patience.ended; ++i) {
         const composed found = compose_solve(
             &layout, &cycle, numbers + i * size, periods[i], guided, dwell + i * phases,
             starts + i * phases * n, maps + i * n * n, &room, &patience);

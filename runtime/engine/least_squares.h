@@ -21,22 +21,29 @@ INLINED double smaller(double a, double b)
     return b < a ? b : a;
 }
 
+/* Room for n unknowns. */
+typedef struct {
+    int *order;
+    double *pivot, *unit;
+} least_squares_room;
+
 /* Solution of m >= n equations in the sense of least squares, by Householder reflections with
  * column pivoting; what is not determined stays 0. The smallest relative pivot; NaN where
  * something is not finite. */
-INLINED double least_squares(int m, int n, double *a, double *b, double *x)
+INLINED double least_squares(ptrdiff_t m, ptrdiff_t n, double *a, double *b, double *x,
+                             const least_squares_room *room)
 {
-    int order[MOST_STATES];
-    double pivot[MOST_STATES], first = 0.0, least = 1.0;
-    int rank = 0;
-    for (int j = 0; j < n; ++j)
-        order[j] = j;
-    for (int k = 0; k < n; ++k) {
+    int *const order = room->order;
+    double *const pivot = room->pivot, first = 0.0, least = 1.0;
+    ptrdiff_t rank = 0;
+    for (ptrdiff_t j = 0; j < n; ++j)
+        order[j] = (int)j;
+    for (ptrdiff_t k = 0; k < n; ++k) {
         double best = -1.0;
-        int chosen = k;
-        for (int j = k; j < n; ++j) {
+        ptrdiff_t chosen = k;
+        for (ptrdiff_t j = k; j < n; ++j) {
             double sum = 0.0;
-            for (int i = k; i < m; ++i)
+            for (ptrdiff_t i = k; i < m; ++i)
                 sum += a[i * n + j] * a[i * n + j];
             if (!(sum <= DBL_MAX))
                 return NAN;
@@ -53,7 +60,7 @@ INLINED double least_squares(int m, int n, double *a, double *b, double *x)
         if (!(relative > LEAST))
             break;
         if (chosen != k) {
-            for (int i = 0; i < m; ++i) {
+            for (ptrdiff_t i = 0; i < m; ++i) {
                 const double kept = a[i * n + k];
                 a[i * n + k] = a[i * n + chosen];
                 a[i * n + chosen] = kept;
@@ -66,30 +73,30 @@ INLINED double least_squares(int m, int n, double *a, double *b, double *x)
         const double alpha = head > 0.0 ? -norm : norm;
         a[k * n + k] = head - alpha;
         const double scale = 1.0 / (alpha * (head - alpha)); /* -2 / |v|^2 */
-        for (int j = k + 1; j < n; ++j) {
+        for (ptrdiff_t j = k + 1; j < n; ++j) {
             double sum = 0.0;
-            for (int i = k; i < m; ++i)
+            for (ptrdiff_t i = k; i < m; ++i)
                 sum += a[i * n + k] * a[i * n + j];
             sum *= scale;
-            for (int i = k; i < m; ++i)
+            for (ptrdiff_t i = k; i < m; ++i)
                 a[i * n + j] += sum * a[i * n + k];
         }
         double sum = 0.0;
-        for (int i = k; i < m; ++i)
+        for (ptrdiff_t i = k; i < m; ++i)
             sum += a[i * n + k] * b[i];
         sum *= scale;
-        for (int i = k; i < m; ++i)
+        for (ptrdiff_t i = k; i < m; ++i)
             b[i] += sum * a[i * n + k];
         pivot[k] = alpha;
         ++rank;
     }
-    for (int k = n - 1; k >= 0; --k) {
+    for (ptrdiff_t k = n - 1; k >= 0; --k) {
         if (k >= rank) {
             x[order[k]] = 0.0;
             continue;
         }
         double sum = b[k];
-        for (int j = k + 1; j < rank; ++j)
+        for (ptrdiff_t j = k + 1; j < rank; ++j)
             sum -= a[k * n + j] * x[order[j]];
         x[order[k]] = sum / pivot[k];
     }
@@ -98,31 +105,32 @@ INLINED double least_squares(int m, int n, double *a, double *b, double *x)
 
 /* The same of `switches` equations of switching and n of closure, in no units: each in units of
  * the largest of its terms, each unknown in units of its largest coefficient. */
-INLINED double balanced_least_squares(int switches, int n, double *a, double *b, double *x)
+INLINED double balanced_least_squares(ptrdiff_t switches, ptrdiff_t n, double *a, double *b,
+                                      double *x, const least_squares_room *room)
 {
-    double unit[MOST_STATES];
-    for (int k = 0; k < n; ++k)
+    double *const unit = room->unit;
+    for (ptrdiff_t k = 0; k < n; ++k)
         unit[k] = 0.0;
-    for (int i = 0; i < switches + n; ++i) {
+    for (ptrdiff_t i = 0; i < switches + n; ++i) {
         double size = 0.0;
-        for (int k = 0; k < n; ++k) {
+        for (ptrdiff_t k = 0; k < n; ++k) {
             const double one = i - switches == k ? 1.0 : 0.0;
             size = larger(size, fabs(a[i * n + k] - one) + one);
         }
         const double scale = size > 0.0 ? 1.0 / size : 1.0;
-        for (int k = 0; k < n; ++k) {
+        for (ptrdiff_t k = 0; k < n; ++k) {
             a[i * n + k] *= scale;
             unit[k] = larger(unit[k], fabs(a[i * n + k]));
         }
         b[i] *= scale;
     }
-    for (int k = 0; k < n; ++k)
+    for (ptrdiff_t k = 0; k < n; ++k)
         unit[k] = unit[k] > 0.0 ? 1.0 / unit[k] : 1.0;
-    for (int i = 0; i < switches + n; ++i)
-        for (int k = 0; k < n; ++k)
+    for (ptrdiff_t i = 0; i < switches + n; ++i)
+        for (ptrdiff_t k = 0; k < n; ++k)
             a[i * n + k] *= unit[k];
-    const double least = least_squares(switches + n, n, a, b, x);
-    for (int k = 0; k < n; ++k)
+    const double least = least_squares(switches + n, n, a, b, x, room);
+    for (ptrdiff_t k = 0; k < n; ++k)
         x[k] *= unit[k];
     return least;
 }

@@ -4,7 +4,7 @@
 #include "interrupt.h"
 
 void *module_buffer(PyObject *object, Py_buffer *view, const char *name, char format,
-                    Py_ssize_t count, int writable)
+                    int writable)
 {
     const int flags = PyBUF_C_CONTIGUOUS | PyBUF_FORMAT | (writable ? PyBUF_WRITABLE : 0);
     if (PyObject_GetBuffer(object, view, flags) != 0)
@@ -12,8 +12,7 @@ void *module_buffer(PyObject *object, Py_buffer *view, const char *name, char fo
     const Py_ssize_t size = format == 'i' ? 4 : 8;
     const char *found = view->format ? view->format : "B";
     const int same = found[0] == format || (format == 'q' && found[0] == 'l');
-    if (!same || found[1] != '\0' || view->itemsize != size ||
-        (count >= 0 && view->len != count * size)) {
+    if (!same || found[1] != '\0' || view->itemsize != size) {
         PyErr_Format(PyExc_ValueError, "%s: wrong type or size of array", name);
         PyBuffer_Release(view);
         return NULL;
@@ -25,7 +24,7 @@ int module_layout(const Py_buffer *view, layout *result)
 {
     if (layout_read(result, view->buf, (size_t)view->len / sizeof(int32_t)) == 0)
         return 0;
-    PyErr_SetString(PyExc_ValueError, "layout: cut, foreign or too large");
+    PyErr_SetString(PyExc_ValueError, "layout: cut or foreign");
     return -1;
 }
 

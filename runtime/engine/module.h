@@ -8,10 +8,16 @@
 #include "patience.h"
 #include "tables.h"
 
-/* A contiguous buffer of `count` items of one format ("d" double, "i" int32, "q" int64), or any
- * count if that is -1; NULL with a Python error otherwise. Release `view` afterwards. */
+/* A contiguous buffer of one format ("d" double, "i" int32, "q" int64); NULL with a Python error
+ * otherwise. Release `view` afterwards. */
 void *module_buffer(PyObject *object, Py_buffer *view, const char *name, char format,
-                    Py_ssize_t count, int writable);
+                    int writable);
+
+/* Whether a buffer has so many times so many items of a size. */
+static inline int module_holds(const Py_buffer *view, Py_ssize_t count, size_t each, size_t size)
+{
+    return (size_t)view->len == size_product(size_product((size_t)count, each), size);
+}
 
 /* Layout of a packed buffer; 0, or -1 with a Python error. */
 int module_layout(const Py_buffer *view, layout *result);

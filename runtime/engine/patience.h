@@ -4,8 +4,9 @@
 
 #include <stddef.h>
 
-/* Steps between two questions: a step takes 20 ns to 1 ms, as large as the system is. */
-enum { PATIENCE = 64 };
+/* Steps between two questions, and products that count as one more: a step takes 20 ns to some
+ * microseconds, as large as the system is. */
+enum { PATIENCE = 64, PRODUCTS = 1 << 14 };
 
 typedef struct {
     int (*ends)(void *context); /* NULL: never */
@@ -23,6 +24,14 @@ static inline int lost(patience *p)
     if (!p->ended && p->ends)
         p->ended = p->ends(p->context);
     return p->ended;
+}
+
+/* The same of a step that has so many products. */
+static inline int lost_after(patience *p, size_t products)
+{
+    const size_t steps = products / PRODUCTS;
+    p->left -= steps < PATIENCE ? (int)steps : PATIENCE;
+    return lost(p);
 }
 
 #endif

@@ -1,6 +1,8 @@
 /* Sums of the functions of time of one phase: values, derivatives and bounds. */
 #include "phase.h"
 
+#include <stdlib.h>
+
 #include "sums.h"
 #include "support.h"
 
@@ -48,43 +50,43 @@ void phase_functions(const configuration *c, double time, double *functions)
 beginning phase_beginning(const phase *p, int b)
 {
     const configuration *c = p->c;
-    const int n = p->states;
-    double value[MOST_FUNCTIONS], next[MOST_FUNCTIONS];
-    double size[MOST_FUNCTIONS], above[MOST_FUNCTIONS];
-    const double *weight = c->weight + (size_t)b * (size_t)c->functions * (size_t)(n + 1);
-    for (int f = 0; f < c->functions; ++f) {
+    const int n = p->states, count = c->functions;
+    double *value = p->scratch, *next = value + count;
+    double *size = next + count, *above = size + count;
+    const double *weight = c->weight + (size_t)b * (size_t)count * (size_t)(n + 1);
+    for (int f = 0; f < count; ++f, weight += n + 1) {
         value[f] = value_of(p, b)[f];
-        size[f] = weight[f * (n + 1) + n];
+        size[f] = weight[n];
         for (int j = 0; j < n; ++j)
-            size[f] += weight[f * (n + 1) + j] * p->magnitude[j];
+            size[f] += weight[j] * p->magnitude[j];
     }
     double d = at_start(c, value);
     for (int order = 0; order <= n; ++order) {
         differentiate(c, value, next);
-        const double following = at_start(c, next);
-        const int is_zero = order == 0 && (p->zero >> b & 1);
-        if (!is_zero && fabs(d) > START * at_start(c, size) + p->start * fabs(following))
-            return (beginning){order, d > 0.0 ? 1 : -1};
         differentiate_sizes(c, size, above);
-        for (int f = 0; f < c->functions; ++f) {
-            value[f] = next[f];
-            size[f] = above[f];
+        const double error = START * at_start(c, size);
+        for (int f = 0; f < count; ++f) {
+            value[f] = next[f] * c->unit;
+            size[f] = above[f] * c->unit;
         }
+        const double following = at_start(c, value);
+        const int is_zero = order == 0 && p->start_of[b] & ZERO;
+        if (!is_zero && fabs(d) > error + p->start * fabs(following) / c->unit)
+            return (beginning){order, d > 0.0 ? 1 : -1};
         d = following;
     }
     return (beginning){0, 0};
 }
 
-uint32_t phase_begin(phase *p)
+int phase_begin(phase *p)
 {
     const configuration *c = p->c;
-    uint32_t crossed = 0;
-    p->watched = p->zero = p->leaving = p->slow = 0;
-    p->touches = 0;
+    int crossed = 0;
+    set_clear(p->event, p->words);
+    p->touches = p->watching = 0;
     for (int b = 0; b < c->boundaries; ++b) {
-        const uint32_t bit = (uint32_t)1 << b;
         const double *value = value_of(p, b);
-        differentiate(c, value, p->slope + b * c->functions);
+        differentiate(c, value, p->slope + (size_t)b * (size_t)c->functions);
         double amplitude = 0.0, second = 0.0, fourth = 0.0;
         if (c->uniform)
             for (int i = 0; i < c->modes; ++i) {
@@ -102,25 +104,28 @@ uint32_t phase_begin(phase *p)
         p->amplitude[b] = amplitude;
         p->second[b] = second;
         p->fourth[b] = fourth;
+        p->start_of[b] = 0;
         const double g = at_start(c, value);
         const double rate = at_start(c, slope_of(p, b));
-        const double slack = p->known & bit ? LOCATED : 1.0;
+        const double slack = set_has(p->known, b) ? LOCATED : 1.0;
         if (fabs(g) <= slack * START * p->size[b] + p->start * fabs(rate)) {
-            p->zero |= bit;
+            p->start_of[b] = ZERO;
             /* the first derivative decides if it exceeds generous bounds on its error */
             const double rough = START * p->size[b] * (c->fastest + 1.0) + p->start * second;
             const beginning first = c->uniform && c->mode[0].length <= 2 && fabs(rate) > rough
                                         ? (beginning){1, rate > 0.0 ? 1 : -1}
                                         : phase_beginning(p, b);
-            if (first.sign > 0)
-                crossed |= bit;
+            if (first.sign > 0) {
+                set_put(p->event, b);
+                crossed = 1;
+            }
             if (first.sign >= 0)
                 continue; /* g = 0 as far as can be told: the motion slides along it */
-            p->leaving |= bit;
-            if (first.order != 1)
-                p->slow |= bit;
-        } else if (g > 0.0)
-            crossed |= bit;
+            p->start_of[b] = first.order == 1 ? ZERO | LEAVING : ZERO | LEAVING | SLOW;
+        } else if (g > 0.0) {
+            set_put(p->event, b);
+            crossed = 1;
+        }
         /* a sum that never rises to zero needs no search */
         if (c->uniform && c->mode[0].length <= 2) {
             const double drift = c->mode[0].length == 2 ? value[1] : 0.0;
@@ -129,7 +134,64 @@ uint32_t phase_begin(phase *p)
             if (amplitude == 0.0 && drift <= 0.0)
                 continue;
         }
-        p->watched |= bit;
+        p->watched[p->watching++] = b;
     }
     return crossed;
+}
+
+/* Orders of a series beside those of the leading one, which is below the number of states. */
+enum { ORDERS = 24, FEW_STATES = 16 };
+
+enum { SETS = 3, ARRAYS = 11 };
+
+int phase_create(phase *p, const layout *l)
+{
+    const size_t boundaries = (size_t)l->most_boundaries, functions = (size_t)l->most_functions;
+    const size_t orders = ORDERS + (size_t)(l->states > FEW_STATES ? l->states : FEW_STATES);
+    const size_t products = size_product(boundaries, functions), words = (size_t)l->words;
+    const size_t waves = 2 * (size_t)l->most_modes + 2 * functions;
+    double **const array[ARRAYS] = {&p->value,  &p->slope,  &p->size,      &p->amplitude,
+                                    &p->second, &p->fourth, &p->series,    &p->functions,
+                                    &p->sampled, &p->scratch, &p->waves};
+    const size_t size[ARRAYS] = {products,   products,   boundaries, boundaries,
+                                 boundaries, boundaries, orders,     functions,
+                                 functions,  4 * functions, waves};
+    size_t doubles = 0;
+    for (int i = 0; i < ARRAYS; ++i)
+        doubles = size_sum(doubles, size[i]);
+    p->memory = calloc(doubles, sizeof(double));
+    p->ends = calloc(boundaries + 1, sizeof *p->ends);
+    p->sets = calloc(SETS * words, sizeof *p->sets);
+    p->watched = calloc(2 * boundaries + 1, sizeof *p->watched);
+    p->start_of = calloc(boundaries + 1, sizeof *p->start_of);
+    if (!p->memory || !p->ends || !p->sets || !p->watched || !p->start_of) {
+        phase_free(p);
+        return -1;
+    }
+    double *at = p->memory;
+    for (int i = 0; i < ARRAYS; ++i) {
+        *array[i] = at;
+        at += size[i];
+    }
+    p->suspect = p->watched + boundaries;
+    p->known = p->sets;
+    p->event = p->known + words;
+    p->spare = p->event + words;
+    p->words = l->words;
+    p->orders = (int)orders;
+    return 0;
+}
+
+void phase_free(phase *p)
+{
+    free(p->memory);
+    free(p->ends);
+    free(p->sets);
+    free(p->watched);
+    free(p->start_of);
+    p->memory = NULL;
+    p->ends = NULL;
+    p->sets = NULL;
+    p->watched = NULL;
+    p->start_of = NULL;
 }

@@ -6,9 +6,6 @@
 #include "patience.h"
 #include "tables.h"
 
-/* Orders of the series by which a boundary is left: the leading one and what it needs in a cell. */
-enum { SERIES = MOST_STATES + 24 };
-
 /* A boundary touched and not crossed: g is zero within its error until `end`. */
 typedef struct {
     double time, depth, end;
@@ -18,37 +15,70 @@ typedef struct {
 enum { MOST_TOUCHES = 256 }; /* of one stay; later ones are not reported */
 
 typedef struct {
+    double value, slope;
+} sample;
+
+/* A boundary's function in one cell of the search: at its ends, errors, and a bound on the fourth
+ * derivative. */
+typedef struct {
+    sample left, right;
+    double base, slack, drift, bound;
+} cell_ends;
+
+/* The start of a boundary's function. */
+enum {
+    ZERO = 1,    /* it holds within its error */
+    LEAVING = 2, /* it holds and is left at once */
+    SLOW = 4,    /* more slowly than in proportion to the time */
+};
+
+/* One stay, in memory that serves all stays of a run. The arrays have an entry for each boundary
+ * or each function of the largest configuration, the sets a bit for each boundary. */
+typedef struct {
     const configuration *c;
-    const int32_t *reached; /* boundaries that act when reached */
-    const double *state;      /* at the start */
-    const double *magnitude;  /* of the sums that gave each state: its error is relative to it */
-    double start;             /* error in time of the event that led here */
-    int states;
-    double value[MOST_BOUNDARIES * MOST_FUNCTIONS]; /* coefficients of g, boundary by boundary */
-    double slope[MOST_BOUNDARIES * MOST_FUNCTIONS]; /* of g' */
-    double size[MOST_BOUNDARIES];                   /* of the products that make g up */
-    double amplitude[MOST_BOUNDARIES];              /* of its oscillations */
-    double second[MOST_BOUNDARIES];                 /* bounds on |g''| and |g''''|, if uniform */
-    double fourth[MOST_BOUNDARIES];
-    uint32_t watched; /* boundaries that can be crossed */
-    uint32_t zero;    /* those that hold at the start within its error */
-    uint32_t known;   /* those that were located at the instant of the start */
-    uint32_t leaving; /* those that hold at the start and are left at once */
-    uint32_t slow;    /* those left more slowly than in proportion to the time */
+    const int32_t *reached;  /* boundaries that act when reached */
+    const double *state;     /* at the start */
+    const double *magnitude; /* of the sums that gave each state: its error is relative to it */
+    double start;            /* error in time of the event that led here */
+    int states, words;
+    double *value;           /* coefficients of g, boundary by boundary */
+    double *slope;           /* of g' */
+    double *size;            /* of the products that make g up */
+    double *amplitude;       /* of its oscillations */
+    double *second, *fourth; /* bounds on |g''| and |g''''|, if uniform */
+    unsigned char *start_of; /* ZERO, LEAVING and SLOW, where they are so */
+    int *watched;            /* boundaries that can be crossed, rising */
+    int watching;            /* how many they are */
+    uint32_t *known;         /* the set that was located at the instant of the start */
+    uint32_t *event;         /* the set that is reached together */
+    double *functions;       /* of the configuration, at the event */
     patience *patience;
     int steps; /* inside the cells of this stay, until a transition ends it */
     int touches;
     touch touch[MOST_TOUCHES];
+    /* what the search works with */
+    int orders;      /* of the series by which a boundary is left */
+    double *series;  /* [orders] */
+    double *sampled; /* functions at the time of one sample */
+    double *scratch; /* four times as many, of one function's derivatives */
+    double *waves;   /* at the end of a cell: [2] of each mode, and [2] of each function */
+    cell_ends *ends; /* of each boundary's function */
+    int *suspect;
+    uint32_t *spare, *sets;
+    void *memory;
 } phase;
 
 typedef struct {
     int found; /* 1, or 0: none; -1: untold: numbers beyond those that are computed with, or
-                it was to end */
+                  it was to end */
     double time;
-    uint32_t set;      /* boundaries reached together */
     double time_error; /* of `time` */
-    double functions[MOST_FUNCTIONS]; /* of the configuration, at `time` */
 } crossing;
+
+/* Room for the phases of a system; 0, or -1 if there is no memory. */
+int phase_create(phase *p, const layout *layout);
+
+void phase_free(phase *p);
 
 /* Order of the first derivative of a boundary's function at the start that is nonzero beyond its
  * error, and its sign; the sign is 0 if none is. */
@@ -61,11 +91,12 @@ beginning phase_beginning(const phase *p, int b);
 /* Values at `time` of the functions of a configuration, each within a few ulps. */
 void phase_functions(const configuration *c, double time, double *functions);
 
-/* Set up a phase of which `c` to `states`, `value` and `size` are filled in; gives the boundaries
- * that are crossed at once. */
-uint32_t phase_begin(phase *p);
+/* Set up a phase of which `c` to `states`, `value` and `size` are filled in; whether boundaries
+ * are crossed at once, which then are its event. */
+int phase_begin(phase *p);
 
-/* First time in (0, window] at which a boundary is reached; its touches are in the phase. */
+/* First time in (0, window] at which a boundary is reached; the event, its functions and what was
+ * touched before are in the phase. */
 crossing phase_search(phase *p, double window);
 
 #endif

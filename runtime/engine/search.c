@@ -45,19 +45,22 @@ static double cubic_zero(sample left, sample right, double h)
 
 /* Boundaries that hold at the event of boundary `b`: those within their errors of zero that do not
  * fall there. `error` is that of its value; the functions are those at the event. */
-static void gather(const phase *p, int b, double error, crossing *event)
+static void gather(phase *p, int b, double error, crossing *event)
 {
     const double time = event->time;
-    const double *functions = event->functions;
+    const double *functions = p->functions;
     const double slope = fabs(dot(p->c->functions, slope_of(p, b), functions));
     event->time_error = 4.0 * DBL_EPSILON * time + (slope > 0.0 ? error / slope : 0.0);
     /* at a tangency the time is known to the root of the error only */
     const double second = second_bound(p, b, time, time);
     if (second > 0.0 && event->time_error > sqrt(4.0 * error / second))
         event->time_error = sqrt(4.0 * error / second);
-    event->set = (uint32_t)1 << b;
-    for (uint32_t rest = p->watched & ~event->set; rest; rest &= rest - 1) {
-        const int other = lowest(rest);
+    set_clear(p->event, p->words);
+    set_put(p->event, b);
+    for (int i = 0; i < p->watching; ++i) {
+        const int other = p->watched[i];
+        if (other == b)
+            continue;
         const double value = dot(p->c->functions, value_of(p, other), functions);
         const double its_slope = dot(p->c->functions, slope_of(p, other), functions);
         const double its_error = error_at(p, other, time);
@@ -66,22 +69,21 @@ static void gather(const phase *p, int b, double error, crossing *event)
             continue;
         const double flat = sqrt(8.0 * second_bound(p, other, time, time) * its_error);
         if (its_slope > flat || (p->reached[other] && its_slope > -flat))
-            event->set |= (uint32_t)1 << other;
+            set_put(p->event, other);
     }
 }
 
 /* No trigonometric function: a zero of g = a0 + a1 t is explicit. */
-static crossing search_linear(const phase *p, double window)
+static crossing search_linear(phase *p, double window)
 {
-    crossing event;
-    event.found = 0;
+    crossing event = {0};
     int first = -1;
     double time = window;
-    for (uint32_t rest = p->watched; rest; rest &= rest - 1) {
-        const int b = lowest(rest);
+    for (int i = 0; i < p->watching; ++i) {
+        const int b = p->watched[i];
         const double *value = value_of(p, b);
         const double slope = p->c->functions > 1 ? value[1] : 0.0;
-        if (p->leaving & ((uint32_t)1 << b) || !(slope > 0.0))
+        if (p->start_of[b] & LEAVING || !(slope > 0.0))
             continue;
         const double found = -value[0] / slope;
         if (found <= time && (first < 0 || found < time)) {
@@ -93,45 +95,65 @@ static crossing search_linear(const phase *p, double window)
         return event;
     event.found = 1;
     event.time = time;
-    phase_functions(p->c, time, event.functions);
+    phase_functions(p->c, time, p->functions);
     gather(p, first, error_at(p, first, time), &event);
     return event;
+}
+
+/* Advance the functions by a cell, turning cosines and sines. */
+static inline void advance(const configuration *c, double time, double *restrict cosine,
+                           double *restrict sine, double *restrict functions)
+{
+    spread(&c->mode[0], time, 1.0, 0.0, functions); /* 1, t, ...: nothing turns */
+    for (int i = 1; i < c->modes; ++i) {
+        const mode *m = &c->mode[i];
+        const double one = cosine[i], two = sine[i];
+        cosine[i] = one * m->cell_cosine - two * m->cell_sine;
+        sine[i] = two * m->cell_cosine + one * m->cell_sine;
+        if (m->length == 1) {
+            functions[m->first] = cosine[i];
+            if (m->oscillates)
+                functions[m->first + 1] = sine[i];
+        } else
+            spread(m, time, cosine[i], sine[i], functions);
+    }
 }
 
 crossing phase_search(phase *p, double window)
 {
     const configuration *c = p->c;
-    crossing event;
-    event.found = 0;
-    if (!p->watched || !(window > 0.0))
+    crossing event = {0};
+    if (!(window > 0.0))
         return event;
     if (c->polynomial >= 0 && c->polynomial <= 1)
         return search_linear(p, window);
 
-    double functions[MOST_FUNCTIONS], cosine[MOST_MODES], sine[MOST_MODES];
-    sample left[MOST_BOUNDARIES], right[MOST_BOUNDARIES];
-    double base[MOST_BOUNDARIES], slack[MOST_BOUNDARIES], drift[MOST_BOUNDARIES];
-    double bound[MOST_BOUNDARIES]; /* on the fourth derivative */
+    double *cosine = p->waves, *sine = cosine + c->modes;
+    double *functions = sine + c->modes, *there = functions + c->functions;
+    cell_ends *const ends = p->ends;
+    const int *const watched = p->watched, watching = p->watching;
+    const size_t work = (size_t)c->boundaries * (size_t)c->functions;
     const int simple = c->uniform && c->mode[0].length <= 2;
     for (int i = 0; i < c->modes; ++i) {
         cosine[i] = 1.0;
         sine[i] = 0.0;
     }
-    for (uint32_t rest = p->watched; rest; rest &= rest - 1) {
-        const int b = lowest(rest);
-        left[b] = (sample){at_start(c, value_of(p, b)), at_start(c, slope_of(p, b))};
-        if (p->leaving >> b & 1)
-            left[b].value = 0.0;
-        base[b] = slack[b] = SAMPLE * p->size[b];
-        drift[b] = simple && c->mode[0].length == 2 ? SAMPLE * fabs(value_of(p, b)[1]) : 0.0;
-        bound[b] = p->fourth[b];
+    for (int i = 0; i < watching; ++i) {
+        const int b = watched[i];
+        cell_ends *const g = &ends[b];
+        g->left = (sample){at_start(c, value_of(p, b)), at_start(c, slope_of(p, b))};
+        if (p->start_of[b] & LEAVING)
+            g->left.value = 0.0;
+        g->base = g->slack = SAMPLE * p->size[b];
+        g->drift = simple && c->mode[0].length == 2 ? SAMPLE * fabs(value_of(p, b)[1]) : 0.0;
+        g->bound = p->fourth[b];
     }
     /* A window of LONGEST_WAIT radians has as many cells as radians. Where nothing sets a length,
      * the cells double, from 1 to what is no number: 1024 times. */
     const int doubling = c->polynomial >= 0 || !(c->fastest > 0.0);
     double time = 0.0, h = c->cell;
     for (long cell = 0; time < window; ++cell) {
-        if (lost(p->patience)) {
+        if (lost_after(p->patience, work)) {
             event.found = -1;
             return event;
         }
@@ -145,50 +167,37 @@ crossing phase_search(phase *p, double window)
                 sine[i] = c->mode[i].oscillates ? functions[c->mode[i].first + 1] : 0.0;
             }
         } else
-            for (int i = 0; i < c->modes; ++i) {
-                const mode *m = &c->mode[i];
-                if (i == 0) { /* 1, t, ...: nothing turns */
-                    spread(m, next, 1.0, 0.0, functions);
-                    continue;
-                }
-                const double one = cosine[i], two = sine[i];
-                cosine[i] = one * m->cell_cosine - two * m->cell_sine;
-                sine[i] = two * m->cell_cosine + one * m->cell_sine;
-                if (m->length == 1) {
-                    functions[m->first] = cosine[i];
-                    if (m->oscillates)
-                        functions[m->first + 1] = sine[i];
-                } else
-                    spread(m, next, cosine[i], sine[i], functions);
-            }
+            advance(c, next, cosine, sine, functions);
         const double width = next - from;
-        uint32_t suspects = 0;
-        for (uint32_t rest = p->watched; rest; rest &= rest - 1) {
-            const int b = lowest(rest);
-            right[b] = (sample){dot(c->functions, value_of(p, b), functions),
+        int suspects = 0;
+        for (int i = 0; i < watching; ++i) {
+            const int b = watched[i];
+            cell_ends *const g = &ends[b];
+            g->right = (sample){dot(c->functions, value_of(p, b), functions),
                                 dot(c->functions, slope_of(p, b), functions)};
-            const int leaves = cell == 0 && (p->leaving >> b & 1);
-            slack[b] = base[b] + drift[b] * next;
+            const int leaves = cell == 0 && p->start_of[b] & LEAVING;
+            g->slack = g->base + g->drift * next;
             if (!simple) {
-                slack[b] = SAMPLE / VALUE * error_at(p, b, next);
-                bound[b] = fourth_bound(p, b, from, next);
+                g->slack = SAMPLE / VALUE * error_at(p, b, next);
+                g->bound = fourth_bound(p, b, from, next);
             }
-            if (!stays_below(left[b], right[b], width, bound[b], slack[b], leaves) ||
-                (leaves && (p->slow >> b & 1)))
-                suspects |= (uint32_t)1 << b;
+            if (!stays_below(g->left, g->right, width, g->bound, g->slack, leaves) ||
+                (leaves && p->start_of[b] & SLOW))
+                p->suspect[suspects++] = b;
         }
         int first = -1, known = 0; /* whether the functions at the event are */
         double earliest = next, error = 0.0;
-        for (uint32_t rest = suspects; rest; rest &= rest - 1) {
-            const int b = lowest(rest);
-            const int leaves = cell == 0 && (p->leaving >> b & 1);
+        for (int i = 0; i < suspects; ++i) {
+            const int b = p->suspect[i];
+            const cell_ends *const g = &ends[b];
+            const int leaves = cell == 0 && p->start_of[b] & LEAVING;
             sampler s = {.p = p, .boundary = b};
-            double found, there[MOST_FUNCTIONS];
+            double found;
             int settles = 0;
-            if (!leaves && left[b].value < -slack[b] && right[b].value > slack[b] &&
-                rises(left[b], right[b], width, bound[b], slack[b]))
+            if (!leaves && g->left.value < -g->slack && g->right.value > g->slack &&
+                rises(g->left, g->right, width, g->bound, g->slack))
             {
-                const double guess = from + cubic_zero(left[b], right[b], width);
+                const double guess = from + cubic_zero(g->left, g->right, width);
                 found = c->harmonic ? cell_settled(p, b, from, next, guess, there) : HUGE_VAL;
                 settles = found < HUGE_VAL;
                 if (!settles)
@@ -216,22 +225,22 @@ crossing phase_search(phase *p, double window)
                 first = b;
                 known = settles;
                 for (int f = 0; settles && f < c->functions; ++f)
-                    event.functions[f] = there[f];
+                    p->functions[f] = there[f];
             }
         }
         if (first >= 0) {
             event.found = 1;
             event.time = earliest;
             if (!known)
-                phase_functions(c, earliest, event.functions);
+                phase_functions(c, earliest, p->functions);
             gather(p, first, error, &event);
             return event;
         }
-        for (uint32_t rest = p->watched; rest; rest &= rest - 1) {
-            const int b = lowest(rest);
-            left[b] = right[b];
-            if (right[b].value < -slack[b])
-                p->leaving &= ~((uint32_t)1 << b);
+        for (int i = 0; i < watching; ++i) {
+            cell_ends *const g = &ends[watched[i]];
+            g->left = g->right;
+            if (g->right.value < -g->slack)
+                p->start_of[watched[i]] &= (unsigned char)~LEAVING;
         }
         time = next;
         if (doubling)

@@ -14,10 +14,6 @@ static const double VALUE = 8.0 * DBL_EPSILON;
 static const double SAMPLE = 96.0 * DBL_EPSILON;
 static const double START = 16.0 * DBL_EPSILON;
 
-typedef struct {
-    double value, slope;
-} sample;
-
 /* Functions of one mode from e^(st) cos(wt) and e^(st) sin(wt). */
 static inline void spread(const mode *m, double time, double cosine, double sine, double *functions)
 {
@@ -114,12 +110,12 @@ static inline double bound_on(const configuration *c, const double *coefficients
     for (int i = 0; i < c->modes; ++i) {
         const mode *m = &c->mode[i];
         if (m->chain > 0) {
-            double bounds[MOST_FUNCTIONS];
+            double bounds[2 * MOST_POLES];
             chain_bounds(m, m->chain, from, to, bounds);
             i += m->chain - 1;
             const mode *last = &c->mode[i];
             for (int f = m->first; f < last->first + (last->length << last->oscillates); ++f)
-                sum += coefficients[f] != 0.0 ? fabs(coefficients[f]) * bounds[f] : 0.0;
+                sum += coefficients[f] != 0.0 ? fabs(coefficients[f]) * bounds[f - m->first] : 0.0;
             continue;
         }
         double part = 0.0, power = 1.0;
@@ -141,12 +137,12 @@ static inline double dot(int count, const double *a, const double *b)
 
 static inline const double *value_of(const phase *p, int b)
 {
-    return p->value + b * p->c->functions;
+    return p->value + (size_t)b * (size_t)p->c->functions;
 }
 
 static inline const double *slope_of(const phase *p, int b)
 {
-    return p->slope + b * p->c->functions;
+    return p->slope + (size_t)b * (size_t)p->c->functions;
 }
 
 /* Error of g_b at a time that is not advanced by rotation. */
@@ -165,14 +161,14 @@ static inline double second_bound(const phase *p, int b, double from, double to)
 {
     if (p->c->harmonic) /* where it decays, a bound at all times would stop the search */
         return p->second[b];
-    double curve[MOST_FUNCTIONS];
+    double *curve = p->scratch;
     differentiate(p->c, slope_of(p, b), curve);
     return bound_on(p->c, curve, from, to);
 }
 
 static inline double third_bound(const phase *p, int b, double from, double to)
 {
-    double second[MOST_FUNCTIONS], third[MOST_FUNCTIONS];
+    double *second = p->scratch, *third = second + p->c->functions;
     differentiate(p->c, slope_of(p, b), second);
     differentiate(p->c, second, third);
     return bound_on(p->c, third, from, to);
@@ -182,7 +178,7 @@ static inline double fourth_bound(const phase *p, int b, double from, double to)
 {
     if (p->c->uniform)
         return p->fourth[b];
-    double third[MOST_FUNCTIONS], fourth[MOST_FUNCTIONS];
+    double *fourth = p->scratch, *third = fourth + p->c->functions;
     differentiate(p->c, slope_of(p, b), fourth);
     differentiate(p->c, fourth, third);
     differentiate(p->c, third, fourth);
@@ -191,10 +187,9 @@ static inline double fourth_bound(const phase *p, int b, double from, double to)
 
 static inline sample sample_at(const phase *p, int b, double time)
 {
-    double functions[MOST_FUNCTIONS];
-    phase_functions(p->c, time, functions);
-    return (sample){dot(p->c->functions, value_of(p, b), functions),
-                    dot(p->c->functions, slope_of(p, b), functions)};
+    phase_functions(p->c, time, p->sampled);
+    return (sample){dot(p->c->functions, value_of(p, b), p->sampled),
+                    dot(p->c->functions, slope_of(p, b), p->sampled)};
 }
 
 #endif

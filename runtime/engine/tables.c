@@ -8,29 +8,38 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Largest count of anything; what is there as often takes as much room. */
+enum { LARGEST_COUNT = 1 << 28 };
+
 /* Next `count` integers of the packed layout, each in [low, high]; NULL if they are not. */
-static const int32_t *take(const int32_t **from, size_t *left, int count, int32_t low, int32_t high)
+static const int32_t *take(const int32_t **from, size_t *left, size_t count, int32_t low,
+                           int32_t high)
 {
     const int32_t *found = *from;
-    if (count < 0 || (size_t)count > *left)
+    if (count > *left)
         return NULL;
-    for (int i = 0; i < count; ++i)
+    for (size_t i = 0; i < count; ++i)
         if (found[i] < low || found[i] > high)
             return NULL;
     *from += count;
-    *left -= (size_t)count;
+    *left -= count;
     return found;
 }
 
-/* Next starts: from 0 upwards to `end`, at most `most` between two. */
-static const int32_t *take_starts(const int32_t **from, size_t *left, int owners, int end, int most)
+/* Next starts: from 0 upwards to `end`; `most` becomes the largest difference of two. */
+static const int32_t *take_starts(const int32_t **from, size_t *left, int owners, int end,
+                                  int *most)
 {
-    const int32_t *found = take(from, left, owners + 1, 0, end);
+    const int32_t *found = take(from, left, (size_t)owners + 1, 0, end);
+    *most = 0;
     if (!found || found[0] != 0 || found[owners] != end)
         return NULL;
-    for (int i = 0; i < owners; ++i)
-        if (found[i + 1] < found[i] || found[i + 1] - found[i] > most)
+    for (int i = 0; i < owners; ++i) {
+        const int count = found[i + 1] - found[i];
+        if (count < 0)
             return NULL;
+        *most = count > *most ? count : *most;
+    }
     return found;
 }
 
@@ -50,8 +59,7 @@ int layout_read(layout *r, const int32_t *integers, size_t count)
 {
     const int32_t *at = integers;
     size_t left = count;
-    const int most = 1 << 20;
-    const int32_t *header = take(&at, &left, LAYOUT_HEADER, 0, most);
+    const int32_t *header = take(&at, &left, LAYOUT_HEADER, 0, LARGEST_COUNT);
     if (!header)
         return -1;
     r->states = header[0];
@@ -64,35 +72,42 @@ int layout_read(layout *r, const int32_t *integers, size_t count)
     r->transitions = header[7];
     r->pairs = header[8];
     const int conditions = header[9];
-    if (r->states < 1 || r->states > MOST_STATES || r->configurations < 1)
+    if (r->states < 1 || r->configurations < 1)
         return -1;
     const int owners = r->configurations;
-    const int32_t any = INT32_MAX;
+    const size_t modes = (size_t)r->modes, boundaries = (size_t)r->boundaries;
+    const size_t transitions = (size_t)r->transitions, pairs = (size_t)r->pairs;
+    int any;
     int whole =
-        (r->mode_start = take_starts(&at, &left, owners, r->modes, MOST_MODES)) &&
-        (r->mode_length = take(&at, &left, r->modes, 1, MOST_FUNCTIONS)) &&
-        (r->mode_oscillates = take(&at, &left, r->modes, 0, 1)) &&
-        (r->mode_joined = take(&at, &left, r->modes, 0, 1)) &&
-        (r->mode_paired = take(&at, &left, r->modes, 0, 1)) &&
-        (r->function_start = take_starts(&at, &left, owners, r->functions, MOST_FUNCTIONS)) &&
-        (r->boundary_start = take_starts(&at, &left, owners, r->boundaries, MOST_BOUNDARIES)) &&
-        (r->boundary_row = take(&at, &left, r->boundaries, 0, r->rows - 1)) &&
-        (r->boundary_reached = take(&at, &left, r->boundaries, 0, 1)) &&
-        (r->transition_start = take_starts(&at, &left, owners, r->transitions, most)) &&
-        (r->transition_set = take(&at, &left, r->transitions, 1, any)) &&
-        (r->transition_target = take(&at, &left, r->transitions, 0, owners - 1)) &&
-        (r->transition_reset = take(&at, &left, r->transitions, 0, r->resets - 1)) &&
-        (r->condition_start = take_starts(&at, &left, r->transitions, conditions, most)) &&
-        (r->condition_pair = take(&at, &left, conditions, 0, r->pairs - 1)) &&
-        (r->condition_holds = take(&at, &left, conditions, 0, 1)) &&
-        (r->pair_row = take(&at, &left, r->pairs, 0, r->rows - 1)) &&
-        (r->pair_along = take(&at, &left, r->pairs, 0, owners - 1)) && left == 0;
+        (r->mode_start = take_starts(&at, &left, owners, r->modes, &r->most_modes)) &&
+        (r->mode_length = take(&at, &left, modes, 1, LARGEST_COUNT)) &&
+        (r->mode_oscillates = take(&at, &left, modes, 0, 1)) &&
+        (r->mode_joined = take(&at, &left, modes, 0, 1)) &&
+        (r->mode_paired = take(&at, &left, modes, 0, 1)) &&
+        (r->function_start = take_starts(&at, &left, owners, r->functions, &r->most_functions)) &&
+        (r->boundary_start = take_starts(&at, &left, owners, r->boundaries, &r->most_boundaries)) &&
+        (r->boundary_row = take(&at, &left, boundaries, 0, r->rows - 1)) &&
+        (r->boundary_reached = take(&at, &left, boundaries, 0, 1));
+    if (!whole)
+        return -1;
+    r->words = r->most_boundaries > WORD ? (r->most_boundaries - 1) / WORD + 1 : 1;
+    whole = (r->transition_start = take_starts(&at, &left, owners, r->transitions, &any)) &&
+            (r->transition_set = take(&at, &left, size_product(transitions, (size_t)r->words),
+                                      INT32_MIN, INT32_MAX)) &&
+            (r->transition_target = take(&at, &left, transitions, 0, owners - 1)) &&
+            (r->transition_reset = take(&at, &left, transitions, 0, r->resets - 1)) &&
+            (r->condition_start = take_starts(&at, &left, r->transitions, conditions, &any)) &&
+            (r->condition_pair = take(&at, &left, (size_t)conditions, 0, r->pairs - 1)) &&
+            (r->condition_holds = take(&at, &left, (size_t)conditions, 0, 1)) &&
+            (r->pair_row = take(&at, &left, pairs, 0, r->rows - 1)) &&
+            (r->pair_along = take(&at, &left, pairs, 0, owners - 1)) && left == 0;
     if (!whole)
         return -1;
     for (int c = 0; c < owners; ++c) {
-        int functions = 0, poles = 0;
+        int64_t functions = 0;
+        int poles = 0;
         for (int m = r->mode_start[c]; m < r->mode_start[c + 1]; ++m) {
-            functions += r->mode_length[m] << r->mode_oscillates[m];
+            functions += (int64_t)r->mode_length[m] << r->mode_oscillates[m];
             if (!r->mode_joined[m] && !r->mode_paired[m] &&
                 (m + 1 == r->mode_start[c + 1] || !r->mode_joined[m + 1]))
                 continue;
@@ -109,36 +124,42 @@ int layout_read(layout *r, const int32_t *integers, size_t count)
 
 size_t layout_numbers(const layout *layout)
 {
-    const size_t n = (size_t)layout->states, columns = n + 1;
-    return (size_t)layout->configurations * n * columns + (size_t)layout->rows * columns +
-           (size_t)layout->resets * n * columns + 2 * (size_t)layout->modes +
-           (size_t)layout->functions * n * columns;
+    const size_t columns = (size_t)layout->states + 1;
+    const size_t matrix = size_product((size_t)layout->states, columns);
+    const size_t matrices =
+        (size_t)layout->configurations + (size_t)layout->resets + (size_t)layout->functions;
+    const size_t others = size_product((size_t)layout->rows, columns);
+    return size_sum(size_sum(size_product(matrices, matrix), others), 2 * (size_t)layout->modes);
 }
 
 /* Rows times functions of all configurations. */
 static size_t products(const layout *layout)
 {
     size_t found = 0;
-    for (int c = 0; c < layout->configurations; ++c)
-        found += (size_t)(layout->boundary_start[c + 1] - layout->boundary_start[c]) *
-                 (size_t)(layout->function_start[c + 1] - layout->function_start[c]);
+    for (int c = 0; c < layout->configurations; ++c) {
+        const int boundaries = layout->boundary_start[c + 1] - layout->boundary_start[c];
+        const int functions = layout->function_start[c + 1] - layout->function_start[c];
+        found = size_sum(found, size_product((size_t)boundaries, (size_t)functions));
+    }
     return found;
 }
 
 int tables_create(tables *result, const layout *layout)
 {
-    const size_t columns = (size_t)layout->states + 1;
-    const size_t product = products(layout) * columns;
-    const size_t size = (size_t)layout->boundaries * columns;
-    const size_t orders = (size_t)layout->pairs * columns * columns;
-    const size_t reach = (size_t)layout->configurations * (size_t)layout->states * columns;
-    double *room = calloc(2 * product + size + reach + 2 * orders + 1, sizeof *room);
+    const size_t columns = (size_t)layout->states + 1, square = size_product(columns, columns);
+    const size_t product = size_product(products(layout), columns);
+    const size_t size = size_product((size_t)layout->boundaries, columns);
+    const size_t orders = size_product((size_t)layout->pairs, square);
+    const size_t reach = size_product((size_t)layout->configurations, square - columns);
+    const size_t before = size_sum(size_sum(size_product(2, product), size), reach);
+    const size_t all = size_sum(before, size_product(2, orders));
+    double *room = calloc(size_sum(all, 1), sizeof *room);
     configuration *configurations = calloc((size_t)layout->configurations, sizeof *configurations);
     mode *modes = calloc((size_t)layout->modes + 1, sizeof *modes);
     *result = (tables){.layout = layout,
                        .configuration = configurations,
-                       .derivative = room ? room + 2 * product + size + reach : NULL,
-                       .bound = room ? room + 2 * product + size + reach + orders : NULL,
+                       .derivative = room ? room + before : NULL,
+                       .bound = room ? room + before + orders : NULL,
                        .memory = room,
                        .mode = modes};
     if (room && configurations && modes)
@@ -196,6 +217,8 @@ static void fill_modes(configuration *c, mode *modes, const double *exponents)
     if (modes[0].length > 4)
         c->uniform = 0;
     c->cell = c->fastest > 0.0 ? CELL / c->fastest : 1.0;
+    /* powers of the fastest exponent are out of range soon, in this unit they stay near 1 */
+    c->unit = c->fastest > 1e-150 && c->fastest < 1e150 ? ldexp(1.0, -ilogb(c->fastest)) : 1.0;
     for (int m = 0; m < c->modes; ++m) {
         const double growth = exp(modes[m].rate * c->cell), turn = modes[m].frequency * c->cell;
         modes[m].cell_cosine = growth * cos(turn);
@@ -203,8 +226,10 @@ static void fill_modes(configuration *c, mode *modes, const double *exponents)
     }
 }
 
-/* Derivatives of order 0, ..., N of an affine function along a flow y' = A y + b. */
-static void fill_orders(int n, const double *row, const double *field, double *value, double *bound)
+/* Derivatives of order 0, ..., N of an affine function along a flow y' = A y + b, in a unit of
+ * time. */
+static void fill_orders(int n, const double *row, const double *field, double unit, double *value,
+                        double *bound)
 {
     const int columns = n + 1;
     for (int i = 0; i < columns; ++i) {
@@ -212,31 +237,59 @@ static void fill_orders(int n, const double *row, const double *field, double *v
         bound[i] = fabs(row[i]);
     }
     for (int k = 1; k < columns; ++k) {
-        const double *before = value + (k - 1) * columns, *above = bound + (k - 1) * columns;
-        for (int j = 0; j < columns; ++j) {
-            double sum = 0.0, size = 0.0;
-            for (int i = 0; i < n; ++i) {
-                sum += before[i] * field[i * columns + j];
-                size += above[i] * fabs(field[i * columns + j]);
+        const double *before = value, *above = bound, *from = field;
+        value += columns;
+        bound += columns;
+        for (int j = 0; j < columns; ++j)
+            value[j] = bound[j] = 0.0;
+        for (int i = 0; i < n; ++i, from += columns)
+            for (int j = 0; j < columns; ++j) {
+                value[j] += before[i] * from[j];
+                bound[j] += above[i] * fabs(from[j]);
             }
-            value[k * columns + j] = sum;
-            bound[k * columns + j] = size;
+        for (int j = 0; j < columns; ++j) {
+            value[j] *= unit;
+            bound[j] *= unit;
         }
     }
+}
+
+/* Coefficients of a boundary's function by the state, and the same of absolute values: of one
+ * function of time. */
+static void fill_boundary(int n, const double *row, const double *flow, int is_constant,
+                          double *boundary, double *weight, double *size)
+{
+    const int columns = n + 1;
+    for (int j = 0; j < columns; ++j)
+        boundary[j] = weight[j] = 0.0;
+    for (int k = 0; k < n; ++k, flow += columns)
+        for (int j = 0; j < columns; ++j) {
+            const double product = row[k] * flow[j];
+            boundary[j] += product;
+            weight[j] += fabs(product);
+        }
+    if (is_constant) {
+        boundary[n] += row[n];
+        weight[n] += fabs(row[n]);
+    }
+    for (int j = 0; j < columns; ++j)
+        size[j] += weight[j];
 }
 
 void tables_fill(tables *tables, const double *numbers)
 {
     const layout *l = tables->layout;
-    const int n = l->states, columns = n + 1;
+    const int n = l->states;
+    const size_t columns = (size_t)n + 1, matrix = (size_t)n * columns;
     const double *fields = numbers;
-    const double *rows = fields + (size_t)l->configurations * n * columns;
+    const double *rows = fields + (size_t)l->configurations * matrix;
     const double *resets = rows + (size_t)l->rows * columns;
-    const double *exponents = resets + (size_t)l->resets * n * columns;
+    const double *exponents = resets + (size_t)l->resets * matrix;
     const double *flows = exponents + 2 * (size_t)l->modes;
+    const size_t product = products(l) * columns;
     double *boundary = tables->memory;
-    double *weight = boundary + products(l) * (size_t)columns;
-    double *size = weight + products(l) * (size_t)columns;
+    double *weight = boundary + product;
+    double *size = weight + product;
     double *reach = size + (size_t)l->boundaries * columns;
     tables->fields = fields;
     tables->resets = resets;
@@ -252,37 +305,24 @@ void tables_fill(tables *tables, const double *numbers)
             tables->mode[at].joined = l->mode_joined[at];
             tables->mode[at].paired = l->mode_paired[at];
         }
-        fill_modes(c, tables->mode + l->mode_start[i], exponents + 2 * l->mode_start[i]);
-        c->flow = flows + (size_t)l->function_start[i] * n * columns;
+        fill_modes(c, tables->mode + l->mode_start[i], exponents + 2 * (size_t)l->mode_start[i]);
+        c->flow = flows + (size_t)l->function_start[i] * matrix;
         c->boundary = boundary;
         c->weight = weight;
         c->size = size;
         c->reach = reach;
-        for (int k = 0; k < n * columns; ++k) {
-            double sum = 0.0;
-            for (int f = 0; f < c->functions; ++f)
-                sum += fabs(c->flow[(size_t)f * n * columns + k]);
-            *reach++ = sum;
-        }
+        for (size_t k = 0; k < matrix; ++k)
+            reach[k] = 0.0;
+        for (int f = 0; f < c->functions; ++f)
+            for (size_t k = 0; k < matrix; ++k)
+                reach[k] += fabs(c->flow[(size_t)f * matrix + k]);
+        reach += matrix;
         for (int b = 0; b < c->boundaries; ++b) {
-            const double *row = rows + l->boundary_row[l->boundary_start[i] + b] * columns;
-            memset(size, 0, (size_t)columns * sizeof *size);
+            const double *row = rows + (size_t)l->boundary_row[l->boundary_start[i] + b] * columns;
+            memset(size, 0, columns * sizeof *size);
             for (int f = 0; f < c->functions; ++f) {
-                const double *flow = c->flow + (size_t)f * n * columns;
-                for (int j = 0; j < columns; ++j) {
-                    double sum = 0.0, above = 0.0;
-                    for (int k = 0; k < n; ++k) {
-                        sum += row[k] * flow[k * columns + j];
-                        above += fabs(row[k] * flow[k * columns + j]);
-                    }
-                    if (f == 0 && j == n) { /* the constant joins the function 1 */
-                        sum += row[n];
-                        above += fabs(row[n]);
-                    }
-                    boundary[j] = sum;
-                    weight[j] = above;
-                    size[j] += above;
-                }
+                /* the constant joins the function 1 */
+                fill_boundary(n, row, c->flow + (size_t)f * matrix, f == 0, boundary, weight, size);
                 boundary += columns;
                 weight += columns;
             }
@@ -290,8 +330,9 @@ void tables_fill(tables *tables, const double *numbers)
         }
     }
     for (int p = 0; p < l->pairs; ++p)
-        fill_orders(n, rows + l->pair_row[p] * columns,
-                    fields + (size_t)l->pair_along[p] * n * columns,
+        fill_orders(n, rows + (size_t)l->pair_row[p] * columns,
+                    fields + (size_t)l->pair_along[p] * matrix,
+                    tables->configuration[l->pair_along[p]].unit,
                     tables->derivative + (size_t)p * columns * columns,
                     tables->bound + (size_t)p * columns * columns);
 }

@@ -11,12 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum {
-    MOST_STATES = 16,
-    MOST_BOUNDARIES = 31, /* of one configuration: a set of them is a mask */
-    MOST_FUNCTIONS = 64,  /* of one configuration */
-    MOST_MODES = 32,      /* of one configuration */
-};
+#include "sets.h"
 
 /* The number of states is known to the compiler in the bodies made for it. */
 #if defined(__GNUC__)
@@ -25,26 +20,16 @@ enum {
 #define INLINED static inline
 #endif
 
-/* The lowest boundary of a set that is not empty. */
-static inline int lowest(uint32_t set)
-{
-#if defined(__GNUC__)
-    return __builtin_ctz(set);
-#else
-    int found = 0;
-    while (!(set >> found & 1))
-        ++found;
-    return found;
-#endif
-}
-
 /* Integers; every `start` has one entry more than there are owners. */
 typedef struct {
     int states, configurations, rows, resets, modes, functions, boundaries, transitions, pairs;
+    int most_modes, most_functions, most_boundaries; /* of one configuration */
+    int words;                                       /* of a set of boundaries */
     const int32_t *mode_start, *mode_length, *mode_oscillates, *function_start; /* configurations */
     const int32_t *mode_joined, *mode_paired;
     const int32_t *boundary_start, *boundary_row, *boundary_reached;
-    const int32_t *transition_start, *transition_set, *transition_target, *transition_reset;
+    const int32_t *transition_start, *transition_target, *transition_reset;
+    const int32_t *transition_set; /* [transitions][words] */
     const int32_t *condition_start, *condition_pair, *condition_holds; /* of transitions */
     const int32_t *pair_row, *pair_along; /* a function, and the flow that gives its derivatives */
 } layout;
@@ -68,6 +53,7 @@ typedef struct {
     double fastest, slowest; /* largest |exponent|, smallest that is not zero */
     double growth;  /* largest real exponent, 0 if none is positive */
     double cell;    /* length h of a search cell */
+    double unit;    /* of time, a power of two near it: that of derivatives of high order */
     const mode *mode;
     const double *flow;     /* [function][state][states + 1]: B_f, beta_f */
     const double *boundary; /* [boundary][function][states + 1]: its row times B_f, beta_f */
@@ -82,7 +68,8 @@ typedef struct {
     const double *fields; /* [configuration][state][states + 1] */
     const double *resets; /* [reset][state][states + 1] */
     configuration *configuration;
-    double *derivative; /* [pair][states + 1][states + 1]: order by order along the flow */
+    double *derivative; /* [pair][states + 1][states + 1]: order by order along the flow, in its
+                           configuration's unit of time */
     double *bound;      /* the same of absolute values */
     void *memory;
     mode *mode;
@@ -93,8 +80,19 @@ enum { LAYOUT_HEADER = 10 };
 /* Read a packed layout; 0, or -1 if the integers are too few or out of range. */
 int layout_read(layout *result, const int32_t *integers, size_t count);
 
-/* Numbers that a parameter point has. */
+/* Numbers that a parameter point has; SIZE_MAX if they are more than can be counted. */
 size_t layout_numbers(const layout *layout);
+
+/* Sums and products of sizes: SIZE_MAX, of which nothing has room, where they pass it. */
+static inline size_t size_sum(size_t a, size_t b)
+{
+    return a > SIZE_MAX - b ? SIZE_MAX : a + b;
+}
+
+static inline size_t size_product(size_t a, size_t b)
+{
+    return b > 0 && a > SIZE_MAX / b ? SIZE_MAX : a * b;
+}
 
 /* Room for the tables of one parameter point; 0, or -1 if there is no memory. */
 int tables_create(tables *result, const layout *layout);

@@ -17,6 +17,7 @@ import numpy as np
 from nonsmooth.runtime.events.contact_choice import Chooser, ContactOutcome
 from nonsmooth.runtime.events.leading_derivative import Located, Undecided
 from nonsmooth.runtime.events.phase_numbers import Row, orders
+from nonsmooth.runtime.model.boundary_sets import mask_of
 from nonsmooth.runtime.model.contacts.law import ContactEvent
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.quasi_polynomials import UNIT
@@ -366,8 +367,8 @@ def batch_decider(
     Returns
     -------
     callable or None
-        From a point, configuration, mask of boundaries, state, sizes and error to a status,
-        target and reset.
+        From a point, configuration, boundaries, state, sizes and error to a status, target and
+        reset.
     """
     if structure.law is None and not any(t.order for found in structure.transitions for t in found):
         return None
@@ -376,7 +377,7 @@ def batch_decider(
     known: dict[int, Decider] = {}
 
     def decide(
-        point: int, source: int, reached: int, state: bytes, sizes: bytes, error: float
+        point: int, source: int, reached: frozenset[int], state: bytes, sizes: bytes, error: float
     ) -> tuple[int, int, int]:
         if point not in known:
             flat = numbers[point]
@@ -387,13 +388,12 @@ def batch_decider(
             rows = flat[ends[0] : ends[1]].reshape(-1, size + 1)
             resets = flat[ends[1] : ends[2]].reshape(-1, size, size + 1)
             known[point] = Decider(structure, fields, rows, resets)
-        boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
         extended, above = (np.append(np.frombuffer(part), 1.0) for part in (state, sizes))
         at = known[point].located(source, extended, error, above)
-        found = known[point].choice(source, boundaries, at)
+        found = known[point].choice(source, reached, at)
         if found.transition is None:
             if found.verdict == "ambiguous":
-                options.append((found.options, reached))
+                options.append((found.options, mask_of(reached)))
                 return Status.AMBIGUOUS, -1, -1
             return Status.UNDECLARED, -1, -1
         return -1, found.transition.target, found.transition.reset

@@ -9,6 +9,7 @@
 `completion`           from the parameters that are given to all that an orbit and its system take
 `structure`            configurations, boundaries and transitions by index, without parameters
 `piecewise`            a system at a parameter point: affine rows, fields, flows and resets
+`boundary_sets`        sets of boundaries as masks
 `engine_layout`        the integers and numbers that the compiled engine reads
 `engine_run`           what an engine gives: the transitions of one motion, and why it ended
 `exponential`          flows as exponentials of vector fields, in mpmath numbers

@@ -10,14 +10,11 @@ from itertools import chain
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.boundary_sets import mask_of, words_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
 __all__ = ["layout_of", "numbers_of"]
-
-# the limits of runtime/engine/tables.h
-MOST_STATES, MOST_BOUNDARIES, MOST_FUNCTIONS, MOST_MODES = 16, 31, 64, 32
 
 
 @cache
@@ -33,20 +30,7 @@ def layout_of(structure: Structure) -> np.ndarray:
     -------
     array (size,) of int32
         It is read-only.
-
-    Raises
-    ------
-    InputError
-        For a system larger than the compiled engine's limits.
     """
-    for what, largest, most in (
-        ("states", len(structure.states), MOST_STATES),
-        ("boundaries of a configuration", _largest(structure.boundaries), MOST_BOUNDARIES),
-        ("modes of a configuration", _largest(structure.shapes), MOST_MODES),
-        ("functions of a configuration", max(structure.functions), MOST_FUNCTIONS),
-    ):
-        if largest > most:
-            raise InputError(f"{structure.name} has {largest} {what}; the engine takes {most}")
     modes = list(chain(*structure.shapes))
     boundaries = list(chain(*structure.boundaries))
     # what may act in several orders is left to the decider
@@ -82,7 +66,7 @@ def layout_of(structure: Structure) -> np.ndarray:
         [b.row for b in boundaries],
         [int(b.reached) for b in boundaries],
         _starts(listed),
-        [sum(1 << b for b in t.boundaries) for t in transitions],
+        words_of(structure, [mask_of(t.boundaries) for t in transitions]).ravel().tolist(),
         [t.target for t in transitions],
         [t.reset for t in transitions],
         np.cumsum([0, *(len(t.conditions) for t in transitions)]).tolist(),
@@ -109,10 +93,6 @@ def numbers_of(system: PiecewiseLinear) -> np.ndarray:
     """
     parts = (system.fields, system.rows, system.resets, *system.exponents, *system.flows)
     return np.concatenate([np.asarray(part, dtype=float).ravel() for part in parts])
-
-
-def _largest(groups: tuple[tuple[object, ...], ...]) -> int:
-    return max(map(len, groups))
 
 
 def _starts(groups: tuple[tuple[object, ...], ...]) -> list[int]:

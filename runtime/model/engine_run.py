@@ -85,9 +85,9 @@ class Run:
     configurations : array (n,) of int32
     before, states : array (n, N)
         State in front of the transition and behind it; equal at the start.
-    sets : array (n,) of int32
+    sets : array (n,)
         Boundaries of the configuration before that were reached together, as a mask; 0 at the
-        start.
+        start. Of int32, or of Python's integers where there may be more than 31.
     grazings : tuple of Grazing
         The compiled engine reports the first 256 of one stay in a configuration.
     status : Status

@@ -21,7 +21,7 @@ a chain of modes that is exact at all times; one of more is the series.
 from __future__ import annotations
 
 import math
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -34,11 +34,11 @@ from nonsmooth.runtime.model.eigenvalue_clusters import (
     smallest_distance,
     smallest_projectors,
 )
-from nonsmooth.runtime.model.projectors import exponential_of
+from nonsmooth.runtime.model.projectors import exponentials_at
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 from nonsmooth.runtime.model.time_functions import functions_at
 
-__all__ = ["NumericModes", "numeric_modes"]
+__all__ = ["NumericModes", "no_modes", "numeric_modes"]
 
 _FAR = 0.05  # of the largest modulus: no digits are lost
 _CLOSE = 2e-14  # error of a sum, relative to the flow, that is rounding
@@ -94,6 +94,26 @@ def numeric_modes(field: np.ndarray) -> NumericModes:
         raise InputError(
             "entries of a vector field are too far apart: double precision does not tell its modes"
         ) from None
+
+
+@cache
+def no_modes(size: int) -> NumericModes:
+    """What stands for the modes of a configuration that are not known.
+
+    Parameters
+    ----------
+    size : int
+        Number of states.
+
+    Returns
+    -------
+    NumericModes
+        One mode, and NaN.
+    """
+    exponents, flows = np.full((1, 2), np.nan), np.full((1, size, size + 1), np.nan)
+    for array in (exponents, flows):
+        array.flags.writeable = False
+    return NumericModes(mode_shapes([(1, False)]), exponents, flows)
 
 
 @lru_cache(maxsize=4096)  # configurations share fields, and so do points of a sweep
@@ -246,11 +266,12 @@ def _missed(
     """Largest error of the clusters' sum in the coordinates' own units, relative to the flow."""
     shapes, exponents, terms = _modes_of(_sorted(clusters))
     worst, growth = 0.0, max(exponents[:, 0].max(), 0.0)
-    for angle in angles:
-        t = 2.0 ** round(math.log2(angle / scale))  # products with it are exact
-        if growth * t > _GROWTH:
-            continue
-        wanted = units[:, None] * exponential_of(matrix * t) / units
+    # products with powers of two are exact
+    times = [(angle, 2.0 ** round(math.log2(angle / scale))) for angle in angles]
+    times = [(angle, t) for angle, t in times if growth * t <= _GROWTH]
+    exact = exponentials_at(matrix, {t for _, t in times}) if times else {}
+    for angle, t in times:
+        wanted = units[:, None] * exact[t] / units
         with np.errstate(over="ignore", invalid="ignore"):  # of candidates that are far off
             total = np.tensordot(np.array(functions_at(shapes, exponents, t)), terms, axes=1)
             missed = float(np.abs(units[:, None] * total / units - wanted).max())

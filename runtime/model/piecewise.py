@@ -7,7 +7,7 @@ system's own: positions, then velocities, for motions of second order.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -19,8 +19,8 @@ from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
-from nonsmooth.runtime.model.modes import NumericModes, numeric_modes
-from nonsmooth.runtime.model.structure import Modes, Structure, mode_shapes, structure_of
+from nonsmooth.runtime.model.modes import NumericModes, no_modes, numeric_modes
+from nonsmooth.runtime.model.structure import Modes, Structure, structure_of
 
 __all__ = [
     "PiecewiseLinear",
@@ -94,7 +94,9 @@ def piecewise(
     return replace(found, parameters=values)
 
 
-def piecewise_at(kernels: SystemKernels, point: np.ndarray) -> PiecewiseLinear:
+def piecewise_at(
+    kernels: SystemKernels, point: np.ndarray, visited: Collection[int] | None = None
+) -> PiecewiseLinear:
     """A system at a checked parameter point (p,), in double precision.
 
     Parameters
@@ -102,6 +104,8 @@ def piecewise_at(kernels: SystemKernels, point: np.ndarray) -> PiecewiseLinear:
     kernels : SystemKernels
     point : array (p,)
         In the order of the system's parameters.
+    visited : collection of int, optional
+        Configurations whose flows are needed, as for `numbers_at`.
 
     Returns
     -------
@@ -118,7 +122,7 @@ def piecewise_at(kernels: SystemKernels, point: np.ndarray) -> PiecewiseLinear:
     if structure.modes is not None:
         exponents, flows = (part[0] for part in _closed_modes(kernels, point[None]))
         return _record(structure, values, fields, rows, resets, exponents, flows)
-    found = _numeric(structure, fields)
+    found = _numeric(structure, fields, visited)
     structure = structure.with_modes(tuple(modes.shapes for modes in found))
     size = len(structure.states)
     return PiecewiseLinear(
@@ -150,7 +154,9 @@ class PointGroup(NamedTuple):
     flat: np.ndarray
 
 
-def numbers_at(kernels: SystemKernels, points: np.ndarray) -> list[PointGroup]:
+def numbers_at(
+    kernels: SystemKernels, points: np.ndarray, visited: Collection[int] | None = None
+) -> list[PointGroup]:
     """Numbers at points (n, p), grouped by their modes: one group for flows in closed form.
 
     Parameters
@@ -158,6 +164,9 @@ def numbers_at(kernels: SystemKernels, points: np.ndarray) -> list[PointGroup]:
     kernels : SystemKernels
     points : array (n, p)
         In the order of the system's parameters.
+    visited : collection of int, optional
+        Configurations whose flows are needed: all when omitted. Where eigenvalues are found
+        numerically those of the others are NaN.
 
     Returns
     -------
@@ -172,15 +181,12 @@ def numbers_at(kernels: SystemKernels, points: np.ndarray) -> list[PointGroup]:
     groups: dict[Modes, list[tuple[int, np.ndarray]]] = {}
     for place in range(count):
         try:
-            found = _numeric(structure, parts[0][place])
+            found = _numeric(structure, parts[0][place], visited)
         except InputError:  # no numbers, or eigenvalues that cannot be told from each other
-            modes = (mode_shapes([(1, False)]),) * len(structure.configurations)
-            size = len(structure.states) * (len(structure.states) + 1)
-            numbers = np.full((2 + size) * len(modes), np.nan)
-        else:
-            modes = tuple(each.shapes for each in found)
-            arrays = [*(m.exponents for m in found), *(m.flows for m in found)]
-            numbers = np.concatenate([array.ravel() for array in arrays])
+            found = [no_modes(len(structure.states))] * len(structure.configurations)
+        modes = tuple(each.shapes for each in found)
+        arrays = [*(m.exponents for m in found), *(m.flows for m in found)]
+        numbers = np.concatenate([array.ravel() for array in arrays])
         groups.setdefault(modes, []).append((place, numbers))
     known = _flat(parts)
     result: list[PointGroup] = []
@@ -195,12 +201,17 @@ def _flat(parts: Iterable[np.ndarray]) -> np.ndarray:
     return np.concatenate([p.reshape(len(p), p.shape[1] * p.shape[2]) for p in parts], axis=1)
 
 
-def _numeric(structure: Structure, fields: np.ndarray) -> list[NumericModes]:
+def _numeric(
+    structure: Structure, fields: np.ndarray, visited: Collection[int] | None
+) -> list[NumericModes]:
     """Modes of each configuration from stacked fields (configurations N, N + 1)."""
     size = len(structure.states)
     if not np.isfinite(fields).all():
         raise InputError(f"the vector fields of {structure.name} are not finite")
-    return [numeric_modes(field) for field in fields.reshape(-1, size, size + 1)]
+    return [
+        numeric_modes(field) if visited is None or place in visited else no_modes(size)
+        for place, field in enumerate(fields.reshape(-1, size, size + 1))
+    ]
 
 
 def piecewise_in(

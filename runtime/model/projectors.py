@@ -11,17 +11,19 @@ they may be equal, defective, or anything between.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import Any
 
 import numpy as np
-from flint import acb, acb_mat, fmpq, fmpq_mat
+from flint import acb, acb_mat, arb_mat, fmpq, fmpq_mat
 
 from nonsmooth.runtime.core.values import flint_precision
 
-__all__ = ["chain", "exponential_of", "newton", "poles_of"]
+__all__ = ["chain", "exponentials_at", "newton", "poles_of"]
 
 _BITS = 600  # to which a projector is known: its last power may be tiny
+_FEW_BITS = 256  # an exponential that loses no more than two thirds of them is known
+_DOUBLE = 80  # and is rounded to 53
 _MOST_BITS = 120_000
 _TINY = 1e-6  # radius of a circle around equal eigenvalues, relative to the nearest other one
 
@@ -154,20 +156,35 @@ def _projector(
         return (unit + power).inv().mid(), bits
 
 
-def exponential_of(matrix: np.ndarray) -> np.ndarray:
-    """The matrix e^B, each entry to its last digit.
+def exponentials_at(matrix: np.ndarray, times: Collection[float]) -> dict[float, np.ndarray]:
+    """The matrices e^(B t) at some times, each entry to its last digit.
 
     Parameters
     ----------
     matrix : array (N, N)
         B, exact and real.
+    times : collection of float
+        Powers of two: each exponential is one of half the time, squared.
 
     Returns
     -------
-    array (N, N)
+    dict of float to array (N, N)
+        By times.
     """
-    with flint_precision(_BITS):
-        return np.array(acb_mat(matrix.tolist()).exp().tolist()).astype(complex).real
+    for bits in (_FEW_BITS, _BITS):
+        found, now = {}, min(times)
+        least = math.inf
+        with flint_precision(bits):
+            power = arb_mat((matrix * now).tolist()).exp()
+            for time in sorted(times):
+                while now < time:
+                    power, now = power * power, 2 * now
+                entries = power.entries()
+                least = min(least, *(ball.rel_accuracy_bits() for ball in entries))
+                found[time] = np.array([float(ball) for ball in entries]).reshape(matrix.shape)
+        if least > _DOUBLE:
+            break
+    return found
 
 
 def _unit(size: int) -> acb_mat:

@@ -13,6 +13,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import piecewise_at
+from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.declared_kernels import declared_kernels
 from nonsmooth.runtime.orbits.declared_solve import solve_declared
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -156,9 +157,10 @@ def with_admissibility(values: Mapping[str, Any], found: Orbits) -> Orbits:
     assert found.starts is not None
     starts = found.starts[..., 0, :].reshape(len(points), -1)
     allowed = np.zeros(len(points), dtype=bool)
+    cycle = itinerary_shape(structure_of(system), found.itinerary)
     for place in np.flatnonzero(found.converged.ravel()).tolist():
-        here = piecewise_at(system, points[place])
-        cycle = itinerary_shape(here.structure, found.itinerary)
+        here = piecewise_at(system, points[place], cycle.configurations)
+        cycle = cycle.at(here.structure)
         now = shoot(cycle, numbers_in(here), dwell[place], starts[place], np)
         if (dwell[place] > 0).all():
             with suppress(InputError):  # of one point among many

@@ -210,8 +210,9 @@ class TableEquations:
     def _admissible(self, x: np.ndarray) -> bool:
         if not (np.isfinite(x).all() and (self.dwell(x[None]) > 0).all()):
             return False
-        system = piecewise_at(self.orbit.system, x[self._given])
-        cycle = self.orbit.tables.cycle.at(system.structure)
+        cycle = self.orbit.tables.cycle
+        system = piecewise_at(self.orbit.system, x[self._given], cycle.configurations)
+        cycle = cycle.at(system.structure)
         dwell, start = self._unknowns(x)
         times = np.tile(dwell, self.order)
         now = shoot(cycle, numbers_in(system), times, start, np)
@@ -282,7 +283,7 @@ class TableEquations:
 
     def _grouped(self, points: np.ndarray) -> list[tuple[np.ndarray, ItineraryShape, Numbers]]:
         found = []
-        for group in numbers_at(self.orbit.system, points):
+        for group in numbers_at(self.orbit.system, points, self._cycle.configurations):
             numbers = numbers_in(group.structure, group.flat)
             cycle = self._cycle
             if cycle.structure is not self.orbit.tables.cycle.structure:

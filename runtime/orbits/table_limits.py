@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.engine_layout import layout_of
+from nonsmooth.runtime.model.boundary_sets import lowest_of, mask_of
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise_at
@@ -56,12 +56,8 @@ def first_limits(
     """
     limit = np.full(len(points), NEITHER)
     unsure = np.asarray((dwell <= 0).any(axis=-1))
-    engine, layout = compiled_engine(), True
-    try:
-        layout_of(cycle.structure)
-    except InputError:  # larger than the engine takes
-        layout = False
-    if engine is None or not layout:
+    engine = compiled_engine()
+    if engine is None:
         unsure[:] = True
     first, count = 0, len(cycle)
     for place, configuration in enumerate(cycle.configurations):
@@ -80,12 +76,12 @@ def first_limits(
                 2,
             )
             reached, when = ends.kept_sets[:, 1], ends.kept_times[:, 1]
-            own = sum(1 << b for b in cycle.transitions[place].boundaries)
+            own = mask_of(cycle.transitions[place].boundaries)
             moved = ends.status == Status.TRANSITIONS
             expected = moved & (reached == own) & (np.abs(when - times) <= _CLOSE * times)
             expected &= ends.kept_configurations[:, 1] == cycle.configurations[(place + 1) % count]
-            close = np.where(reached & own, _EARLY, _CLOSE) * times
-            lowest = np.log2(np.where(moved, reached & -reached, 1)).astype(int)
+            close = np.where((reached & own) != 0, _EARLY, _CLOSE) * times
+            lowest = lowest_of(np.where(moved, reached, 1))
             at_once = when <= _CLOSE * times
             rises = _rises(cycle, configuration, numbers[rows], starts[rows, place], lowest, times)
             crossed = moved & (when < times - close) & ((when > close) | (at_once & rises))
@@ -126,7 +122,7 @@ def _guaranteed(
     start: np.ndarray,
 ) -> int:
     """The same of one orbit, by its boundary functions."""
-    here = piecewise_at(system, point)
+    here = piecewise_at(system, point, cycle.configurations)
     cycle = cycle.at(here.structure)
     now = shoot(cycle, numbers_in(here), dwell, start, np)
     if not (dwell > 0).all():

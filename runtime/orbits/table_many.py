@@ -29,6 +29,7 @@ from nonsmooth.runtime.shooting.section_map import (
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
     Numbers,
+    finite_at,
     guesses,
     itinerary_shape,
     numbers_in,
@@ -123,7 +124,8 @@ def solve_itineraries(
     iterations, status = np.empty(count, dtype=np.int32), np.empty(count, dtype=np.int32)
 
     def work(begin: int) -> None:
-        for group in numbers_at(kernels, points[begin : begin + CHUNK]):
+        own = points[begin : begin + CHUNK]
+        for group in numbers_at(kernels, own, cycle.configurations):
             part, here, at = begin + group.places, cycle.at(group.structure), None
             flat, directions = group.flat, np.empty((len(group.flat), 0, size))
             if moving:
@@ -244,11 +246,10 @@ def _smallest_section(
     size = len(cycle.structure.states)
     for place in range(min(len(dwell), CHUNK)):
         part = slice(place, place + 1)
-        (group,) = numbers_at(kernels, points[part])
-        flat = group.flat
-        if not np.isfinite(flat).all():
+        (group,) = numbers_at(kernels, points[part], cycle.configurations)
+        flat, here = group.flat, cycle.at(group.structure)
+        if not finite_at(here, flat).all():
             continue
-        here = cycle.at(group.structure)
         at = None if start is None else start[part]
         found = solve_shape(here, flat, dwell[part], at, np.full(1, np.nan))
         single = Numbers(*_first(numbers_in(group.structure, flat)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
 from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
@@ -46,13 +47,13 @@ def motion_along(
             np.array(cycle.configurations[:1], dtype=np.int32),
             starts[:1],
             starts[:1],
-            np.zeros(1, dtype=np.int32),
+            np.zeros(1, dtype=mask_type(cycle.structure)),
             (),
             Status.UNTIL,
             float(periods * dwell.sum()),
         )
         return Trajectory(system, run)
-    masks = [sum(1 << boundary for boundary in t.boundaries) for t in cycle.transitions]
+    masks = [mask_of(t.boundaries) for t in cycle.transitions]
     moved = np.repeat(np.arange(periods), len(dwell))[:, None] * shift
     behind = np.tile(np.concatenate([starts[1:], starts[:1] + shift]), (periods, 1)) + moved
     times = np.cumsum(np.tile(dwell, periods))
@@ -62,7 +63,7 @@ def motion_along(
         np.concatenate([cycle.configurations[:1], following]).astype(np.int32),
         np.concatenate([starts[:1], np.tile(ends, (periods, 1)) + moved]),
         np.concatenate([starts[:1], behind]),
-        np.array([0, *masks * periods], dtype=np.int32),
+        np.array([0, *masks * periods], dtype=mask_type(cycle.structure)),
         (),
         Status.TRANSITIONS,
         float(times[-1]),

@@ -30,6 +30,7 @@ from nonsmooth.runtime.shooting.section_map import (
 )
 from nonsmooth.runtime.shooting.shooting_map import (
     ItineraryShape,
+    finite_at,
     itinerary_shape,
     numbers_in,
     shoot,
@@ -196,10 +197,11 @@ class TablePoints:
         system, declared = self.kernels.system, self.kernels.table.get("period")
         points, _ = parameter_points(system, {p.name: values[p.name] for p in system.parameters})
         period = np.full(len(points), np.nan) if declared is None else values[declared["name"]]
-        groups = [(g, self._cycle.at(g.structure)) for g in numbers_at(system, points)]
         return [
-            _Group(g.places, points[g.places], cycle, g.flat, period[g.places])
-            for g, cycle in groups
+            _Group(
+                g.places, points[g.places], self._cycle.at(g.structure), g.flat, period[g.places]
+            )
+            for g in numbers_at(system, points, self._cycle.configurations)
         ]
 
     def _tried(self, group: _Group, start: np.ndarray) -> _Solved:
@@ -207,7 +209,7 @@ class TablePoints:
         cycle, count, (first, _) = group.cycle, len(group.cycle), self._section
         size = start.shape[-1] - count
         sound = np.isfinite(start).all(axis=-1) & (start[:, :count] > 0).all(axis=-1)
-        sound &= np.isfinite(group.flat).all(axis=-1) & np.isfinite(group.points).all(axis=-1)
+        sound &= finite_at(cycle, group.flat) & np.isfinite(group.points).all(axis=-1)
         rows = np.flatnonzero(sound)
         solved = _Solved(
             np.full((len(start), count), np.nan),

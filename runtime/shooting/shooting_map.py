@@ -27,6 +27,7 @@ from nonsmooth.runtime.shooting.variational import ARRAYS, Phase, Shooting, shoo
 __all__ = [
     "ItineraryShape",
     "Numbers",
+    "finite_at",
     "flow_at",
     "forcing_row_of",
     "guesses",
@@ -259,6 +260,27 @@ class Numbers(NamedTuple):
     resets: np.ndarray
     exponents: tuple[np.ndarray, ...]
     flows: tuple[np.ndarray, ...]
+
+
+def finite_at(cycle: ItineraryShape, flat: np.ndarray) -> np.ndarray:
+    """Whether all numbers are finite that a cycle needs.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    flat : array (n, size)
+        As `nonsmooth.runtime.model.piecewise.numbers_at` gives them.
+
+    Returns
+    -------
+    array (n,) of bool
+    """
+    numbers = numbers_in(cycle.structure, flat)
+    parts = [numbers.fields, numbers.rows, numbers.resets]
+    for configuration in {*cycle.configurations}:
+        parts += [numbers.exponents[configuration], numbers.flows[configuration]]
+    sound = [np.isfinite(part).all(axis=tuple(range(1, part.ndim))) for part in parts]
+    return np.asarray(np.all(sound, axis=0))
 
 
 def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = None) -> Numbers:

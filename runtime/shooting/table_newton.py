@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import FLOATS
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_layout import layout_of
 from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
 from nonsmooth.runtime.shooting.fitting_start import fitting_start, least_squares
@@ -116,10 +115,6 @@ def solve_shape(
     TableSolution
     """
     engine = _compiled()
-    try:
-        layout = layout_of(cycle.structure)
-    except InputError:  # larger than the engine takes
-        engine = None
     if engine is None or len(cycle.structure.forcing) > 1:
         return solve_in_python(cycle, flat, dwell, start, period)
     if start is None and cycle.structure.forcing:
@@ -138,7 +133,9 @@ def solve_shape(
         found.starts[:, 0] = start
     flat = np.ascontiguousarray(flat, dtype=float)
     period = np.ascontiguousarray(period, dtype=float)
-    engine.compose(layout, cycle.packed, period, flat, *found, start is not None)
+    engine.compose(
+        layout_of(cycle.structure), cycle.packed, period, flat, *found, start is not None
+    )
     return found
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import BYTES, check_memory
 from nonsmooth.runtime.events.transition_choice import batch_decider
+from nonsmooth.runtime.model.boundary_sets import mask_type, masks_of, no_words
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
 from nonsmooth.runtime.model.flows import flow_states
@@ -47,7 +48,9 @@ class MotionEnds(NamedTuple):
     status : array (count,) of int64
         Members of `Status`.
     kept_times : array (count, kept)
-    kept_configurations, kept_sets : array (count, kept) of int32
+    kept_configurations : array (count, kept) of int32
+    kept_sets : array (count, kept)
+        Masks of boundaries.
     kept_states : array (count, kept, N)
         The last entries: entry k of a motion, 0 its start, is at k modulo `kept`.
     """
@@ -126,7 +129,7 @@ def run_compiled(
     while True:
         times, kept = np.empty(entries), np.empty(entries, dtype=np.int32)
         before, after = np.empty((entries, size)), np.empty((entries, size))
-        sets, grazings = np.empty(entries, dtype=np.int32), np.empty((touches, 4))
+        sets, grazings = no_words(structure, (entries,)), np.empty((touches, 4))
         counts, ends = np.empty(3, dtype=np.int64), np.array([float(until)])
         engine.simulate(
             layout,
@@ -159,7 +162,7 @@ def run_compiled(
         kept[: done + 1].copy(),
         before[: done + 1].copy(),
         after[: done + 1].copy(),
-        sets[: done + 1].copy(),
+        masks_of(structure, sets[: done + 1].copy()),
         tuple(
             Grazing(time, int(where), int(boundary), depth)
             for time, where, boundary, depth in grazings[:touched].tolist()
@@ -186,15 +189,14 @@ def entry_size(size: int) -> int:
     return BYTES * (2 + size)
 
 
-def no_ends(count: int, size: int, kept: int) -> MotionEnds:
+def no_ends(structure: Structure, count: int, kept: int) -> MotionEnds:
     """Ends of motions that were not simulated.
 
     Parameters
     ----------
+    structure : Structure
     count : int
         Number of motions.
-    size : int
-        Number of states.
     kept : int
         Entries that are kept of each motion.
 
@@ -203,6 +205,7 @@ def no_ends(count: int, size: int, kept: int) -> MotionEnds:
     MotionEnds
         Arrays of NaN, -1 and 0 in the shapes that the compiled engine fills.
     """
+    size = len(structure.states)
     return MotionEnds(
         np.full((count, size), np.nan),
         np.full(count, -1, dtype=np.int32),
@@ -212,7 +215,7 @@ def no_ends(count: int, size: int, kept: int) -> MotionEnds:
         np.full(count, -1, dtype=np.int64),
         np.full((count, kept), np.nan),
         np.full((count, kept), -1, dtype=np.int32),
-        np.zeros((count, kept), dtype=np.int32),
+        np.zeros((count, kept), dtype=mask_type(structure)),
         np.full((count, kept, size), np.nan),
     )
 
@@ -280,7 +283,7 @@ def run_motions(
         States (count, N), times (count,) and the last `kept` entries of each motion.
     """
     count = len(states)
-    ends = no_ends(count, states.shape[1], kept)
+    ends, sets = no_ends(structure, count, kept), no_words(structure, (count, kept))
     ends.states[:], ends.configurations[:], ends.times[:] = states, configurations, until
     counts = np.zeros((count, 3), dtype=np.int64)
     engine.simulate(
@@ -295,9 +298,14 @@ def run_motions(
         ends.kept_configurations,
         np.empty(0),
         ends.kept_states,
-        ends.kept_sets,
+        sets,
         np.empty((count, 0, 4)),
         counts,
         batch_decider(structure, numbers, []),
     )
-    return ends._replace(status=counts[:, 0], transitions=counts[:, 1], grazings=counts[:, 2])
+    return ends._replace(
+        kept_sets=masks_of(structure, sets),
+        status=counts[:, 0],
+        transitions=counts[:, 1],
+        grazings=counts[:, 2],
+    )

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
+from nonsmooth.runtime.model.boundary_sets import numbered
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.simulation.simulate import Trajectories
@@ -193,7 +194,8 @@ def near_returns(
     """
     kept = motions.last_times.shape[1]
     # a phase as a number: its configuration, and the boundaries by which it is left
-    phases = motions.last_configurations[:, :-1].astype(np.int64) << 32 | motions.last_sets[:, 1:]
+    phases = motions.last_configurations[:, :-1].astype(np.int64) << 32
+    phases |= numbered(motions.last_sets[:, 1:])
     integers = np.iinfo(np.int64)
     factors = np.random.default_rng(0).integers(integers.min, integers.max, (kept,))
     found = []

@@ -163,7 +163,9 @@ class Trajectories(Shown):
     status : array (...) of int64
         Members of `nonsmooth.runtime.model.engine_run.Status`; -1 where nothing was simulated.
     last_times : array (..., kept)
-    last_configurations, last_sets : array (..., kept) of int32
+    last_configurations : array (..., kept) of int32
+    last_sets : array (..., kept)
+        Boundaries that were reached together, as a mask.
     last_states : array (..., kept, N)
         The last entries in their order, behind the transitions; NaN and -1 in front of the
         start.
@@ -302,7 +304,7 @@ def simulate_many(
         here = slice(begin, begin + chunk)
         used, places = np.unique(which[here], return_inverse=True)
         states, limits = flat[here], until_each[here]
-        ends = no_ends(len(states), size, kept)
+        ends = no_ends(structure, len(states), kept)
         for group in numbers_at(kernels, points[used]):
             row_of = np.full(len(used), -1)
             row_of[group.places] = np.arange(len(group.places))
@@ -324,7 +326,7 @@ def simulate_many(
     with thread_pool(workers) as pool:
         parts = list(pool.map(part, begins))
     if not parts:
-        parts = [no_ends(0, size, kept)]
+        parts = [no_ends(structure, 0, kept)]
     joined = _ordered(MotionEnds(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True))))
     shaped = MotionEnds(*(array.reshape((*common, *array.shape[1:])) for array in joined))
     return Trajectories(

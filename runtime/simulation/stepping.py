@@ -20,6 +20,7 @@ from nonsmooth.runtime.events.phase_numbers import (
     rows_of,
 )
 from nonsmooth.runtime.events.transition_choice import Choice, Decider
+from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type
 from nonsmooth.runtime.model.engine_run import (
     FARTHEST,
     GROWTH,
@@ -243,7 +244,7 @@ def run(
             np.array(configurations, dtype=np.int32),
             np.array(before)[:, :-1],
             np.array(states)[:, :-1],
-            np.array(sets, dtype=np.int32),
+            np.array(sets, dtype=mask_type(system.structure)),
             tuple(grazings),
             status,
             end,
@@ -303,7 +304,7 @@ def run(
         clock.advance(dwell)
         moved = [*(error * dot(row, before) for row in table.field), 0.0]
         choice = stepper.choice(configuration, event, Located(before, sizes, moved, error))
-        mask, transition = sum(1 << b for b in event.boundaries), choice.transition
+        mask, transition = mask_of(event.boundaries), choice.transition
         if transition is None:
             if choice.verdict == "ambiguous":
                 return ended(Status.AMBIGUOUS, clock.time, choice.options, mask)

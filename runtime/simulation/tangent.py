@@ -185,11 +185,11 @@ def _saltation_matrices(trajectory: Trajectory, first: int) -> np.ndarray:
     system, run = trajectory.system, trajectory.run
     size = len(trajectory.names)
     found = np.empty((len(run.times) - first - 1, size, size))
-    keys = np.stack(
-        [run.configurations[first:-1], run.configurations[first + 1 :], run.sets[first + 1 :]]
-    )
-    for source, target, reached in np.unique(keys, axis=1).T.tolist():
-        here = np.flatnonzero(np.equal(keys.T, (source, target, reached)).all(axis=1))
+    masks, numbers = np.unique(run.sets[first + 1 :], return_inverse=True)
+    keys = np.stack([run.configurations[first:-1], run.configurations[first + 1 :], numbers])
+    for source, target, number in np.unique(keys, axis=1).T.tolist():
+        here = np.flatnonzero(np.equal(keys.T, (source, target, number)).all(axis=1))
+        reached = int(masks[number])
         entries = here + first + 1
         if reached & (reached - 1):
             raise InputError(

@@ -11,6 +11,7 @@ from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.simulation.starting import configuration_of
 from nonsmooth.runtime.simulation.stepping import run
+from tests.large_systems import chain, masses_apart
 from tests.places import CHECKOUT
 
 SYSTEMS = {
@@ -33,12 +34,30 @@ def harness(tmp_path_factory: pytest.TempPathFactory) -> Path:
         for name in ("cell", "chain", "engine", "phase", "search", "tables")
     ]
     flags = ["-std=c11", "-O1", "-g", "-Wall", "-Wextra", "-Werror", "-Wno-unknown-pragmas"]
-    flags += ["-ffp-contract=off", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+    flags += [
+        "-Dcalloc=failing_calloc",
+        "-ffp-contract=off",
+        "-fsanitize=address,undefined",
+        "-fno-sanitize-recover=all",
+    ]
     folders = [f"-I{CHECKOUT / 'runtime' / 'engine'}", f"-I{CHECKOUT / 'generated'}"]
     files = [str(CHECKOUT / "tests" / "c" / "engine.c"), *map(str, sources)]
     command = [str(compiler), *flags, *folders, *files, "-o", str(program), "-lm"]
     subprocess.run(command, check=True)
     return program
+
+
+def large(name: str) -> tuple[PiecewiseLinear, np.ndarray]:
+    """A chain of 12 masses with a stop and friction, or 40 stops: and starts."""
+    rng = np.random.default_rng(4)
+    if name == "chain":
+        rest = np.tile([1.0, 0.0], (6, 1))
+        return chain(12, 5), np.hstack(
+            [rng.uniform(-0.2, 0.2, (6, 12)), rng.normal(size=(6, 12)), rest]
+        )
+    states = np.hstack([np.zeros((3, 20)), rng.uniform(0.9, 1.1, (3, 20))])
+    states[0, 20:] = 1.0
+    return masses_apart(20, np.repeat([0.5, 0.4], 20)), states
 
 
 def written(path: Path, system: PiecewiseLinear, states: np.ndarray, transitions: int) -> Path:
@@ -71,6 +90,36 @@ def test_the_engine_is_clean_and_follows_the_reference(
         assert (int(status), int(transitions)) == (known.status, len(known.times) - 1)
         assert int(configuration) == known.configurations[-1]
         np.testing.assert_allclose(np.array(end, dtype=float), known.states[-1], atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["chain", "stops"])
+def test_the_engine_is_clean_on_large_systems(harness: Path, name: str, tmp_path: Path) -> None:
+    system, states = large(name)
+    file = written(tmp_path / "motions", system, states, 30)
+    told = subprocess.run([harness, file], capture_output=True, text=True, check=False)
+    assert told.returncode == 0, told.stderr
+    for state, line in zip(states, told.stdout.splitlines(), strict=True):
+        status, transitions, configuration, _, *end = line.split()
+        known = run(system, state, configuration_of(system, state), transitions=30)
+        assert (int(status), int(transitions)) == (known.status, len(known.times) - 1)
+        assert int(configuration) == known.configurations[-1]
+        np.testing.assert_allclose(np.array(end, dtype=float), known.states[-1], atol=1e-9)
+
+
+def test_where_there_is_no_memory_nothing_is_lost(harness: Path, tmp_path: Path) -> None:
+    """Each of the engine's allocations fails once: it says so, and keeps none of the others."""
+    system, states = large("chain")
+    file = written(tmp_path / "motions", system, states[:1], 3)
+    failed = 0
+    while True:
+        told = subprocess.run(
+            [harness, file, str(failed)], capture_output=True, text=True, check=False
+        )
+        if told.returncode == 0:
+            break
+        assert (told.returncode, told.stderr) == (3, "no memory\n")
+        failed += 1
+    assert failed == 10
 
 
 def test_numbers_that_no_system_has_are_clean_too(harness: Path, tmp_path: Path) -> None:

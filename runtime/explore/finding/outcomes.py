@@ -18,6 +18,7 @@ from nonsmooth.runtime.explore.finding.steady import (
 )
 from nonsmooth.runtime.explore.finding.stretching import Stretching, stretching
 from nonsmooth.runtime.explore.finding.stroboscope import stroboscopic_returns
+from nonsmooth.runtime.model.boundary_sets import mask_of
 from nonsmooth.runtime.model.engine_run import LARGEST_STATE, Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
@@ -292,7 +293,7 @@ def _arrivals(motions: Trajectories, orbits: Sequence[Orbit]) -> np.ndarray:
         for phase, (name, _) in enumerate(orbit.itinerary):
             where = structure.configuration(name)
             before = orbit.tables.cycle.configurations[phase - 1]
-            mask = sum(1 << b for b in orbit.tables.cycle.transitions[phase - 1].boundaries)
+            mask = mask_of(orbit.tables.cycle.transitions[phase - 1].boundaries)
             here = (
                 (motions.last_configurations[:, -1] == where)
                 & (motions.last_configurations[:, -2] == before)

@@ -26,6 +26,7 @@ from nonsmooth.runtime.core.files import check_target, read_file, write_file
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, one_of
 from nonsmooth.runtime.core.result_files import FileFormat, naming
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type, members_of
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import load_system
@@ -321,7 +322,7 @@ def _trajectory(header: MotionHeader, table: _Table) -> Trajectory:
         Status[header.status.upper()],
         header.end,
         tuple(map(structure.configuration, header.options)),
-        sum(1 << structure.boundary(int(configurations[-1]), b) for b in header.open_at),
+        mask_of(structure.boundary(int(configurations[-1]), b) for b in header.open_at),
     )
     if len({*header.open_at}) < len(header.open_at):
         raise InputError("'open_at' holds a boundary twice")
@@ -353,9 +354,9 @@ def _sets(structure: Structure, configurations: np.ndarray, names: np.ndarray) -
     for source, joined in zip(configurations[:-1].tolist(), names[1:].tolist(), strict=True):
         if (source, joined) not in masks:
             places = {structure.boundary(source, name) for name in joined.split("+")}
-            masks[source, joined] = sum(1 << place for place in places)
+            masks[source, joined] = mask_of(places)
         found.append(masks[source, joined])
-    return np.array(found, dtype=np.int32)
+    return np.array(found, dtype=mask_type(structure))
 
 
 def _grazing(structure: Structure, entry: tuple[float, str, str, float]) -> Grazing:
@@ -383,8 +384,7 @@ def _moves(system: PiecewiseLinear, run: Run) -> bool:
             return False
     for entry in range(1, count + 1):
         source, target = run.configurations[entry - 1 : entry + 1].tolist()
-        reached = int(run.sets[entry])
-        boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
+        boundaries = members_of(int(run.sets[entry]))
         resets = {t.reset for t in system.structure.transitions_to(source, boundaries, target)}
         extended = np.append(run.before[entry], 1.0)
         misses = [np.abs(system.resets[r] @ extended - run.states[entry]).max() for r in resets]

@@ -1,0 +1,89 @@
+/* A state along the flow of its configuration, and the boundary functions that begin with it. */
+#ifndef NONSMOOTH_FLOW_H
+#define NONSMOOTH_FLOW_H
+
+#include <math.h>
+
+#include "phase.h"
+
+/* Of so few states arrays are in registers, where their number is a constant: 3 % faster. */
+enum { FEW = 4 };
+
+/* Coefficients and sizes of the boundary functions of a phase. */
+INLINED void
+fill_phase(phase *p, const configuration *c, const int n, const double *state,
+           const double *magnitude)
+{
+    const int columns = n + 1;
+    const double *row = c->boundary, *size = c->size;
+    const size_t products = (size_t)c->boundaries * (size_t)c->functions;
+    for (size_t i = 0; i < products; ++i, row += columns) {
+        double sum = row[n];
+        for (int j = 0; j < n; ++j)
+            sum += row[j] * state[j];
+        p->value[i] = sum;
+    }
+    for (int b = 0; b < c->boundaries; ++b, size += columns) {
+        double sum = size[n];
+        for (int j = 0; j < n; ++j)
+            sum += size[j] * magnitude[j];
+        p->size[b] = sum;
+    }
+    p->c = c;
+    p->state = state;
+    p->magnitude = magnitude;
+    p->states = n;
+}
+
+/* Sum of absolute values of an affine function's products. */
+INLINED double
+size_of(const int n, const double *row, const double *state)
+{
+    double sum = fabs(row[n]);
+    for (int j = 0; j < n; ++j)
+        sum += fabs(row[j] * state[j]);
+    return sum;
+}
+
+/* The state at a time of a configuration, and bounds on the sizes of what was summed. */
+INLINED void
+flow(const configuration *c, const int n, const double *functions, double *state,
+     double *magnitude, double *room)
+{
+    const int columns = n + 1;
+    double few[FEW], *const result = n <= FEW ? few : room, largest = 1.0;
+    for (int i = 0; i < n; ++i)
+        result[i] = 0.0;
+    const double *row = c->flow, *reach = c->reach;
+    for (int f = 0; f < c->functions; ++f) {
+        const double function = functions[f];
+        largest = fabs(function) > largest ? fabs(function) : largest;
+        for (int i = 0; i < n; ++i, row += columns) {
+            double sum = row[n];
+            for (int j = 0; j < n; ++j)
+                sum += row[j] * state[j];
+            result[i] += function * sum;
+        }
+    }
+    const int simple = c->uniform && c->mode[0].length <= 2; /* only t can pass 1 */
+    if ((largest > 1.0 || c->chained) && !simple) {
+        /* each function counts by itself: one may be huge */
+        for (int i = 0; i < n; ++i)
+            magnitude[i] = 0.0;
+        row = c->flow;
+        for (int f = 0; f < c->functions; ++f)
+            for (int i = 0; i < n; ++i, row += columns)
+                magnitude[i] += fabs(functions[f]) * size_of(n, row, state);
+    } else {
+        const double *drift = c->flow + (size_t)n * columns; /* that of t, if there is one */
+        for (int i = 0; i < n; ++i, reach += columns, drift += columns) {
+            magnitude[i] = size_of(n, reach, state);
+            if (largest > 1.0)
+                magnitude[i] += (largest - 1.0) * size_of(n, drift, state);
+        }
+    }
+    for (int i = 0; i < n; ++i)
+        state[i] = result[i];
+}
+
+#endif

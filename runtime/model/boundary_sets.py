@@ -1,0 +1,159 @@
+"""Sets of a configuration's boundaries as masks: bit b stands for boundary b.
+
+Masks are int32 where every configuration has fewer than 32 boundaries, else Python's integers.
+The compiled engine keeps each as words of 32 bits, the lowest first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from nonsmooth.runtime.model.structure import Structure
+
+__all__ = [
+    "lowest_of",
+    "mask_of",
+    "mask_type",
+    "masks_of",
+    "members_of",
+    "no_words",
+    "numbered",
+    "words_of",
+]
+
+_BITS = 32
+
+
+def mask_of(boundaries: Iterable[int]) -> int:
+    """The mask of some boundaries.
+
+    Parameters
+    ----------
+    boundaries : iterable of int
+        Each once.
+
+    Returns
+    -------
+    int
+    """
+    return sum(1 << b for b in boundaries)
+
+
+def members_of(mask: int) -> frozenset[int]:
+    """The boundaries of a mask.
+
+    Parameters
+    ----------
+    mask : int
+
+    Returns
+    -------
+    frozenset of int
+    """
+    return frozenset(b for b in range(int(mask).bit_length()) if mask >> b & 1)
+
+
+def lowest_of(masks: np.ndarray) -> np.ndarray:
+    """The lowest boundary of each mask.
+
+    Parameters
+    ----------
+    masks : array (n,)
+        None of them 0.
+
+    Returns
+    -------
+    array (n,) of int
+    """
+    return np.array([(mask & -mask).bit_length() - 1 for mask in masks.tolist()], dtype=int)
+
+
+def mask_type(structure: Structure) -> type:
+    """What an array of masks consists of.
+
+    Parameters
+    ----------
+    structure : Structure
+
+    Returns
+    -------
+    type
+        `numpy.int32` or `object`.
+    """
+    return np.int32 if _most(structure) < _BITS else object
+
+
+def no_words(structure: Structure, shape: tuple[int, ...]) -> np.ndarray:
+    """Empty sets as the compiled engine keeps them.
+
+    Parameters
+    ----------
+    structure : Structure
+    shape : tuple of int
+
+    Returns
+    -------
+    array (*shape, words) of int32
+    """
+    words = -(-max(_most(structure), 1) // _BITS)
+    return np.zeros((*shape, words), dtype=np.int32)
+
+
+def words_of(structure: Structure, masks: list[int]) -> np.ndarray:
+    """Masks as the compiled engine reads them.
+
+    Parameters
+    ----------
+    structure : Structure
+    masks : list of int
+
+    Returns
+    -------
+    array (n, words) of int32
+    """
+    found = no_words(structure, (len(masks),)).view(np.uint32)
+    for place, mask in enumerate(masks):
+        for word in range(found.shape[1]):
+            found[place, word] = mask >> _BITS * word & 0xFFFFFFFF
+    return found.view(np.int32)
+
+
+def masks_of(structure: Structure, words: np.ndarray) -> np.ndarray:
+    """Masks of what the compiled engine has kept.
+
+    Parameters
+    ----------
+    structure : Structure
+    words : array (..., words) of int32
+
+    Returns
+    -------
+    array (...)
+        Of `mask_type`.
+    """
+    if mask_type(structure) is np.int32:
+        return words[..., 0]
+    parts = np.ascontiguousarray(words).view(np.uint32).astype(object)
+    return np.asarray(sum(parts[..., k] << _BITS * k for k in range(parts.shape[-1])), dtype=object)
+
+
+def numbered(masks: np.ndarray) -> np.ndarray:
+    """Masks as integers of 32 bits, equal where they are: themselves, or their numbers.
+
+    Parameters
+    ----------
+    masks : array (...)
+
+    Returns
+    -------
+    array (...) of int
+    """
+    if masks.dtype != object:
+        return masks
+    return np.unique(masks, return_inverse=True)[1].reshape(masks.shape)
+
+
+def _most(structure: Structure) -> int:
+    return max(map(len, structure.boundaries))

@@ -1,0 +1,199 @@
+"""Systems of more than 16 states and 31 boundaries, against expm, the other engine and by hand."""
+
+import math
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.model.boundary_sets import mask_of, masks_of, members_of, words_of
+from nonsmooth.runtime.model.engine_layout import numbers_of
+from nonsmooth.runtime.model.engine_run import Run
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.engines import compiled_engine, run_compiled, run_motions
+from nonsmooth.runtime.simulation.simulate import follow, simulate
+from nonsmooth.runtime.simulation.stepping import run
+from tests.large_systems import RESTITUTION, chain, integrated, masses_apart
+
+compiled = pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
+
+
+def start_of(count: int, seed: int) -> np.ndarray:
+    rng = np.random.default_rng(seed)
+    place = rng.uniform(-0.2, 0.2, count)
+    phase = rng.uniform(0, 2 * np.pi)
+    return np.array([*place, *rng.normal(size=count), np.cos(phase), np.sin(phase)])
+
+
+def engines(system: PiecewiseLinear, state: np.ndarray, transitions: int) -> tuple[Run, Run]:
+    engine = compiled_engine()
+    assert engine is not None
+    found = run_compiled(engine, system, state, 0, transitions=transitions)
+    return found, run(system, state, 0, transitions=transitions)
+
+
+@compiled
+@pytest.mark.parametrize(
+    ("count", "rubbing", "transitions"),
+    [(10, None, 20), (12, None, 20), (30, None, 12), (10, 4, 40), (30, 12, 40)],
+)
+def test_chains_follow_matrix_exponentials(
+    count: int, rubbing: int | None, transitions: int
+) -> None:
+    system, state = chain(count, rubbing), start_of(count, 3)
+    if rubbing is not None:
+        state[count + rubbing] = abs(state[count + rubbing])
+    engine = compiled_engine()
+    assert engine is not None
+    found = run_compiled(engine, system, state, 0, transitions=transitions)
+    times, places, states = integrated(system, state, 0, transitions)
+    assert found.configurations.tolist() == places
+    assert rubbing is None or set(places) == {0, 1, 2}
+    np.testing.assert_allclose(found.times, times, rtol=0, atol=1e-10)
+    np.testing.assert_allclose(found.states, states, rtol=0, atol=1e-10)
+
+
+@compiled
+@pytest.mark.parametrize(("count", "rubbing"), [(9, None), (20, None), (12, 5)])
+def test_chains_follow_the_other_engine(count: int, rubbing: int | None) -> None:
+    found, known = engines(chain(count, rubbing), start_of(count, 5), 20)
+    assert (found.status, found.sets.tolist()) == (known.status, known.sets.tolist())
+    assert found.configurations.tolist() == known.configurations.tolist()
+    np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(found.states, known.states, rtol=0, atol=1e-11)
+
+
+@compiled
+@pytest.mark.parametrize("count", [15, 16, 17, 40])
+def test_stops_reached_one_by_one(count: int) -> None:
+    """30 to 80 boundaries: each mass by itself meets its next stop after half a swing."""
+    rng = np.random.default_rng(count)
+    gaps = rng.uniform(0.3, 0.6, 2 * count)
+    state = np.array([*np.zeros(count), *rng.uniform(0.9, 1.1, count)])
+    found, known = engines(masses_apart(count, gaps), state, count + 5)
+    assert found.sets.dtype == (np.int32 if 2 * count < 32 else object)
+    assert found.sets.tolist() == known.sets.tolist()
+    np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-12)
+    for mass in range(count):
+        place = next(k for k, mask in enumerate(found.sets) if mass in members_of(mask))
+        assert found.times[place] == pytest.approx(math.asin(gaps[mass] / state[count + mass]))
+
+
+@compiled
+def test_many_stops_reached_together() -> None:
+    """Forty masses go as one: sets of forty boundaries, in words that differ."""
+    count, gap = 40, 0.5
+    system = masses_apart(count, np.full(2 * count, gap))
+    state = np.array([*np.zeros(count), *np.ones(count)])
+    found, known = engines(system, state, 8)
+    right, left = mask_of(range(count)), mask_of(range(count, 2 * count))
+    assert found.sets.tolist() == known.sets.tolist() == [0, *[right, left] * 4]
+    speed, time = 1.0, 0.0
+    for k in range(8):
+        amplitude = math.hypot(speed, gap if k else 0.0)
+        time += math.asin(gap / amplitude) * (2 if k else 1)
+        speed = RESTITUTION * math.sqrt(amplitude**2 - gap**2)
+        assert found.times[k + 1] == pytest.approx(time, abs=1e-12)
+
+
+@compiled
+def test_what_is_kept_of_many_motions() -> None:
+    count, kept = 20, 5
+    rng = np.random.default_rng(1)
+    system = masses_apart(count, rng.uniform(0.3, 0.6, 2 * count))
+    states = np.hstack([np.zeros((3, count)), rng.uniform(0.9, 1.1, (3, count))])
+    zeros, until = np.zeros(3, dtype=int), np.full(3, np.inf)
+    engine = compiled_engine()
+    assert engine is not None
+    numbers = numbers_of(system)[None]
+    ends = run_motions(engine, system.structure, numbers, zeros, states, zeros, until, 44, kept)
+    for state, sets in zip(states, ends.kept_sets, strict=True):
+        known = run(system, state, 0, transitions=44)
+        assert [sets[k % kept] for k in range(40, 45)] == known.sets[40:].tolist()
+
+
+def test_masks_are_words_and_back() -> None:
+    rng = np.random.default_rng(2)
+    for count in (15, 16, 17, 40):
+        structure = masses_apart(count, np.ones(2 * count)).structure
+        sets = [frozenset(rng.choice(2 * count, 3).tolist()) for _ in range(20)]
+        masks = [mask_of(s) for s in sets]
+        words = words_of(structure, masks)
+        assert words.shape == (20, -(-2 * count // 32))
+        assert masks_of(structure, words).tolist() == masks
+        assert [members_of(mask) for mask in masks] == sets
+
+
+@compiled
+def test_the_compiled_engine_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A motion of 40 masses ends as it would in Python, whichever engine is asked for."""
+    system, state = chain(40), start_of(40, 7)
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "c")
+    found = follow(system, state, 0, transitions=200)
+    assert len(found.times) == 201
+    monkeypatch.setenv("NONSMOOTH_BACKEND", "numpy")
+    known = follow(system, state, 0, transitions=2)
+    assert found.sets[:3].tolist() == known.sets.tolist()
+    np.testing.assert_allclose(found.states[:3], known.states, rtol=0, atol=1e-11)
+
+
+@compiled
+def test_a_declared_chain() -> None:
+    """Twelve masses through the declaration, derived in a second: the motion of the matrices."""
+    count = 12
+    stiffness = 2 * sp.eye(count)
+    for i in range(count - 1):
+        stiffness[i, i + 1] = stiffness[i + 1, i] = -1
+    place = Parameter("place", "of the stop")
+    declared = oscillator(
+        "long-chain",
+        [f"x{i}" for i in range(count)],
+        mass=sp.eye(count),
+        stiffness=stiffness,
+        damping=(stiffness + sp.eye(count)) / 50,
+        forcing=[Harmonic(sp.Rational(7, 10), cosine=[1, *[0] * (count - 1)])],
+        elements=[RigidStop(f"x{count - 1}", at=place.symbol, restitution="4/5", name="stop")],
+        parameters=[place],
+    )
+    found = simulate(declared, {"place": "0.3"}, start_of(count, 9), transitions=15)
+    known = run(chain(count), start_of(count, 9), 0, transitions=15)
+    np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(found.states, known.states, rtol=0, atol=1e-11)
+
+
+MEMORY = """
+import resource
+import numpy as np
+from nonsmooth.runtime import _engine
+
+def layout(states, length):
+    header = [states, 1, 1, 1, 1, length, 0, 0, 0, 0]
+    rest = [0, 1, length, 0, 0, 0, 0, length, 0, 0, 0, 0, 0]
+    return np.array([*header, *rest], dtype=np.int32)
+
+resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
+real, whole, long = (lambda *s: np.zeros(s), lambda *s: np.zeros(s, dtype=np.int32),
+                     lambda *s: np.zeros(s, dtype=np.int64))
+for states, length in ((30000, 1), (1 << 28, 1), (1 << 28, 1 << 28)):
+    shape = layout(states, length)
+    for call in (
+        lambda: _engine.simulate(shape, real(0), whole(0), real(0), whole(0), real(0), 5, real(0),
+                                 whole(0), real(0), real(0), whole(0), real(0), long(0), None),
+        lambda: _engine.compose(shape, np.repeat(whole(1), 12), *[real(0)] * 6, *[whole(0)] * 2, 0),
+    ):
+        try:
+            call()
+        except MemoryError:
+            continue
+        raise SystemExit(f"{states}: no MemoryError")
+"""
+
+
+@compiled
+@pytest.mark.skipif(sys.platform != "linux", reason="limits of address space are Linux's")
+def test_too_little_memory_is_an_error_and_no_crash() -> None:
+    told = subprocess.run([sys.executable, "-c", MEMORY], capture_output=True, text=True)
+    assert (told.returncode, told.stderr) == (0, "")
