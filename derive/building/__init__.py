@@ -7,6 +7,7 @@
 `reduction`           large structures reduced to kept coordinates and modes
 `structure_matrices`  their checked matrices, and lowest modes
 `matrix_files`        matrices from files of other programs
+`doubles`             NumPy arrays and SciPy sparse matrices as binary fractions
 `frame`               coordinates, states and parameters by name
 `parts`               the elements as local regimes
 `assembly`            motion, reactions and boundaries of the products of regimes

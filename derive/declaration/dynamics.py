@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import cancel
+from nonsmooth.derive.declaration.algebra import cancel, inverse, is_surely_positive_definite
 from nonsmooth.derive.declaration.parameter import check_finite, exact
 from nonsmooth.derive.errors import DeclarationError
 
@@ -46,7 +46,7 @@ class SecondOrder:
         load = _column(self.load, size, "load")
         if load.shape != (size, 1):
             raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
-        if mass.det() == 0:
+        if not is_surely_positive_definite(mass.as_immutable()) and mass.det() == 0:
             raise DeclarationError("mass is singular")
         for attribute, value in (
             ("mass", mass),
@@ -54,7 +54,7 @@ class SecondOrder:
             ("damping", damping),
             ("load", load),
         ):
-            object.__setattr__(self, attribute, sp.ImmutableMatrix(value))
+            object.__setattr__(self, attribute, value.as_immutable())
         held = {symbol: exact(velocity) for symbol, velocity in self.held.items()}
         for symbol, velocity in held.items():
             check_finite(velocity, f"held velocity of {symbol}")
@@ -97,12 +97,12 @@ class SecondOrder:
         for i in range(size):
             matrix[i, size + i] = 1
         if free:
-            inverse = self.mass.extract(free, free).inv()
+            spread = inverse(self.mass.extract(free, free))
             rows = [size + i for i in free]
             columns = list(range(size))
-            stiffness = inverse * self.stiffness.extract(free, columns)
-            damping = inverse * self.damping.extract(free, columns)
-            load = inverse * self.load.extract(free, [0])
+            stiffness = spread * self.stiffness.extract(free, columns)
+            damping = spread * self.damping.extract(free, columns)
+            load = spread * self.load.extract(free, [0])
             for k, row in enumerate(rows):
                 matrix[row, :size] = -stiffness[k, :]
                 matrix[row, size:] = -damping[k, :]
@@ -182,8 +182,8 @@ class FirstOrder:
             raise DeclarationError(
                 f"offset has {offset.rows} values where matrix is {matrix.rows} x {matrix.rows}"
             )
-        object.__setattr__(self, "matrix", sp.ImmutableMatrix(matrix))
-        object.__setattr__(self, "offset", sp.ImmutableMatrix(offset))
+        object.__setattr__(self, "matrix", matrix.as_immutable())
+        object.__setattr__(self, "offset", offset.as_immutable())
 
     def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
         """Give the matrix A and the offset b of ``y' = A y + b``.
@@ -229,10 +229,14 @@ def _column(values: Any, size: int, what: str) -> sp.Matrix:
 def _matrix(entries: Any, what: str) -> sp.Matrix:
     """A matrix of finite, exact entries."""
     try:
-        given = sp.Matrix(entries)
+        given = entries if isinstance(entries, sp.MatrixBase) else sp.Matrix(entries)
     except (ValueError, TypeError):
         raise DeclarationError(f"{what} is no matrix of numbers and symbols") from None
-    for entry in given:
+    changed = False
+    for entry in given.todok().values():
+        if entry.is_Rational:
+            continue
+        changed = True
         try:
             check_finite(exact(entry), what)
         except DeclarationError as problem:
@@ -241,4 +245,4 @@ def _matrix(entries: Any, what: str) -> sp.Matrix:
             raise DeclarationError(f"{what} holds {entry}: {problem}") from None
         except (ValueError, TypeError):
             raise DeclarationError(f"{what} is no matrix of numbers and symbols") from None
-    return given.applyfunc(exact)
+    return given.applyfunc(exact) if changed else given
