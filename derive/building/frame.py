@@ -16,7 +16,7 @@ from nonsmooth.derive.building.doubles import (
 )
 from nonsmooth.derive.building.elements import Direction, RigidStop
 from nonsmooth.derive.building.remembering import remembered
-from nonsmooth.derive.declaration.algebra import affine_terms, cancel, inverse
+from nonsmooth.derive.declaration.algebra import affine_terms, cancel, frozen, inverse
 from nonsmooth.derive.declaration.parameter import Parameter, exact, is_positive
 from nonsmooth.derive.errors import DeclarationError
 
@@ -56,7 +56,7 @@ class Frame:
     @cached_property
     def inverse(self) -> sp.Matrix:
         """Inverse of the mass matrix."""
-        return inverse(self.mass).as_immutable()
+        return frozen(inverse(self.mass))
 
     @cached_property
     def _symbols(self) -> dict[str, sp.Symbol]:
@@ -222,8 +222,10 @@ def _inferred(symbol: sp.Symbol, restitution: bool) -> Parameter:
 
 def _symbols(value: Any) -> Iterator[sp.Symbol]:
     """Symbols of whatever may hold expressions, in order of appearance."""
+    if is_array(value):
+        return
     if isinstance(value, sp.MatrixBase):
-        yield from _symbols(list(value))
+        yield from _symbols([entry for _, entry in sorted(value.todok().items())])
     elif isinstance(value, sp.Basic):
         yield from sorted(value.free_symbols, key=str)
     elif isinstance(value, Mapping):

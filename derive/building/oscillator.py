@@ -16,7 +16,7 @@ from nonsmooth.derive.building.elements import Element, Harmonic
 from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, velocity_name
 from nonsmooth.derive.building.parts import FrictionPart
 from nonsmooth.derive.building.transitions import transitions_from
-from nonsmooth.derive.declaration.algebra import is_surely_positive_definite
+from nonsmooth.derive.declaration.algebra import frozen, is_surely_positive_definite
 from nonsmooth.derive.declaration.names import check_unique
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import System
@@ -171,7 +171,7 @@ def _assembled(
 def _mass(matrix: sp.Matrix) -> sp.Matrix:
     if matrix != matrix.T:
         raise DeclarationError("mass is not symmetric")
-    matrix = matrix.as_immutable()
+    matrix = frozen(matrix)
     if (
         not is_surely_positive_definite(matrix)
         and not matrix.free_symbols

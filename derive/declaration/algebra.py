@@ -8,7 +8,15 @@ from functools import lru_cache
 import numpy as np
 import sympy as sp
 
-__all__ = ["affine_terms", "cancel", "factor", "inverse", "is_surely_positive_definite"]
+__all__ = [
+    "affine_terms",
+    "cancel",
+    "factor",
+    "frozen",
+    "inverse",
+    "is_surely_positive_definite",
+    "symbols_of",
+]
 
 
 @lru_cache(maxsize=1 << 14)
@@ -50,6 +58,11 @@ def affine_terms(
     return {s: sp.Add(*parts) for s, parts in found.items()}, sp.Add(*rest)
 
 
+def frozen(matrix: sp.Matrix) -> sp.ImmutableMatrix:
+    """The matrix itself if it cannot change, or else a copy that cannot."""
+    return matrix if isinstance(matrix, sp.ImmutableMatrix) else matrix.as_immutable()
+
+
 def inverse(matrix: sp.Matrix) -> sp.Matrix:
     """Inverse of a square matrix, its entries cancelled; that of rational numbers by fractions."""
     if not _is_rational(matrix):
@@ -83,6 +96,11 @@ def is_surely_positive_definite(matrix: sp.ImmutableMatrix) -> bool:
     except np.linalg.LinAlgError:
         return False
     return True
+
+
+def symbols_of(matrix: sp.Matrix) -> set[sp.Symbol]:
+    """Symbols of a matrix, of its entries that are not zero."""
+    return set().union(*(entry.free_symbols for entry in matrix.todok().values()))
 
 
 def _is_rational(matrix: sp.Matrix) -> bool:

@@ -8,7 +8,13 @@ from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import cancel, inverse, is_surely_positive_definite
+from nonsmooth.derive.declaration.algebra import (
+    cancel,
+    frozen,
+    inverse,
+    is_surely_positive_definite,
+    symbols_of,
+)
 from nonsmooth.derive.declaration.parameter import check_finite, exact
 from nonsmooth.derive.errors import DeclarationError
 
@@ -46,7 +52,7 @@ class SecondOrder:
         load = _column(self.load, size, "load")
         if load.shape != (size, 1):
             raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
-        if not is_surely_positive_definite(mass.as_immutable()) and mass.det() == 0:
+        if not is_surely_positive_definite(frozen(mass)) and mass.det() == 0:
             raise DeclarationError("mass is singular")
         for attribute, value in (
             ("mass", mass),
@@ -54,7 +60,7 @@ class SecondOrder:
             ("damping", damping),
             ("load", load),
         ):
-            object.__setattr__(self, attribute, value.as_immutable())
+            object.__setattr__(self, attribute, frozen(value))
         held = {symbol: exact(velocity) for symbol, velocity in self.held.items()}
         for symbol, velocity in held.items():
             check_finite(velocity, f"held velocity of {symbol}")
@@ -152,7 +158,8 @@ class SecondOrder:
         set of symbols
         """
         matrices = (self.mass, self.stiffness, self.damping, self.load)
-        return set().union(*(m.free_symbols for m in (*matrices, *self.held.values())))
+        held = (velocity.free_symbols for velocity in self.held.values())
+        return set().union(*map(symbols_of, matrices), *held)
 
 
 @dataclass(frozen=True)
@@ -182,8 +189,8 @@ class FirstOrder:
             raise DeclarationError(
                 f"offset has {offset.rows} values where matrix is {matrix.rows} x {matrix.rows}"
             )
-        object.__setattr__(self, "matrix", matrix.as_immutable())
-        object.__setattr__(self, "offset", offset.as_immutable())
+        object.__setattr__(self, "matrix", frozen(matrix))
+        object.__setattr__(self, "offset", frozen(offset))
 
     def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
         """Give the matrix A and the offset b of ``y' = A y + b``.
@@ -207,7 +214,7 @@ class FirstOrder:
         -------
         set of symbols
         """
-        return set(self.matrix.free_symbols | self.offset.free_symbols)
+        return symbols_of(self.matrix) | symbols_of(self.offset)
 
 
 Dynamics = SecondOrder | FirstOrder

@@ -169,4 +169,4 @@ def _value_on(system: System, function: sp.Expr, surfaces: Iterable[sp.Expr]) ->
 
 def _support(row: sp.Matrix) -> list[int]:
     """Where a row has entries."""
-    return [i for i, entry in enumerate(row) if entry != 0]
+    return sorted(place for _, place in row.reshape(1, len(row)).todok())
