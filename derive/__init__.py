@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from nonsmooth.derive.building import (
         Friction,
         Harmonic,
+        ReducedStructure,
         Regions,
         RigidStop,
         Slider,
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
         Terms,
         chain_matrices,
         oscillator,
+        read_matrices,
+        reduce_structure,
     )
     from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
     from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
@@ -60,6 +63,7 @@ __all__ = [
     "Parameter",
     "Phase",
     "Presentation",
+    "ReducedStructure",
     "Reference",
     "Regions",
     "RigidStop",
@@ -73,6 +77,8 @@ __all__ = [
     "derive_equations",
     "dry_friction",
     "oscillator",
+    "read_matrices",
+    "reduce_structure",
 ]
 
 _HOMES = {
@@ -86,7 +92,9 @@ _HOMES = {
         "Terms",
     ),
     "building.matrices": ("chain_matrices",),
+    "building.matrix_files": ("read_matrices",),
     "building.oscillator": ("oscillator",),
+    "building.reduction": ("ReducedStructure", "reduce_structure"),
     "declaration.configuration": (
         "Boundary",
         "Configuration",

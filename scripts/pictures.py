@@ -23,6 +23,7 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 # what stands for a file of the gallery: an orbit, or a start and how long it is followed
 ORBITS = {
     "backlash_gear": ("rattle", "phase"),
+    "beam": ("one-contact", "phase"),
     "brake_pad": ("lifting", "phase"),
     "den_hartog": ("without-rest", "phase"),
     "impact_oscillator": ("one-period", "phase"),

@@ -1,17 +1,21 @@
 """Oscillators from matrices and elements: stops, friction, sliders, forcing.
 
-===============  ==============================================================
-`oscillator`     the one function: matrices and elements to a System
-`elements`       RigidStop, SoftStop, Friction, Slider, Regions, Harmonic
-`matrices`       the matrices of a chain of masses
-`frame`          coordinates, states and parameters by name
-`parts`          the elements as local regimes
-`assembly`       motion, reactions and boundaries of the products of regimes
-`constraints`    what the elements need of the parameters
-`impacts`        Newton's law of impact for any mass matrix
-`resting`        contacts at rest: the small complementarity problem
-`loads`          contacts with friction that lift, land, are exhausted or recover
-===============  ==============================================================
+====================  =========================================================
+`oscillator`          the one function: matrices and elements to a System
+`elements`            RigidStop, SoftStop, Friction, Slider, Regions, Harmonic
+`matrices`            the matrices of a chain of masses
+`reduction`           large structures reduced to kept coordinates and modes
+`structure_matrices`  their checked matrices, and lowest modes
+`matrix_files`        matrices from files of other programs
+`doubles`             NumPy arrays and SciPy sparse matrices as binary fractions
+`frame`               coordinates, states and parameters by name
+`parts`               the elements as local regimes
+`assembly`            motion, reactions and boundaries of the products of regimes
+`constraints`         what the elements need of the parameters
+`impacts`             Newton's law of impact for any mass matrix
+`resting`             contacts at rest: the small complementarity problem
+`loads`               contacts with friction that lift, land, are exhausted or recover
+====================  =========================================================
 """
 
 from nonsmooth.derive.building.elements import (
@@ -25,12 +29,15 @@ from nonsmooth.derive.building.elements import (
     Terms,
 )
 from nonsmooth.derive.building.matrices import chain_matrices
+from nonsmooth.derive.building.matrix_files import read_matrices
 from nonsmooth.derive.building.oscillator import oscillator
+from nonsmooth.derive.building.reduction import ReducedStructure, reduce_structure
 
 __all__ = [
     "Element",
     "Friction",
     "Harmonic",
+    "ReducedStructure",
     "Regions",
     "RigidStop",
     "Slider",
@@ -38,4 +45,6 @@ __all__ = [
     "Terms",
     "chain_matrices",
     "oscillator",
+    "read_matrices",
+    "reduce_structure",
 ]

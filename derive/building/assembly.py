@@ -8,9 +8,10 @@ from itertools import product
 
 import sympy as sp
 
-from nonsmooth.derive.building.frame import Frame
+from nonsmooth.derive.building.frame import Frame, along
 from nonsmooth.derive.building.parts import FrictionPart, Part, StopPart, SwitchPart
 from nonsmooth.derive.building.remembering import remembered
+from nonsmooth.derive.declaration.algebra import inverse
 from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
 from nonsmooth.derive.declaration.dynamics import Dynamics, FirstOrder, SecondOrder
 
@@ -97,13 +98,16 @@ class Assembly:
         return sp.Matrix.vstack(sp.zeros(0, size), *(self.holder(i).direction for i in indices))
 
     @remembered
-    def _independent(self, indices: tuple[int, ...]) -> bool:
-        return bool(self.rows(indices).rank() == len(indices))
+    def independent(self, indices: tuple[int, ...]) -> bool:
+        """Whether no direction of these parts follows from the others."""
+        rows = self.rows(indices)
+        columns = sorted({place for _, place in rows.todok()})
+        return bool(rows.extract(list(range(rows.rows)), columns).rank() == len(indices))
 
     @remembered
     def _drift(self, index: int, active: tuple[int, ...]) -> sp.Expr | None:
         """Constant velocity of a direction that the active ones fix; relative to a belt."""
-        if not active or self._independent((*active, index)):
+        if not active or self.independent((*active, index)):
             return None
         part, rows = self.holder(index), self.rows(active)
         weights = part.direction * rows.T * (rows * rows.T).inv()
@@ -117,7 +121,7 @@ class Assembly:
     def approach(self, index: int, others: Sequence[int]) -> int | None:
         """Sign of a stop's velocity of approach, others having theirs; None if open."""
         indices = tuple(i for i in others if i != index)
-        while not self._independent(indices):
+        while not self.independent(indices):
             indices = indices[:-1]
         drift = self._drift(index, indices)
         return None if drift is None else self.frame.sign(drift)
@@ -129,7 +133,7 @@ class Assembly:
         The active directions are independent, none slips against its velocity, and a contact
         that a soft stop presses is lifted where the stop does not touch.
         """
-        if not self._independent(self.active(regimes)):
+        if not self.independent(self.active(regimes)):
             return False
         for i, (part, regime) in enumerate(zip(self.parts, regimes, strict=True)):
             if not isinstance(part, FrictionPart):
@@ -153,13 +157,13 @@ class Assembly:
 
         Both for a unit velocity of approach; None if the kept contacts leave it no way.
         """
-        part, inverse = self.stop(stop), self.frame.inverse
-        spread, answers = inverse * part.direction.T, sp.zeros(0, 1)
+        part, every = self.stop(stop), self.frame.inverse
+        spread, answers = every * part.direction.T, sp.zeros(0, 1)
         if kept:
             rows = self.rows(kept)
-            inner = (rows * inverse * rows.T).applyfunc(sp.cancel)
+            inner = (rows * every * rows.T).applyfunc(sp.cancel)
             answers = -(inner.inv() * rows * spread).applyfunc(sp.cancel)
-            spread = spread + inverse * rows.T * answers
+            spread = spread + every * rows.T * answers
         effective = sp.cancel((part.direction * spread)[0])
         if effective == 0:
             return None
@@ -197,11 +201,17 @@ class Assembly:
         """Coordinate and weight of each active part; None where one holds no coordinate."""
         found = {}
         for i in active:
-            places = [j for j, weight in enumerate(self.holder(i).direction) if weight != 0]
-            if len(places) != 1:
+            weights = self.holder(i).direction.todok()
+            if len(weights) != 1:
                 return None
-            found[i] = (places[0], self.holder(i).direction[places[0]])
+            (((_, place), weight),) = weights.items()
+            found[i] = (place, weight)
         return found
+
+    @remembered
+    def _spread(self, free: tuple[int, ...]) -> sp.Matrix:
+        """Inverse of the mass of some coordinates, the others held."""
+        return inverse(self.frame.mass.extract(free, free))
 
     @remembered
     def _motion(self, regimes: Regimes) -> tuple[sp.Matrix, dict[int, sp.Expr]]:
@@ -220,15 +230,13 @@ class Assembly:
             free = [j for j in range(len(frame.positions)) if j not in fixed]
             acceleration = sp.zeros(len(frame.positions), 1)
             if free:
-                inverse = (
-                    frame.mass.extract(free, free).inv().applyfunc(sp.cancel)
-                    if fixed
-                    else frame.inverse
-                )
-                for j, value in zip(free, inverse * forces.extract(free, [0]), strict=True):
+                spread = self._spread(tuple(free)) if fixed else frame.inverse
+                for j, value in zip(free, spread * forces.extract(free, [0]), strict=True):
                     acceleration[j] = value
-            needed = frame.mass * acceleration - forces
-            reactions = {i: needed[place] / weight for i, (place, weight) in held.items()}
+            reactions = {
+                i: (along(frame.mass.row(place), acceleration) - forces[place]) / weight
+                for i, (place, weight) in held.items()
+            }
         acceleration = acceleration.applyfunc(lambda f: frame.tidy(sp.expand(f)))
         return (
             sp.ImmutableMatrix(acceleration),
@@ -258,9 +266,9 @@ class Assembly:
             zero = dict.fromkeys(frame.states, sp.S.Zero)
             return SecondOrder(
                 frame.mass,
-                -forces.jacobian(sp.Matrix(frame.positions)).applyfunc(sp.expand),
+                -frame.matrix_of(forces, frame.positions),
                 tuple(forces.xreplace(zero)),
-                -forces.jacobian(sp.Matrix(frame.velocities)).applyfunc(sp.expand),
+                -frame.matrix_of(forces, frame.velocities),
                 {
                     frame.positions[place]: self.holder(i).speed / weight
                     for i, (place, weight) in held.items()
@@ -273,11 +281,9 @@ class Assembly:
                 own[state] = rate
         rates = [*frame.velocities, *self._motion(regimes)[0]]
         rates += [own.get(state, sp.S.Zero) for state in frame.others]
-        functions = sp.Matrix(rates)
         assert len(rates) == 2 * size + len(frame.others)
-        matrix = functions.jacobian(sp.Matrix(frame.states))
-        offset = functions.xreplace(dict.fromkeys(frame.states, sp.S.Zero))
-        return FirstOrder(matrix, tuple(offset))
+        offset = tuple(frame.terms(rate)[1] for rate in rates)
+        return FirstOrder(frame.matrix_of(rates, frame.states), offset)
 
     def configuration(self, regimes: Regimes) -> Configuration:
         """The configuration of a product of regimes."""

@@ -2,7 +2,7 @@
 
 Values may be numbers or SymPy expressions of parameters. A direction is the name of a
 coordinate, or a mapping of coordinates to weights: ``{"x2": 1, "x1": -1}`` is the relative
-coordinate x2 - x1. Units are the user's own, consistent.
+coordinate x2 - x1; or a vector of n weights. Units are the user's own, consistent.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from nonsmooth.derive.building.doubles import is_array, values_of_doubles
 from nonsmooth.derive.declaration.parameter import exact
 from nonsmooth.derive.errors import DeclarationError
 
@@ -26,7 +27,7 @@ __all__ = [
     "Terms",
 ]
 
-Direction = str | Mapping[str, Any]
+Direction = str | Mapping[str, Any] | Sequence[Any]
 
 
 class Element(Protocol):
@@ -109,7 +110,7 @@ class RigidStop:
 
     def __post_init__(self) -> None:
         _check_side(self.side)
-        _name(self, f"{direction_name(self.coordinate)}-{self.side}")
+        _settle_direction(self, f"-{self.side}")
         _check(self.restitution, f"restitution of {self.name!r}", lower=0, upper=1)
 
 
@@ -162,7 +163,7 @@ class SoftStop:
 
     def __post_init__(self) -> None:
         _check_side(self.side)
-        _name(self, f"{direction_name(self.coordinate)}-{self.side}")
+        _settle_direction(self, f"-{self.side}")
         _check(self.stiffness, f"stiffness of {self.name!r}", lower=0)
         _check(self.damping, f"damping of {self.name!r}", lower=0)
         if self.released not in ("gap", "force"):
@@ -237,7 +238,7 @@ class Friction:
     name: str = ""
 
     def __post_init__(self) -> None:
-        _name(self, direction_name(self.coordinate))
+        _settle_direction(self)
         if self.static is None:
             object.__setattr__(self, "static", self.kinetic)
         _check(self.kinetic, f"kinetic friction of {self.name!r}", lower=0)
@@ -289,7 +290,7 @@ class Slider:
     name: str = ""
 
     def __post_init__(self) -> None:
-        _name(self, direction_name(self.coordinate))
+        _settle_direction(self)
         _check(self.stiffness, f"stiffness of {self.name!r}", lower=0, strict=True)
         _check(self.limit, f"limit of {self.name!r}", lower=0, strict=True)
 
@@ -345,11 +346,20 @@ class Regions:
 
 def direction_name(direction: Direction) -> str:
     """Name of a coordinate, or those of a direction, joined."""
-    return direction if isinstance(direction, str) else "-".join(direction)
+    if isinstance(direction, str):
+        return direction
+    if not isinstance(direction, Mapping):
+        raise DeclarationError("an element whose direction is a vector needs a name")
+    return "-".join(direction)
 
 
-def _name(element: Any, default: str) -> None:
-    object.__setattr__(element, "name", element.name or default)
+def _settle_direction(element: Any, ending: str = "") -> None:
+    """Name an element by its direction if it has no name, and keep a vector as numbers."""
+    direction = element.coordinate
+    object.__setattr__(element, "name", element.name or direction_name(direction) + ending)
+    if is_array(direction):
+        weights = values_of_doubles(direction, f"element {element.name!r}")
+        object.__setattr__(element, "coordinate", tuple(weights))
 
 
 def _check_side(side: str) -> None:

@@ -9,12 +9,20 @@ from typing import Any
 
 import sympy as sp
 
+from nonsmooth.derive.building.doubles import (
+    is_array,
+    matrix_of_doubles,
+    values_of_doubles,
+)
 from nonsmooth.derive.building.elements import Direction, RigidStop
 from nonsmooth.derive.building.remembering import remembered
+from nonsmooth.derive.declaration.algebra import affine_terms, cancel, frozen, inverse
 from nonsmooth.derive.declaration.parameter import Parameter, exact, is_positive
 from nonsmooth.derive.errors import DeclarationError
 
-__all__ = ["Frame", "inferred_parameters", "velocity_name"]
+__all__ = ["Frame", "along", "inferred_parameters", "velocity_name"]
+
+_LISTED = 12
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,9 +50,13 @@ class Frame:
         return (*self.positions, *self.velocities, *self.others)
 
     @cached_property
+    def _known(self) -> frozenset[sp.Symbol]:
+        return frozenset(self.states)
+
+    @cached_property
     def inverse(self) -> sp.Matrix:
         """Inverse of the mass matrix."""
-        return sp.ImmutableMatrix(self.mass.inv().applyfunc(sp.cancel))
+        return frozen(inverse(self.mass))
 
     @cached_property
     def _symbols(self) -> dict[str, sp.Symbol]:
@@ -64,6 +76,8 @@ class Frame:
         if isinstance(given, Mapping):
             self._check_coordinates(given, what)
             given = [given.get(name, 0) for name in names]
+        if is_array(given):
+            given = values_of_doubles(given, what)
         if given is None or len(given) == 0:
             return sp.zeros(len(names), 1)
         if len(given) != len(names):
@@ -86,28 +100,41 @@ class Frame:
 
     def position(self, row: sp.Matrix) -> sp.Expr:
         """Position along a direction."""
-        return (row * sp.Matrix(self.positions))[0]
+        return along(row, self.positions)
 
     def velocity(self, row: sp.Matrix) -> sp.Expr:
         """Velocity along a direction."""
-        return (row * sp.Matrix(self.velocities))[0]
+        return along(row, self.velocities)
 
     def affine(self, function: Any, where: str) -> sp.Expr:
         """An affine function of the state; DeclarationError if it is none."""
         function = self.expression(function)
-        slopes = [sp.diff(function, s) for s in self.states]
-        if any(slope.free_symbols & set(self.states) for slope in slopes):
+        slopes, _ = self.terms(function)
+        if any(slope.free_symbols & self._known for slope in slopes.values()):
             raise DeclarationError(f"{where}: {function} is not affine in the state")
         return function
 
     @remembered
     def tidy(self, function: sp.Expr) -> sp.Expr:
         """An affine function of the state with simplified coefficients."""
-        slopes = [sp.diff(function, s) for s in self.states]
-        constant = function.xreplace(dict.fromkeys(self.states, sp.S.Zero))
-        return sp.cancel(constant) + sum(
-            sp.cancel(slope) * s for slope, s in zip(slopes, self.states, strict=True) if slope != 0
-        )
+        slopes, constant = self.terms(function)
+        return sp.Add(cancel(constant), *(cancel(slope) * s for s, slope in slopes.items()))
+
+    def terms(self, function: sp.Expr) -> tuple[dict[sp.Symbol, sp.Expr], sp.Expr]:
+        """Coefficients of the states in an affine function, and its constant."""
+        return affine_terms(function, self._known)
+
+    def matrix_of(self, functions: Iterable[sp.Expr], states: Sequence[sp.Symbol]) -> sp.Matrix:
+        """Rows of the coefficients of some states in affine functions."""
+        columns = {s: j for j, s in enumerate(states)}
+        rows = [self.terms(function)[0] for function in functions]
+        entries = {
+            (i, columns[s]): sp.expand(slope)
+            for i, row in enumerate(rows)
+            for s, slope in row.items()
+            if s in columns
+        }
+        return sp.Matrix.from_dok(len(rows), len(states), entries)
 
     @remembered
     def sign(self, expression: sp.Expr) -> int | None:
@@ -123,17 +150,24 @@ class Frame:
         known = [str(s) for s in self.positions]
         for name in names:
             if name not in known:
-                raise DeclarationError(
-                    f"{what}: unknown coordinate {name!r} (known: {', '.join(known)})"
-                )
+                listed = ", ".join(known[:_LISTED]) + (", ..." if len(known) > _LISTED else "")
+                raise DeclarationError(f"{what}: unknown coordinate {name!r} (known: {listed})")
+
+
+def along(row: sp.Matrix, values: Sequence[sp.Expr]) -> sp.Expr:
+    """A row of weights times as many values."""
+    return sp.Add(*(weight * values[j] for (_, j), weight in row.todok().items()))
 
 
 def square(given: Any, what: str, size: int, resolved: Any = exact) -> sp.Matrix:
     """A matrix of the given size, its entries resolved."""
-    try:
-        matrix = sp.Matrix(given)
-    except (TypeError, ValueError):
-        raise DeclarationError(f"{what} is no matrix: {given!r}") from None
+    if is_array(given):
+        matrix = matrix_of_doubles(given, what)
+    else:
+        try:
+            matrix = given.as_mutable() if isinstance(given, sp.MatrixBase) else sp.Matrix(given)
+        except (TypeError, ValueError):
+            raise DeclarationError(f"{what} is no matrix: {given!r}") from None
     if matrix.shape != (size, size):
         raise DeclarationError(
             f"{what} is {matrix.rows} x {matrix.cols}, not {size} x {size} as there are coordinates"
@@ -188,8 +222,10 @@ def _inferred(symbol: sp.Symbol, restitution: bool) -> Parameter:
 
 def _symbols(value: Any) -> Iterator[sp.Symbol]:
     """Symbols of whatever may hold expressions, in order of appearance."""
+    if is_array(value):
+        return
     if isinstance(value, sp.MatrixBase):
-        yield from _symbols(list(value))
+        yield from _symbols([entry for _, entry in sorted(value.todok().items())])
     elif isinstance(value, sp.Basic):
         yield from sorted(value.free_symbols, key=str)
     elif isinstance(value, Mapping):

@@ -16,6 +16,7 @@ from itertools import chain, combinations, permutations, product
 import sympy as sp
 
 from nonsmooth.derive.building.assembly import Assembly, Regimes
+from nonsmooth.derive.building.frame import along
 from nonsmooth.derive.building.parts import FrictionPart, StopPart
 from nonsmooth.derive.building.resting import changed
 from nonsmooth.derive.declaration.transition import Condition
@@ -110,12 +111,12 @@ def _at_once(
                 continue
             right = sp.Matrix([wanted[i] for i in struck])
             impulses = (inner.inv() * right).applyfunc(sp.expand)
-            along = _touching(assembly, regimes, next(i for i in struck if i in reached))
-            conditions = [Condition(impulse, along) for impulse in impulses]
+            touching = _touching(assembly, regimes, next(i for i in struck if i in reached))
+            conditions = [Condition(impulse, touching) for impulse in impulses]
             for i in stops:
                 if i not in struck:
                     left = (assembly.stop(i).direction * inverse * rows.T * impulses)[0]
-                    conditions.append(Condition(sp.expand(wanted[i] - left), along, holds=False))
+                    conditions.append(Condition(sp.expand(wanted[i] - left), touching, holds=False))
             following = regimes
             for i in closed:
                 if i not in struck:
@@ -133,7 +134,7 @@ def _struck(
         return
     stop, *others = stops
     part = assembly.stop(stop)
-    approach = (part.direction * velocities)[0]
+    approach = along(part.direction, velocities)
     arrives = Condition(approach, _touching(assembly, regimes, stop))
     closed = _closed(assembly, regimes, [stop])
     for kept in chain.from_iterable(combinations(closed, k) for k in range(len(closed), -1, -1)):
@@ -153,7 +154,9 @@ def _struck(
         for i in closed:
             if i not in kept:
                 following = changed(following, i, "free")
-        after = (velocities + change * approach).expand()
+        after = sp.Matrix(velocities)
+        for (place, _), step in change.todok().items():
+            after[place] = sp.expand(after[place] + step * approach)
         for more, final, last in _struck(assembly, following, others, after):
             yield (arrives, *holds, *more), final, last
         if not holds:
@@ -188,14 +191,17 @@ def _settled(
 ) -> Iterator[_Impact]:
     """Regimes of friction behind impacts, by the sign of each velocity that has jumped."""
     velocities = assembly.frame.velocities
-    jump = (after - sp.Matrix(velocities)).expand()
+    jump = [
+        sp.S.Zero if new == old else sp.expand(new - old)
+        for new, old in zip(after, velocities, strict=True)
+    ]
     behind = dict(zip(velocities, after, strict=True))
-    along = conditions[0].along
+    touching = conditions[0].along
     members = [i for i in assembly.holders if isinstance(assembly.parts[i], FrictionPart)]
     options: list[tuple[tuple[str, tuple[Condition, ...]], ...]] = []
     for i in members:
         part = assembly.friction(i)
-        step = sp.expand((part.direction * jump)[0])
+        step = sp.expand(along(part.direction, jump))
         load = sp.expand(part.load.xreplace(behind))
         loads = part.lifts and sp.expand(load - part.load) != 0
         lifted = following[i] == "lifted" and not (loads or i in landing)
@@ -213,7 +219,7 @@ def _settled(
                 ways.append((regime, ()))
                 break
             if sign != -1:
-                ways.append((regime, (Condition(function, along),)))
+                ways.append((regime, (Condition(function, touching),)))
         else:
             ways.append(("stick", ()))
         options.append(tuple(ways))

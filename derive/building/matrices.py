@@ -67,8 +67,10 @@ def chain_matrices(
 
 def _joined(links: Sequence[Any], count: int, left: int) -> sp.Matrix:
     """Sum of links, the first between the masses `left` and `left` + 1; outside is the ground."""
-    total = sp.zeros(count, count)
+    total: dict[tuple[int, int], sp.Expr] = {}
     for place, link in enumerate(map(exact, links), start=left):
-        row = sp.Matrix([[(i == place + 1) - (i == place) for i in range(count)]])
-        total += link * row.T * row
-    return total
+        ends = [(j, sign) for j, sign in ((place, -1), (place + 1, 1)) if 0 <= j < count]
+        for i, first in ends:
+            for j, second in ends:
+                total[i, j] = total.get((i, j), sp.S.Zero) + first * second * link
+    return sp.Matrix.from_dok(count, count, total)

@@ -16,6 +16,7 @@ from nonsmooth.derive.building.elements import Element, Harmonic
 from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, velocity_name
 from nonsmooth.derive.building.parts import FrictionPart
 from nonsmooth.derive.building.transitions import transitions_from
+from nonsmooth.derive.declaration.algebra import frozen, is_surely_positive_definite
 from nonsmooth.derive.declaration.names import check_unique
 from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.system import System
@@ -52,6 +53,8 @@ def oscillator(
         Positions; the velocity of x1 is v1, that of phi is v_phi.
     mass, stiffness, damping : n x n matrices
         Numbers or expressions; mass symmetric and positive definite. No damping when omitted.
+        NumPy arrays and SciPy sparse matrices are taken as the binary fractions that they hold,
+        numbers in lists as their shortest decimals.
     load : n values, or mapping of coordinate to value
         Constant forces.
     forcing : sequence of Harmonic
@@ -168,9 +171,14 @@ def _assembled(
 def _mass(matrix: sp.Matrix) -> sp.Matrix:
     if matrix != matrix.T:
         raise DeclarationError("mass is not symmetric")
-    if not matrix.free_symbols and not matrix.is_positive_definite:
+    matrix = frozen(matrix)
+    if (
+        not is_surely_positive_definite(matrix)
+        and not matrix.free_symbols
+        and not matrix.is_positive_definite
+    ):
         raise DeclarationError("mass is not positive definite")
-    return sp.ImmutableMatrix(matrix)
+    return matrix
 
 
 def _given(stiffness: Any, what: str) -> Any:

@@ -20,17 +20,17 @@ def pins(
     A held coordinate is set; otherwise all active directions are projected upon together.
     """
     frame = assembly.frame
-    rows = assembly.rows(begun)
-    if all(sum(weight != 0 for weight in rows.row(k)) == 1 for k in range(rows.rows)):
-        found: dict[sp.Symbol, sp.Expr] = {}
+    weights = {i: assembly.holder(i).direction.todok() for i in begun}
+    if all(len(found) == 1 for found in weights.values()):
+        pinned: dict[sp.Symbol, sp.Expr] = {}
         for i in begun:
             part = assembly.holder(i)
-            place = next(k for k, weight in enumerate(part.direction) if weight != 0)
-            weight, position = part.direction[place], frame.positions[place]
+            (((_, place), weight),) = weights[i].items()
+            position = frame.positions[place]
             if isinstance(part, StopPart):
-                found[position] = sp.cancel((weight * position - part.gap) / weight)
-            found[frame.velocities[place]] = part.speed / weight
-        return found
+                pinned[position] = sp.cancel((weight * position - part.gap) / weight)
+            pinned[frame.velocities[place]] = part.speed / weight
+        return pinned
     if impact:
         return {}
     active = assembly.active(target)

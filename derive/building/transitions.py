@@ -49,7 +49,7 @@ def _exclusive(assembly: Assembly, regimes: Regimes, reached: Mapping[int, froze
             if not part.lifts and part.bearer not in reached:
                 return True
     stops = [i for i in reached if isinstance(assembly.parts[i], StopPart) and regimes[i] == "free"]
-    return bool(assembly.rows(stops).rank() < len(stops))
+    return not assembly.independent(tuple(stops))
 
 
 def _event(

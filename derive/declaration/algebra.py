@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from functools import lru_cache
 
+import numpy as np
 import sympy as sp
 
-__all__ = ["cancel", "factor"]
+__all__ = [
+    "affine_terms",
+    "cancel",
+    "factor",
+    "frozen",
+    "inverse",
+    "is_surely_positive_definite",
+    "symbols_of",
+]
 
 
 @lru_cache(maxsize=1 << 14)
@@ -19,3 +29,79 @@ def cancel(expression: sp.Expr) -> sp.Expr:
 def factor(expression: sp.Expr) -> sp.Expr:
     """Product of irreducible factors, as SymPy gives it."""
     return expression if expression.is_Atom else sp.factor(expression)
+
+
+def affine_terms(
+    function: sp.Expr, states: Set[sp.Symbol]
+) -> tuple[dict[sp.Symbol, sp.Expr], sp.Expr]:
+    """Coefficients of the states that occur, and the rest, of an affine function of them.
+
+    Terms are read off, so that functions of many states cost what they have of terms. Where the
+    function is not affine a coefficient depends on a state.
+    """
+    found: dict[sp.Symbol, list[sp.Expr]] = {}
+    rest = []
+    for term in sp.Add.make_args(function):
+        here = term.free_symbols & states
+        if not here:
+            rest.append(term)
+        elif term.is_Symbol:
+            found.setdefault(term, []).append(sp.S.One)
+        elif len(here) == 1 and term.is_Mul and term.args.count(symbol := here.pop()) == 1:
+            others = [factor for factor in term.args if factor != symbol]
+            found.setdefault(symbol, []).append(term.func(*others))
+        else:
+            here = term.free_symbols & states
+            for symbol in sorted(here, key=str):
+                found.setdefault(symbol, []).append(sp.diff(term, symbol))
+            rest.append(term.xreplace(dict.fromkeys(here, sp.S.Zero)))
+    return {s: sp.Add(*parts) for s, parts in found.items()}, sp.Add(*rest)
+
+
+def frozen(matrix: sp.Matrix) -> sp.ImmutableMatrix:
+    """The matrix itself if it cannot change, or else a copy that cannot."""
+    return matrix if isinstance(matrix, sp.ImmutableMatrix) else matrix.as_immutable()
+
+
+def inverse(matrix: sp.Matrix) -> sp.Matrix:
+    """Inverse of a square matrix, its entries cancelled; that of rational numbers by fractions."""
+    if not _is_rational(matrix):
+        return matrix.as_mutable().inv().applyfunc(cancel)
+    if matrix.is_diagonal():
+        entries = {place: 1 / entry for place, entry in matrix.todok().items()}
+        return sp.Matrix.from_dok(*matrix.shape, entries)
+    return matrix.to_DM().to_field().inv().to_Matrix()
+
+
+@lru_cache(maxsize=64)
+def is_surely_positive_definite(matrix: sp.ImmutableMatrix) -> bool:
+    """Whether a matrix of rational numbers is shown to be positive definite in double precision.
+
+    Cholesky's factor of the matrix less a bound of all rounding errors exists (Rump 2006). False
+    means "not shown": the matrix may be singular nearly, or hold symbols.
+    """
+    if not _is_rational(matrix) or matrix != matrix.T:
+        return False
+    try:
+        numbers = np.array(matrix.tolist(), dtype=float)
+    except OverflowError:
+        return False
+    size = len(numbers)
+    largest, trace = abs(numbers).max(), abs(numbers.diagonal()).sum()
+    rounding = 4 * (size + 2) * np.finfo(float).eps * (trace + size * largest)
+    if not (np.isfinite(rounding) and rounding > 1e-280):  # nothing overflows or underflows
+        return False
+    try:
+        np.linalg.cholesky(numbers - rounding * np.eye(size))
+    except np.linalg.LinAlgError:
+        return False
+    return True
+
+
+def symbols_of(matrix: sp.Matrix) -> set[sp.Symbol]:
+    """Symbols of a matrix, of its entries that are not zero."""
+    return set().union(*(entry.free_symbols for entry in matrix.todok().values()))
+
+
+def _is_rational(matrix: sp.Matrix) -> bool:
+    return all(entry.is_Rational for entry in matrix.todok().values())

@@ -8,7 +8,13 @@ from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import cancel
+from nonsmooth.derive.declaration.algebra import (
+    cancel,
+    frozen,
+    inverse,
+    is_surely_positive_definite,
+    symbols_of,
+)
 from nonsmooth.derive.declaration.parameter import check_finite, exact
 from nonsmooth.derive.errors import DeclarationError
 
@@ -46,7 +52,7 @@ class SecondOrder:
         load = _column(self.load, size, "load")
         if load.shape != (size, 1):
             raise DeclarationError(f"load has {load.rows} values where mass is {size} x {size}")
-        if mass.det() == 0:
+        if not is_surely_positive_definite(frozen(mass)) and mass.det() == 0:
             raise DeclarationError("mass is singular")
         for attribute, value in (
             ("mass", mass),
@@ -54,7 +60,7 @@ class SecondOrder:
             ("damping", damping),
             ("load", load),
         ):
-            object.__setattr__(self, attribute, sp.ImmutableMatrix(value))
+            object.__setattr__(self, attribute, frozen(value))
         held = {symbol: exact(velocity) for symbol, velocity in self.held.items()}
         for symbol, velocity in held.items():
             check_finite(velocity, f"held velocity of {symbol}")
@@ -97,12 +103,12 @@ class SecondOrder:
         for i in range(size):
             matrix[i, size + i] = 1
         if free:
-            inverse = self.mass.extract(free, free).inv()
+            spread = inverse(self.mass.extract(free, free))
             rows = [size + i for i in free]
             columns = list(range(size))
-            stiffness = inverse * self.stiffness.extract(free, columns)
-            damping = inverse * self.damping.extract(free, columns)
-            load = inverse * self.load.extract(free, [0])
+            stiffness = spread * self.stiffness.extract(free, columns)
+            damping = spread * self.damping.extract(free, columns)
+            load = spread * self.load.extract(free, [0])
             for k, row in enumerate(rows):
                 matrix[row, :size] = -stiffness[k, :]
                 matrix[row, size:] = -damping[k, :]
@@ -152,7 +158,8 @@ class SecondOrder:
         set of symbols
         """
         matrices = (self.mass, self.stiffness, self.damping, self.load)
-        return set().union(*(m.free_symbols for m in (*matrices, *self.held.values())))
+        held = (velocity.free_symbols for velocity in self.held.values())
+        return set().union(*map(symbols_of, matrices), *held)
 
 
 @dataclass(frozen=True)
@@ -182,8 +189,8 @@ class FirstOrder:
             raise DeclarationError(
                 f"offset has {offset.rows} values where matrix is {matrix.rows} x {matrix.rows}"
             )
-        object.__setattr__(self, "matrix", sp.ImmutableMatrix(matrix))
-        object.__setattr__(self, "offset", sp.ImmutableMatrix(offset))
+        object.__setattr__(self, "matrix", frozen(matrix))
+        object.__setattr__(self, "offset", frozen(offset))
 
     def field(self, states: Sequence[sp.Symbol]) -> tuple[sp.Matrix, sp.Matrix]:
         """Give the matrix A and the offset b of ``y' = A y + b``.
@@ -207,7 +214,7 @@ class FirstOrder:
         -------
         set of symbols
         """
-        return set(self.matrix.free_symbols | self.offset.free_symbols)
+        return symbols_of(self.matrix) | symbols_of(self.offset)
 
 
 Dynamics = SecondOrder | FirstOrder
@@ -229,10 +236,14 @@ def _column(values: Any, size: int, what: str) -> sp.Matrix:
 def _matrix(entries: Any, what: str) -> sp.Matrix:
     """A matrix of finite, exact entries."""
     try:
-        given = sp.Matrix(entries)
+        given = entries if isinstance(entries, sp.MatrixBase) else sp.Matrix(entries)
     except (ValueError, TypeError):
         raise DeclarationError(f"{what} is no matrix of numbers and symbols") from None
-    for entry in given:
+    changed = False
+    for entry in given.todok().values():
+        if entry.is_Rational:
+            continue
+        changed = True
         try:
             check_finite(exact(entry), what)
         except DeclarationError as problem:
@@ -241,4 +252,4 @@ def _matrix(entries: Any, what: str) -> sp.Matrix:
             raise DeclarationError(f"{what} holds {entry}: {problem}") from None
         except (ValueError, TypeError):
             raise DeclarationError(f"{what} is no matrix of numbers and symbols") from None
-    return given.applyfunc(exact)
+    return given.applyfunc(exact) if changed else given

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from nonsmooth.derive.declaration.algebra import is_surely_positive_definite
 from nonsmooth.derive.declaration.dynamics import SecondOrder
 from nonsmooth.derive.declaration.names import check_name
 from nonsmooth.derive.declaration.parameter import Parameter, is_positive
@@ -66,6 +67,8 @@ def _check_mass(configuration: Configuration, parameters: tuple[Parameter, ...])
 @lru_cache(maxsize=256)
 def _fault(mass: sp.ImmutableMatrix, parameters: tuple[Parameter, ...]) -> str:
     """What a mass matrix lacks: symmetry, or a positive leading minor; else nothing."""
+    if is_surely_positive_definite(mass):
+        return ""
     for i in range(mass.rows):
         for j in range(i):
             if sp.cancel(mass[i, j] - mass[j, i]) != 0:
@@ -166,4 +169,4 @@ def _value_on(system: System, function: sp.Expr, surfaces: Iterable[sp.Expr]) ->
 
 def _support(row: sp.Matrix) -> list[int]:
     """Where a row has entries."""
-    return [i for i, entry in enumerate(row) if entry != 0]
+    return sorted(place for _, place in row.reshape(1, len(row)).todok())

@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.algebra import cancel
+from nonsmooth.derive.declaration.algebra import affine_terms, cancel, is_surely_positive_definite
 from nonsmooth.derive.declaration.configuration import Configuration, Contact
 from nonsmooth.derive.declaration.contact_law import ContactLaw
 from nonsmooth.derive.declaration.dynamics import SecondOrder
@@ -279,7 +279,8 @@ class System:
                     raise DeclarationError(f"{where}: held coordinate {symbol} is not a position")
             held = dynamics.held_at(self.states)
             free = [i for i in range(dynamics.mass.rows) if i not in held]
-            if free and dynamics.mass.extract(free, free).det() == 0:
+            surely = is_surely_positive_definite(dynamics.mass)
+            if free and not surely and dynamics.mass.extract(free, free).det() == 0:
                 raise DeclarationError(f"{where}: mass of the free coordinates is singular")
         elif dynamics.matrix.rows != size:
             raise DeclarationError(
@@ -317,11 +318,18 @@ class System:
         speeds = set()
         for configuration in self.configurations:
             matrix, offset = configuration.dynamics.field(self.states)
-            rates = matrix * sp.Matrix(self.states) + offset
-            speed = sp.diff(rates[self.states.index(sine)], cosine)
+            rates = {
+                symbol: sum(
+                    (weight * self.states[j] for (_, j), weight in matrix.row(i).todok().items()),
+                    offset[i],
+                )
+                for symbol in (cosine, sine)
+                for i in [self.states.index(symbol)]
+            }
+            speed = matrix[self.states.index(sine), self.states.index(cosine)]
             wanted = {cosine: -speed * sine, sine: speed * cosine}
             for symbol, rate in wanted.items():
-                if sp.expand(rates[self.states.index(symbol)] - rate) != 0:
+                if sp.expand(rates[symbol] - rate) != 0:
                     raise DeclarationError(
                         f"{where}: in {configuration.name!r} it does not turn, c' = -w s, s' = w c"
                     )
@@ -337,8 +345,9 @@ class System:
     def _check_affine(self, function: sp.Expr, where: str) -> None:
         check_finite(function, where)
         self._check_symbols(function.free_symbols, where)
-        gradient, _ = self.gradient(function)
-        if gradient.free_symbols & set(self.states):
+        states = frozenset(self.states)
+        slopes, _ = affine_terms(function, states)
+        if any(slope.free_symbols & states for slope in slopes.values()):
             raise DeclarationError(f"{where}: {function} is not affine in the state")
 
     def _check_symbols(
@@ -365,5 +374,6 @@ class System:
 def _gradient(
     function: sp.Expr, states: tuple[sp.Symbol, ...]
 ) -> tuple[sp.ImmutableMatrix, sp.Expr]:
-    row = sp.ImmutableMatrix([[sp.diff(function, s) for s in states]])
-    return row, sp.expand(function - (row * sp.Matrix(states))[0])
+    slopes, rest = affine_terms(function, frozenset(states))
+    row = sp.ImmutableMatrix([[slopes.get(s, sp.S.Zero) for s in states]])
+    return row, sp.expand(rest)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import runpy
 import shlex
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
@@ -15,7 +16,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
-from scipy.optimize import fsolve
+from scipy.optimize import brentq, fsolve
 from typer.testing import CliRunner
 
 import nonsmooth as ns
@@ -24,6 +25,7 @@ from tests.places import GALLERY
 
 FORCED = {"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"}  # half a period of the forcing later
 ORBITS = [
+    ("beam", "one-contact"),
     ("brake_pad", "lifting"),
     ("brake_pad", "pressed"),
     ("den_hartog", "without-rest"),
@@ -417,6 +419,39 @@ def test_the_elastic_stop_doubles_periods() -> None:
         assert doubled.stability.verdict == "stable"
         apart = abs(doubled.dwell_times[:2] - doubled.dwell_times[2:]).max()
         assert 1e-3 < apart < near * 2.5
+
+
+# --- a beam of finite elements ------------------------------------------------------------
+
+BEAM = {"F": "1/2", "gap": "1/50", "k": "20"}
+
+
+def test_the_beam_ends_its_contact_where_the_linear_one_grazes() -> None:
+    near = ns.solve(
+        page("beam"),
+        {**BEAM, "w": "9.4"},
+        [0.0468, 0.6217, 0.02, -0.00411, 0.0435, -0.0110, -0.9653, 0.262],
+        itinerary=[("contact", "stop-leaves-stop"), ("free", "stop-reaches-stop")],
+    )
+    branch = ns.continue_orbit(near, "w", (9.4, 9.6), step=0.1)
+    (doubling,) = (event.value for event in branch.events if event.kind == "flip")
+    grazing = branch.events[-1].value  # the contact has shrunk to nothing
+    assert doubling == pytest.approx(9.449516908, abs=1e-8)
+    declared = runpy.run_path(page("beam"))
+    reduced = declared["reduced"]
+
+    def excess(w: float, mass: np.ndarray, stiffness: np.ndarray, place: int) -> float:
+        force = np.zeros(len(mass))
+        force[place] = 0.5
+        damping = 0.2 * mass + 0.002 * stiffness
+        answer = np.linalg.solve(stiffness - w**2 * mass + 1j * w * damping, force)
+        return float(abs(answer[place]) - 0.02)
+
+    linear = brentq(excess, 9, 10, (reduced.mass, reduced.stiffness, 0), xtol=1e-13)
+    assert grazing == pytest.approx(linear, abs=1e-7)
+    # what the reduction costs
+    whole = brentq(excess, 9, 10, (declared["mass"], declared["stiffness"], -2))
+    assert linear == pytest.approx(whole, rel=3e-3)
 
 
 # --- three masses -------------------------------------------------------------------------

@@ -1,0 +1,181 @@
+"""Oscillators of NumPy arrays and SciPy sparse matrices: exact, quick, and refused in one line."""
+
+from fractions import Fraction
+from itertools import product
+
+import numpy as np
+import pytest
+import scipy.sparse
+import sympy as sp
+
+from nonsmooth.derive import (
+    DeclarationError,
+    Harmonic,
+    RigidStop,
+    SoftStop,
+    oscillator,
+)
+from nonsmooth.derive.declaration.algebra import (
+    affine_terms,
+    inverse,
+    is_surely_positive_definite,
+)
+
+NAMES = ["x1", "x2", "x3"]
+MASS = np.array([[2.0, 0.1, 0.0], [0.1, 1.0, 0.0], [0.0, 0.0, 3.0]])
+STIFFNESS = np.array([[2.0, -0.7, 0.0], [-0.7, 1.1, -0.3], [0.0, -0.3, 0.9]])
+
+
+def fractions(matrix):
+    return sp.Matrix(
+        3, 3, lambda i, j: sp.Rational(*Fraction(float(matrix[i, j])).as_integer_ratio())
+    )
+
+
+@pytest.mark.parametrize(
+    "kind", [np.asarray, scipy.sparse.csr_array, scipy.sparse.coo_matrix, scipy.sparse.csc_matrix]
+)
+def test_arrays_are_binary_fractions(kind):
+    system = oscillator(
+        "s", NAMES, kind(MASS), kind(STIFFNESS), kind(0.1 * STIFFNESS),
+        elements=[RigidStop("x1", at=1, restitution=0.5)],
+    )  # fmt: skip
+    dynamics = system.configuration("free").dynamics
+    assert dynamics.mass == fractions(MASS)
+    assert dynamics.stiffness == fractions(STIFFNESS)
+    assert dynamics.damping == fractions(0.1 * STIFFNESS)
+    # a list is as it prints
+    listed = oscillator("s", NAMES, MASS.tolist(), STIFFNESS.tolist())
+    assert listed.configuration("free").dynamics.mass[0, 1] == sp.Rational(1, 10)
+
+
+def test_sparse_entries_given_twice_are_added():
+    places = ([0, 0, 1, 2], [0, 0, 1, 2])
+    mass = scipy.sparse.coo_array(([1.0, 1.0, 2.0, 3.0], places), shape=(3, 3))
+    system = oscillator("s", NAMES, mass, STIFFNESS)
+    assert system.configuration("free").dynamics.mass == sp.diag(2, 2, 3)
+    assert mass.nnz == 4  # the user's matrix is left alone
+
+
+def test_directions_and_forces_may_be_vectors():
+    def of(direction, force):
+        return oscillator(
+            "s", NAMES, MASS, STIFFNESS, load=force,
+            forcing=[Harmonic(2, cosine=force)],
+            elements=[
+                RigidStop(direction, at=1, restitution=0.5, name="stop"),
+                SoftStop(direction, at=2, stiffness=4, name="pad"),
+            ],
+        )  # fmt: skip
+
+    by_names = of({"x1": 1, "x3": sp.Rational(1, 4)}, {"x2": sp.Rational(1, 2)})
+    assert by_names.fingerprint() == of([1, 0, 0.25], [0, 0.5, 0]).fingerprint()
+    arrays = of(np.array([1, 0, 0.25]), np.array([0, 0.5, 0]))
+    assert by_names.fingerprint() == arrays.fingerprint()
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"mass": np.eye(3)[:2]}, "mass is 2 x 3, not 3 x 3 as there are coordinates"),
+        ({"mass": scipy.sparse.eye_array(4)}, "mass is 4 x 4, not 3 x 3 as there are coordinates"),
+        ({"mass": np.ones(3)}, "mass is no matrix: its shape is (3,)"),
+        ({"mass": 1j * np.eye(3)}, "mass holds what is no real number"),
+        ({"mass": np.diag([1, -1, 1])}, "mass is not positive definite"),
+        ({"mass": np.ones((3, 3))}, "mass is not positive definite"),
+        ({"mass": np.eye(3) + np.eye(3, k=1) / 4}, "mass is not symmetric"),
+        ({"stiffness": np.diag([1, np.inf, 1])}, "stiffness holds an entry that is not finite"),
+        ({"damping": np.diag([1, np.nan, 1])}, "damping holds an entry that is not finite"),
+        ({"load": np.ones(2)}, "load has 2 values for 3 coordinates"),
+        ({"load": np.ones((3, 1))}, "load is no row of numbers: its shape is (3, 1)"),
+        ({"load": np.array([1, 0, np.nan])}, "load holds an entry that is not finite"),
+        (
+            {"elements": [SoftStop("tip", at=1, stiffness=1)]},
+            "element 'tip-upper': unknown coordinate 'tip' (known: x1, x2, x3)",
+        ),
+    ],
+)
+def test_bad_arrays_are_one_line(change, message):
+    given = {"mass": MASS, "stiffness": STIFFNESS} | change
+    with pytest.raises(DeclarationError) as caught:
+        oscillator("s", NAMES, **given)
+    assert str(caught.value) == message
+
+
+def test_a_vector_needs_a_name_for_its_element():
+    with pytest.raises(DeclarationError, match="whose direction is a vector needs a name"):
+        SoftStop(np.ones(3), at=1, stiffness=1)
+    with pytest.raises(DeclarationError, match="element 'stop' holds an entry that is not finite"):
+        SoftStop(np.array([1, np.nan]), at=1, stiffness=1, name="stop")
+
+
+def test_of_many_coordinates_only_some_are_listed():
+    with pytest.raises(DeclarationError) as caught:
+        oscillator(
+            "s", [f"x{i}" for i in range(200)], np.eye(200), np.eye(200), load={"tip": 1}
+        )  # fmt: skip
+    assert str(caught.value).endswith("x10, x11, ...)")
+
+
+def test_positive_definite_by_cholesky_is_never_wrong():
+    random = np.random.default_rng(5)
+    shown = 0
+    for size, gap in product((1, 2, 5, 9), (1e-3, 1e-9, 1e-17, -1e-17, -1e-3, 0.0)):
+        basis, _ = np.linalg.qr(random.standard_normal((size, size)))
+        values = np.linspace(1, 2, size)
+        values[0] = gap
+        dense = basis @ np.diag(values) @ basis.T
+        matrix = sp.Matrix(
+            size, size, lambda i, j, a=(dense + dense.T) / 2: sp.Rational(float(a[i, j]))
+        ).as_immutable()
+        found = is_surely_positive_definite(matrix)
+        minors = [matrix[:k, :k].det() for k in range(1, size + 1)]
+        if found:
+            assert min(minors) > 0
+        shown += found
+        if gap == 1e-3:
+            assert found
+    assert shown >= 4
+    assert not is_surely_positive_definite(sp.ImmutableMatrix([[1, 1], [0, 1]]))
+    assert not is_surely_positive_definite(sp.ImmutableMatrix([[sp.Symbol("m")]]))
+
+
+def test_inverse_is_exact():
+    for matrix in (fractions(MASS), sp.diag(2, sp.Rational(1, 3)), sp.Matrix([[2, 1], [1, 1]])):
+        assert inverse(matrix) * matrix == sp.eye(matrix.rows)
+    m = sp.Symbol("m", positive=True)
+    assert inverse(sp.Matrix([[m, 1], [1, 2]])) == sp.Matrix([[2, -1], [-1, m]]) / (2 * m - 1)
+
+
+def test_terms_of_affine_functions():
+    x, v, k = sp.symbols("x v k", real=True)
+    states = frozenset({x, v})
+    for function in (
+        k * x + 2 * v - 3, k * (x - 1) + x, x - x / k, (x + v) * k / 2 + k, sp.S(4), x, -v,
+    ):  # fmt: skip
+        slopes, rest = affine_terms(function, states)
+        for s in states:
+            assert sp.expand(slopes.get(s, 0) - sp.diff(function, s)) == 0
+        assert sp.expand(rest - function.subs({x: 0, v: 0})) == 0
+    slopes, _ = affine_terms(k * x**2 + v * sp.sin(v), states)
+    assert all(slope.free_symbols & states for slope in slopes.values())
+
+
+def test_a_hundred_coordinates_with_four_stops():
+    """By direct assembly: what moves in contact is what moves free, less the held coordinates."""
+    size, at = 100, [24, 49, 74, 99]
+    stiffness = 2 * np.eye(size) - np.eye(size, k=1) - np.eye(size, k=-1)
+    mass = np.diag(np.linspace(1, 2, size))
+    names = [f"x{i}" for i in range(size)]
+    system = oscillator(
+        "chain", names, mass, stiffness, 0.01 * stiffness,
+        elements=[SoftStop(names[i], at=1, stiffness=8.0, name=f"stop{i}") for i in at],
+    )  # fmt: skip
+    assert len(system.configurations) == 16
+    for configuration in system.configurations:
+        pressed = ["contact" in regime for regime in configuration.name.split("-")]
+        added = np.zeros((size, size))
+        added[at, at] = 8.0 * np.array(pressed)
+        dynamics = configuration.dynamics
+        assert (np.array(dynamics.stiffness.tolist(), dtype=float) == stiffness + added).all()
+        assert (np.array(dynamics.mass.tolist(), dtype=float) == mass).all()

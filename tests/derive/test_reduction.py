@@ -1,0 +1,245 @@
+"""Reduced structures against the whole ones and closed forms; files of matrices; bad input."""
+
+import numpy as np
+import pytest
+import scipy.io
+import scipy.sparse
+from scipy.linalg import eigh
+from scipy.optimize import brentq
+from scipy.sparse.linalg import spsolve
+
+from nonsmooth.derive import DeclarationError, oscillator, read_matrices, reduce_structure
+from tests.beams import beam, cantilever
+
+METHODS = ("craig-bampton", "free-interface")
+
+
+def frequencies(mass, stiffness):
+    return np.sqrt(np.maximum(eigh(stiffness.toarray(), mass.toarray(), eigvals_only=True), 0))
+
+
+def grid(side):
+    """A membrane of springs on a square grid, its edge fixed: mass and stiffness, sparse."""
+    line = scipy.sparse.diags_array([2.0, -1.0, -1.0], offsets=[0, 1, -1], shape=(side, side))
+    eye = scipy.sparse.eye_array(side)
+    stiffness = scipy.sparse.kron(line, eye) + scipy.sparse.kron(eye, line)
+    return scipy.sparse.eye_array(side**2).tocsc(), stiffness.tocsc()
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_cantilever_keeps_frequencies_of_euler_and_bernoulli(method):
+    mass, stiffness = cantilever(40)
+    tip = mass.shape[0] - 2
+    reduced = reduce_structure(mass, stiffness, keep=[tip], modes=6, method=method)
+    roots = [
+        brentq(lambda b: np.cos(b) + 1 / np.cosh(b), lower, lower + np.pi)
+        for lower in (0.5, np.pi, 2 * np.pi, 3 * np.pi)
+    ]
+    np.testing.assert_allclose(reduced.frequencies[:4], np.square(roots), rtol=1e-3)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_frequencies_well_below_the_cutoff_are_those_of_the_whole(method):
+    mass, stiffness = cantilever(30)
+    whole = frequencies(mass, stiffness)
+    reduced = reduce_structure(mass, stiffness, keep=[28, 58], modes=8, method=method)
+    below = whole[whole < 0.5 * reduced.cutoff]
+    assert len(below) >= 6
+    # free modes are those of the whole structure
+    error = 5e-3 if method == "craig-bampton" else 1e-7
+    np.testing.assert_allclose(reduced.frequencies[: len(below)], below, rtol=error)
+    # Rayleigh's principle: a reduction only stiffens
+    assert (reduced.frequencies >= whole[: len(reduced.frequencies)] * (1 - 1e-6)).all()
+
+
+def test_the_cutoff_is_the_first_mode_left_out():
+    mass, stiffness = cantilever(20)
+    tip = mass.shape[0] - 2
+    held = np.delete(np.arange(tip + 2), tip)
+    fixed = frequencies(mass[held][:, held], stiffness[held][:, held])
+    reduced = reduce_structure(mass, stiffness, keep=[tip], modes=3)
+    assert reduced.cutoff == pytest.approx(fixed[3], rel=1e-9)
+    free = reduce_structure(mass, stiffness, keep=[tip], modes=3, method="free-interface")
+    assert free.cutoff == pytest.approx(frequencies(mass, stiffness)[3], rel=1e-9)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_static_answers_at_kept_coordinates_are_exact(method):
+    mass, stiffness = cantilever(25)
+    keep = [12, 48]
+    reduced = reduce_structure(mass, stiffness, keep=keep, modes=2, method=method)
+    force = np.zeros(50)
+    force[keep] = [1.0, -0.4]
+    wanted = spsolve(stiffness, force)
+    answer = np.linalg.solve(reduced.stiffness, reduced.transformation.T @ force)
+    np.testing.assert_allclose(reduced.transformation @ answer, wanted, rtol=1e-6, atol=1e-9)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("sparse", [True, False])
+def test_matrices_are_those_of_the_transformation(method, sparse):
+    mass, stiffness = grid(6)
+    damping = 0.01 * mass + 0.02 * stiffness
+    given = (mass, stiffness, damping)
+    if not sparse:
+        given = tuple(m.toarray() for m in given)
+    reduced = reduce_structure(*given, keep=[7, 20], modes=4, method=method)
+    basis = reduced.transformation
+    for name, matrix in zip(
+        ("mass", "stiffness", "damping"), (mass, stiffness, damping), strict=True
+    ):
+        found = getattr(reduced, name)
+        assert (found == found.T).all()
+        np.testing.assert_allclose(found, basis.T @ (matrix @ basis), atol=1e-11)
+    assert (basis[[7, 20]] == np.eye(2, 6)).all()
+
+
+def test_modes_share_no_stiffness_with_what_is_kept():
+    mass, stiffness = cantilever(20)
+    reduced = reduce_structure(mass, stiffness, 0.01 * stiffness, keep=[38], modes=3)
+    assert (reduced.stiffness[0, 1:] == 0).all()
+    assert (reduced.damping[0, 1:] == 0).all()
+    assert (reduced.mass[1:, 1:] == np.eye(3)).all()
+    assert (reduced.mass[0, 1:] != 0).all()
+
+
+def test_a_free_beam_moves_as_a_rigid_body():
+    mass, stiffness = beam(20)
+    reduced = reduce_structure(mass, stiffness, keep=[0, 40], modes=5, method="free-interface")
+    whole = frequencies(mass, stiffness)
+    np.testing.assert_allclose(reduced.frequencies[2:5], whole[2:5], rtol=1e-4)
+    assert (reduced.frequencies[:2] < 1e-3).all()
+    # without the residual answers the ends would be stiffer
+    truncated = reduce_structure(mass, stiffness, keep=[], modes=5, method="free-interface")
+    ends = np.linalg.inv(reduced.stiffness[:2, :2])
+    assert ends.shape == (2, 2)
+    assert truncated.coordinates == ("q1", "q2", "q3", "q4", "q5")
+    with pytest.raises(DeclarationError, match="not positive definite where all kept"):
+        reduce_structure(mass, stiffness, keep=[0], modes=2)
+
+
+def test_large_sparse_structures_go_by_lanczos(monkeypatch):
+    from nonsmooth.derive.building import structure_matrices
+
+    mass, stiffness = grid(18)
+    dense = reduce_structure(mass, stiffness, keep=[100], modes=6)
+    monkeypatch.setattr(structure_matrices, "_DENSE", 50)
+    lanczos = reduce_structure(mass, stiffness, keep=[100], modes=6)
+    np.testing.assert_allclose(lanczos.frequencies, dense.frequencies, rtol=1e-9)
+    assert lanczos.cutoff == pytest.approx(dense.cutoff, rel=1e-9)
+    again = reduce_structure(mass, stiffness, keep=[100], modes=6)
+    assert (again.transformation == lanczos.transformation).all()
+
+
+def test_all_modes_are_the_whole_structure():
+    mass, stiffness = cantilever(6)
+    reduced = reduce_structure(mass, stiffness, keep=[10], modes=11)
+    np.testing.assert_allclose(reduced.frequencies, frequencies(mass, stiffness), rtol=1e-6)
+    assert reduced.cutoff == np.inf
+
+
+def test_directions_of_the_whole_structure_carry_over():
+    mass, stiffness = cantilever(4)
+    names = [f"{what}{node}" for node in range(1, 5) for what in ("y", "slope")]
+    reduced = reduce_structure(mass, stiffness, keep=["y4"], modes=2, coordinates=names)
+    assert reduced.coordinates == ("y4", "q1", "q2")
+    assert reduced.direction("y4") == reduced.direction(6) == {"y4": 1.0}
+    weights = np.arange(8.0)
+    found = reduced.direction(weights)
+    np.testing.assert_allclose(list(found.values()), weights @ reduced.transformation)
+    assert reduced.direction({"y1": 2, 2: -1}) == reduced.direction([2, 0, -1, 0, 0, 0, 0, 0])
+    system = oscillator(
+        "beam", reduced.coordinates, reduced.mass, reduced.stiffness, reduced.damping
+    )
+    assert len(system.states) == 6
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"mass": np.ones((2, 3))}, "mass is not square: its shape is (2, 3)"),
+        ({"mass": np.ones(3)}, "mass is not square: its shape is (3,)"),
+        ({"mass": np.zeros((0, 0))}, "mass is empty"),
+        ({"mass": 1j * np.eye(3)}, "mass is complex"),
+        ({"mass": [[1], [1, 2]]}, "mass is no matrix of real numbers"),
+        ({"mass": [["a"]]}, "mass is no matrix of real numbers"),
+        ({"stiffness": np.eye(2)}, "stiffness is 2 x 2, where mass is 3 x 3"),
+        ({"damping": np.eye(4)}, "damping is 4 x 4, where mass is 3 x 3"),
+        ({"stiffness": np.diag([1, np.nan, 1])}, "stiffness holds an entry that is not finite"),
+        ({"mass": np.diag([1, np.inf, 1])}, "mass holds an entry that is not finite"),
+        ({"stiffness": np.eye(3, k=1) + np.eye(3)}, "stiffness is not symmetric"),
+        ({"mass": np.diag([1, -1, 1])}, "mass is not positive definite"),
+        ({"mass": np.ones((3, 3))}, "mass is not positive definite"),
+        ({"mass": np.eye(3)[::-1]}, "mass is not positive definite"),
+        ({"keep": [], "modes": 0}, "the reduction keeps nothing: no coordinate and no mode"),
+        ({"keep": ["z"]}, "keep: unknown coordinate 'z'"),
+        ({"keep": [3]}, "keep: there is no coordinate 3 of 3"),
+        ({"keep": [-1]}, "keep: there is no coordinate -1 of 3"),
+        ({"keep": [1.5]}, "keep: 1.5 is neither a place nor a name of a coordinate"),
+        ({"keep": [1, "x1"]}, "kept coordinate 'x1' is declared twice"),
+        ({"modes": 3}, "modes is 3, but beside 1 kept of 3 coordinates there are 2"),
+        ({"modes": -1}, "modes is -1, not a number of modes"),
+        ({"modes": 1.0}, "modes is 1.0, not a number of modes"),
+        ({"coordinates": ["a"]}, "there are 1 names for 3 coordinates"),
+        ({"coordinates": ["a", "b", "a"]}, "coordinate 'a' is declared twice"),
+        ({"coordinates": ["q1", "b", "c"]}, "reduced coordinate 'q1' is declared twice"),
+        ({"method": "guyan"}, "method is 'guyan', not one of craig-bampton, free-interface"),
+    ],
+)
+def test_bad_input_is_one_line(change, message):
+    given = {"mass": np.eye(3), "stiffness": 2 * np.eye(3), "keep": [0], "modes": 1}
+    given |= change
+    with pytest.raises(DeclarationError) as caught:
+        reduce_structure(given.pop("mass"), given.pop("stiffness"), **given)
+    assert str(caught.value) == message
+
+
+def test_bad_directions_are_one_line():
+    reduced = reduce_structure(np.eye(3), 2 * np.eye(3), keep=[0], modes=1)
+    for direction, message in (
+        ("z", "direction: unknown coordinate 'z'"),
+        ([1, 2], "direction has shape (2,) where the structure has 3 coordinates"),
+        ([1, 2, np.nan], "direction holds a weight that is not finite"),
+    ):
+        with pytest.raises(DeclarationError) as caught:
+            reduced.direction(direction)
+        assert str(caught.value) == message
+
+
+def test_files_of_matrices(tmp_path):
+    mass, stiffness = cantilever(3)
+    scipy.io.mmwrite(tmp_path / "K.mtx", stiffness)
+    scipy.io.savemat(tmp_path / "model.mat", {"M": mass, "K": stiffness.toarray(), "note": "x"})
+    np.savez(tmp_path / "model.npz", M=mass.toarray(), K=stiffness.toarray(), tip=np.ones(6))
+    scipy.sparse.save_npz(tmp_path / "stiff.npz", stiffness)
+    wanted = stiffness.toarray()
+    for name, key in (
+        ("K.mtx", "K"),
+        ("model.mat", "K"),
+        ("model.npz", "K"),
+        ("stiff.npz", "stiff"),
+    ):
+        found = read_matrices(tmp_path / name)
+        matrix = found[key]
+        dense = matrix if isinstance(matrix, np.ndarray) else matrix.toarray()
+        np.testing.assert_allclose(dense, wanted, rtol=1e-15)
+    assert sorted(read_matrices(tmp_path / "model.mat")) == ["K", "M"]
+    assert sorted(read_matrices(tmp_path / "model.npz")) == ["K", "M"]
+
+
+def test_bad_files_are_one_line(tmp_path):
+    def message(name):
+        with pytest.raises(DeclarationError) as caught:
+            read_matrices(tmp_path / name)
+        assert "\n" not in str(caught.value)
+        return str(caught.value).removeprefix(f"{tmp_path / name}: ")
+
+    assert message("none.mtx") == "no such file"
+    assert message("matrix.csv") == "not a file of matrices (.mtx, .npz, .mat)"
+    for name in ("bad.mtx", "bad.npz", "bad.mat"):
+        (tmp_path / name).write_bytes(b"not a matrix")
+        assert message(name).startswith("cannot be read: ")
+    np.savez(tmp_path / "objects.npz", M=np.array([[None]]))
+    assert message("objects.npz").startswith("cannot be read: ")
+    np.savez(tmp_path / "empty.npz", v=np.ones(3))
+    assert message("empty.npz") == "holds no matrix"
