@@ -35,6 +35,7 @@ from nonsmooth.runtime.model.loading.caching import (
     cached,
     made_folder,
     store_library,
+    stored,
     stored_library,
 )
 from nonsmooth.runtime.model.loading.compiling import compile_files, compiler
@@ -133,6 +134,8 @@ class KernelLibrary:
         return self.module()
 
     def _found(self) -> ModuleType | None:
+        if self.many_points and stored(self.key) is None:  # its tables went: both are made again
+            return None
         path = stored_library(self.key)
         module = None if path is None else load_extension(path)
         found = getattr(module, f"derivation_{self.stem}", None)
