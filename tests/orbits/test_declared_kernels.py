@@ -146,10 +146,10 @@ def test_where_kernels_find_no_motion_tables_look_for_one(monkeypatch: pytest.Mo
     assert plain.trace.tobytes() == both.trace.tobytes()
 
 
-def two_stops() -> Itinerary:
+def two_stops(names: tuple[str, str] = ("far", "w")) -> Itinerary:
     """The restitution of the stop that is far away decides nothing."""
-    far = Parameter("far", "restitution of the other stop", lower=0, upper=1, upper_closed=True)
-    w = Parameter("w", "frequency")
+    far = Parameter(names[0], "restitution of the other", lower=0, upper=1, upper_closed=True)
+    w = Parameter(names[1], "frequency")
     system = oscillator(
         "two-sided",
         ["x"],
@@ -167,7 +167,7 @@ def two_stops() -> Itinerary:
         "one",
         system,
         [("free-free", "near-reaches-stop", "T")],
-        reference=Reference({"far": "0.5", "w": "2"}, {"T": "3.14"}),
+        reference=Reference({names[0]: "0.5", names[1]: "2"}, {"T": "3.14"}),
     )
 
 
@@ -189,6 +189,14 @@ def test_parameters_that_decide_nothing_have_domains(monkeypatch: pytest.MonkeyP
     with pytest.raises(InputError, match="unknown parameter 'near'"):
         ns.solve_many(orbit, near=0.5)
     assert ns.solve_many(orbit, far="1/2", w="2").converged
+
+
+def test_parameters_may_have_names_of_functions_in_c() -> None:
+    orbit: Any = two_stops(("M_PI", "cos"))
+    assert declared_kernels(load_orbit(orbit)) is not None
+    found = ns.solve_many(orbit, {"M_PI": [0.5, 1.5], "cos": 2.0})
+    assert found.converged.tolist() == [True, False]
+    assert -found.unknowns["v0"][0] / 0.8 == pytest.approx(3.9016492908886392, rel=1e-13)
 
 
 @pytest.mark.parametrize("shape", [(0,), (2, 0), (0, 3)])

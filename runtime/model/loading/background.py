@@ -130,7 +130,11 @@ class KernelLibrary:
             building = self._building
         if building is not None and (at_once or seconds >= _WORTH_WAITING):
             # so it takes at most twice as long as with NumPy from the start
-            building.wait(_LONGEST_BUILD if at_once else min(seconds, _LONGEST_BUILD))
+            try:
+                building.wait(_LONGEST_BUILD if at_once else min(seconds, _LONGEST_BUILD))
+            except BaseException:
+                self._tried = False  # interrupted: whoever asks again has them made again
+                raise
         return self.module()
 
     def _found(self) -> ModuleType | None:
