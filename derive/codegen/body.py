@@ -168,8 +168,9 @@ def _checked_names(kernel: Kernel, expressions: Sequence[sp.Expr]) -> set[str]:
     """Names of the symbols of a kernel, each of which must be defined and mean one thing."""
     given = [s for argument in kernel.arguments for s in argument.symbols]
     defined = {*given, *(s for stage in kernel.stages for s, _ in stage.assignments)}
-    arrays = {a.name for a in kernel.arguments if a.shape}
-    arrays |= {o.name for o in kernel.outputs if o.shape}
+    # an argument without a shape may bear the name of its symbol
+    arrays = {a.name for a in kernel.arguments if a.shape or a.name != a.symbols[0].name}
+    arrays |= {o.name for o in kernel.outputs}
     owners: dict[str, sp.Symbol] = {}
     for symbol in sorted(defined, key=str):
         name = symbol.name

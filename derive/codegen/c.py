@@ -11,7 +11,7 @@ from sympy.printing.precedence import PRECEDENCE
 
 from nonsmooth.derive.codegen.any_arithmetic import Ordered, shape_text
 from nonsmooth.derive.codegen.body import Constant, Line, body_of
-from nonsmooth.derive.codegen.naming import c_function
+from nonsmooth.derive.codegen.naming import C_TAKEN, C_TAKEN_BEGINNINGS, c_function
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.entire import ExponentialDifference
@@ -28,6 +28,11 @@ class _Printer(Ordered, C99CodePrinter):
     def __init__(self, scope: Scope | None = None) -> None:
         super().__init__()
         self.scope = scope
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        name = str(super()._print_Symbol(expr))
+        taken = name in C_TAKEN or name.startswith(C_TAKEN_BEGINNINGS)
+        return f"{name}_" if taken else name
 
     def _print_Pow(self, expr: sp.Pow) -> str:
         base, exponent = expr.base, expr.exp
@@ -136,7 +141,7 @@ def line_sources(lines: Iterable[Line], scope: Scope) -> list[str]:
     for line in lines:
         if line.title:
             sources.append(f"{scope.indent}/* {line.title} */")
-        sources += scope.assigned(f"const double {line.symbol}", line.expression)
+        sources += scope.assigned(f"const double {print_c(line.symbol)}", line.expression)
     return sources
 
 
@@ -164,7 +169,7 @@ def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
         for position, symbol in enumerate(argument.symbols):
             if symbol in body.used and (argument.shape or str(symbol) != argument.name):
                 value = f"{argument.name}[{position}]" if argument.shape else argument.name
-                lines.append(f"    const double {symbol} = {value};")
+                lines.append(f"    const double {print_c(symbol)} = {value};")
     scope = Scope("    ")
     lines += line_sources(body.lines, scope)
     for output, expressions in zip(kernel.outputs, body.outputs, strict=True):

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import keyword
 
-__all__ = ["RESERVED", "c_function", "constant", "identifier", "module_file", "python_function"]
+__all__ = [
+    "C_TAKEN",
+    "C_TAKEN_BEGINNINGS",
+    "RESERVED",
+    "c_function",
+    "constant",
+    "identifier",
+    "module_file",
+    "python_function",
+]
 
 _C_KEYWORDS = """
 auto break case char const continue default do double else enum extern float for goto if
@@ -13,6 +22,13 @@ union unsigned void volatile while
 """
 # names that no symbol of a kernel can have, in Python or in C
 RESERVED = frozenset({"lib", *keyword.kwlist, *_C_KEYWORDS.split()})
+# functions that kernels in C call, and macros of its headers: there such a symbol gets a suffix
+_C_OWN = """
+cos exp fabs log pow sin sqrt tan DOMAIN HUGE HUGE_VAL HUGE_VALF HUGE_VALL INFINITY NAN OVERFLOW
+PLOSS SING TLOSS UNDERFLOW math_errhandling
+"""
+C_TAKEN = frozenset(_C_OWN.split())
+C_TAKEN_BEGINNINGS = ("DBL_", "FLT_", "FP_", "LDBL_", "MATH_", "M_", "NONSMOOTH_", "nonsmooth_")
 
 
 def identifier(name: str) -> str:

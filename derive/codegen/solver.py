@@ -142,7 +142,7 @@ def solve_source(orbit: EquationSystem) -> str:
         wanted = _inputs(lines, results)
         arrays = (("parameter", orbit.parameters), ("fixed", carried), ("x", unknowns))
         return [
-            f"{indent}const double {symbol} = {array}[{i}][lane];"
+            f"{indent}const double {print_c(symbol)} = {array}[{i}][lane];"
             for array, symbols in arrays
             for i, symbol in enumerate(symbols)
             if symbol in wanted and not (array == "fixed" and lines is prelude)
@@ -175,7 +175,7 @@ def solve_source(orbit: EquationSystem) -> str:
             [
                 *load(prelude, (), outer),
                 *line_sources(prelude, Scope(outer)),
-                *(f"{outer}fixed[{i}][lane] = {s};" for i, s in enumerate(carried)),
+                *(f"{outer}fixed[{i}][lane] = {print_c(s)};" for i, s in enumerate(carried)),
             ]
         ),
         newton=_NEWTON.substitute(step="\n".join(newton)) if count else "",
@@ -246,7 +246,8 @@ def _lane_sources(lines: Sequence[Line], scope: Scope) -> list[str]:
             call = f"nonsmooth_sincos({print_c(argument)}, &sine_{pair}, &cosine_{pair});"
             sources.append(f"{scope.indent}{call}")
         part = "sine" if isinstance(line.expression, sp.sin) else "cosine"
-        sources.append(f"{scope.indent}const double {line.symbol} = {part}_{pairs[argument]};")
+        name = print_c(line.symbol)
+        sources.append(f"{scope.indent}const double {name} = {part}_{pairs[argument]};")
     return sources
 
 
@@ -267,20 +268,21 @@ def _newton(
         for source in scope.assigned(f"const double {s}", e)
     ]
     lines = [f"const double inverse = {print_c(1 / sp.expand(matrix.det()))};"]
-    for i, x in enumerate(unknowns):
+    texts = [print_c(x) for x in unknowns]
+    for i, (unknown, x) in enumerate(zip(unknowns, texts, strict=True)):
         lines.append(f"const double wanted_{i} = {x} - ({print_c(numerators[i])})*inverse;")
         limited = (
             f"wanted_{i} < 0.25*{x} ? 0.25*{x} : wanted_{i} > 4.0*{x} ? 4.0*{x} : wanted_{i}"
-            if x in dwell_times
+            if unknown in dwell_times
             else f"wanted_{i}"
         )
         lines.append(f"const double next_{i} = {limited};")
         lines.append(f"const double size_{i} = fabs(next_{i}) > 1.0 ? fabs(next_{i}) : 1.0;")
     # & and not &&: a branch would keep the loop from being vectorised
     small = " & ".join(
-        f"(fabs(wanted_{i} - {x}) <= {TOLERANCE}*size_{i})" for i, x in enumerate(unknowns)
+        f"(fabs(wanted_{i} - {x}) <= {TOLERANCE}*size_{i})" for i, x in enumerate(texts)
     )
-    lines += [f"x[{i}][lane] = open[lane] != 0.0 ? next_{i} : {x};" for i, x in enumerate(unknowns)]
+    lines += [f"x[{i}][lane] = open[lane] != 0.0 ? next_{i} : {x};" for i, x in enumerate(texts)]
     lines.append("taken[lane] += open[lane] != 0.0 ? 1 : 0;")
     lines.append(f"open[lane] = ({small}) ? 0.0 : open[lane];")
     return [*given, *(scope.indent + line for line in lines)]

@@ -16,7 +16,7 @@ from nonsmooth.runtime.cli.application import (
     ranges,
     split,
 )
-from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, worked
+from nonsmooth.runtime.cli.keeping import Overwrite, check_new, heed_interrupts, kept_of, worked
 from nonsmooth.runtime.cli.options import AsJson, OrbitName, Plot, Resume, SaveResult, Yes
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
@@ -240,6 +240,7 @@ def _go_on(stopped: bool) -> None:
     """Nothing is kept of a branch that only leads to the one that was asked for."""
     if stopped:
         raise KeyboardInterrupt
+    heed_interrupts()
 
 
 def _branch(

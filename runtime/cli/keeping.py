@@ -12,8 +12,11 @@ import shlex
 import signal
 import sys
 import threading
-from collections.abc import Callable, Sequence
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+from types import FrameType
 from typing import Annotated, Any
 
 import typer
@@ -26,6 +29,7 @@ __all__ = [
     "Overwrite",
     "check_new",
     "heed_interrupts",
+    "heeding",
     "interrupted",
     "kept_of",
     "same_command",
@@ -35,6 +39,7 @@ __all__ = [
 
 INTERRUPTED = 130  # exit code
 _LONGEST_COMMAND = 100_000  # characters
+_HASTE = 5.0  # seconds for which more of Ctrl-C is part of the first
 
 Overwrite = Annotated[
     bool, typer.Option("--overwrite", help="Replace the file of --save if it is there already.")
@@ -75,8 +80,9 @@ def check_new(
 def worked(work: Callable[[], Any]) -> tuple[Any, bool]:
     """What a work finds, and whether it was interrupted: then what it had found until then.
 
-    From then on Ctrl-C is left out of account: what was found is kept first. Work that follows
-    heeds it again.
+    Ctrl-C again, within seconds, ends nothing more: the work puts together what it has. When it
+    has ended Ctrl-C is left out of account: what was found is kept first. Work that follows heeds
+    it again.
 
     Parameters
     ----------
@@ -89,17 +95,44 @@ def worked(work: Callable[[], Any]) -> tuple[Any, bool]:
         The result, and whether it is a partial one.
     """
     heed_interrupts()
+    first = _First()
+    _exchange(signal.default_int_handler, first)
     try:
         return work(), False
     except Interrupted as stopped:
         return stopped.partial, True
     finally:
-        _exchange(signal.default_int_handler, _keep_first)
+        _exchange(first, _keep_first)
 
 
 def heed_interrupts() -> None:
     """Let Ctrl-C end what follows, if it is left out of account."""
     _exchange(_keep_first, signal.default_int_handler)
+
+
+@contextmanager
+def heeding() -> Iterator[None]:
+    """Let Ctrl-C end a part of what follows work; after it, it is taken as before."""
+    ignored = signal.getsignal(signal.SIGINT) is _keep_first
+    heed_interrupts()
+    try:
+        yield
+    finally:
+        if ignored:
+            _exchange(signal.default_int_handler, _keep_first)
+
+
+class _First:
+    """Takes Ctrl-C, and leaves it out of account when it comes again in haste."""
+
+    def __init__(self) -> None:
+        self._last = -_HASTE
+
+    def __call__(self, number: int, frame: FrameType | None) -> None:
+        now = time.monotonic()
+        if now - self._last >= _HASTE:
+            self._last = now
+            signal.default_int_handler(number, frame)
 
 
 def _keep_first(number: int, frame: object) -> None:

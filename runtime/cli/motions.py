@@ -19,7 +19,7 @@ from nonsmooth.runtime.cli.application import (
     ranges,
     split,
 )
-from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, worked
+from nonsmooth.runtime.cli.keeping import Overwrite, check_new, heeding, kept_of, worked
 from nonsmooth.runtime.cli.options import (
     AsJson,
     Physical,
@@ -398,4 +398,10 @@ def sweep(
 
 def _agreed(question: str) -> bool:
     """Ask on a terminal before a file of the user is changed; elsewhere the option says it."""
-    return not sys.stdin.isatty() or typer.confirm(question, err=True)
+    if not sys.stdin.isatty():
+        return True
+    with heeding():
+        try:
+            return typer.confirm(question, err=True)
+        except typer.Abort:  # Ctrl-C or the end of input: the answer is shown nevertheless
+            return False

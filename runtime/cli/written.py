@@ -12,7 +12,7 @@ from nonsmooth.runtime.cli.application import (
     WRONG_INPUT,
     print_json,
 )
-from nonsmooth.runtime.cli.keeping import say
+from nonsmooth.runtime.cli.keeping import INTERRUPTED, heeding, say
 from nonsmooth.runtime.core.errors import NonsmoothError
 
 if TYPE_CHECKING:
@@ -24,7 +24,8 @@ __all__ = ["Written", "show_comparison", "show_kept"]
 class Written:
     """The files that a command writes, which its answer names.
 
-    A picture that cannot be drawn is told of when all that was computed has been shown.
+    A picture that cannot be drawn is told of when all that was computed has been shown; so is
+    one that Ctrl-C ended.
 
     Attributes
     ----------
@@ -34,7 +35,7 @@ class Written:
 
     def __init__(self) -> None:
         self.files: list[str] = []
-        self._problem: NonsmoothError | None = None
+        self._problem: NonsmoothError | KeyboardInterrupt | None = None
 
     def save(self, save: Callable[[Path], object], path: Path | None) -> None:
         """Save a result, if a file was asked for.
@@ -63,8 +64,9 @@ class Written:
         from nonsmooth.runtime.present.pictures.plot import save_figure
 
         try:
-            save_figure(figure(), path)
-        except NonsmoothError as problem:
+            with heeding():
+                save_figure(figure(), path)
+        except (NonsmoothError, KeyboardInterrupt) as problem:
             self._problem = problem
         else:
             self.files.append(str(path))
@@ -96,6 +98,9 @@ class Written:
                 print(f"{path} written")
         if self._problem is None:
             return ANSWERED
+        if isinstance(self._problem, KeyboardInterrupt):
+            say("interrupted: no picture is drawn")
+            return INTERRUPTED
         say(f"error: no picture: {self._problem}")
         return WRONG_INPUT
 

@@ -22,7 +22,14 @@ from nonsmooth.runtime.model.parameters import (
     value_of,
 )
 
-__all__ = ["Batch", "complete_arrays", "complete_batch", "parameter_array", "parameter_points"]
+__all__ = [
+    "Batch",
+    "check_arrays",
+    "complete_arrays",
+    "complete_batch",
+    "parameter_array",
+    "parameter_points",
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,33 +147,62 @@ def complete_arrays(kernels: OrbitKernels, given: Mapping[str, Any]) -> dict[str
         value = given.get(name, defaults.get(name))
         if value is None:
             raise InputError(f"{kernels.name} needs a value for: {name}")
-        try:
-            if isinstance(value, str | Value):
-                value = float(as_value(value))
-            array = np.asarray(value)
-            if array.dtype.kind in "bcmM":
-                raise TypeError(f"{array.dtype} is no type of real numbers")
-            found[name] = array.astype(float)
-        except (TypeError, ValueError) as error:
-            raise InputError(f"parameter {name}: {error}") from None
+        found[name] = parameter_array(name, value)
     try:
         return batch.complete(found)
     except ValueError as error:
         raise InputError(f"the parameter arrays do not broadcast: {error}") from None
 
 
-def parameter_array(given: Any) -> np.ndarray:
+def parameter_array(name: str, given: Any) -> np.ndarray:
     """Values of a parameter at many points, or the one that they share.
 
     Parameters
     ----------
+    name : str
     given : array, number, text or Value
 
     Returns
     -------
     array of float
+
+    Raises
+    ------
+    InputError
+        If they are no real numbers.
     """
-    return np.asarray(float(as_value(given)) if isinstance(given, str | Value) else given, float)
+    try:
+        array = np.asarray(float(as_value(given)) if isinstance(given, str | Value) else given)
+        if array.dtype.kind in "bcmM":
+            raise TypeError(f"{array.dtype} is no type of real numbers")
+        return array.astype(float)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"parameter {name}: {error}") from None
+
+
+def check_arrays(kernels: SystemKernels, parameters: Mapping[str, Any]) -> None:
+    """Refuse what `parameter_points` refuses, before work that takes long.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    parameters : mapping of str to array, number, text or Value
+
+    Raises
+    ------
+    InputError
+        For an unknown or missing name, or arrays that do not fit.
+    """
+    check_names(kernels, parameters)
+    _common_shape({name: parameter_array(name, given) for name, given in parameters.items()})
+
+
+def _common_shape(arrays: Mapping[str, np.ndarray]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise InputError(f"the parameters do not broadcast: {shapes}") from None
 
 
 def parameter_points(
@@ -195,24 +231,18 @@ def parameter_points(
     """
     tables = {p.name: p for p in kernels.parameters}
     check_names(kernels, parameters)
-    arrays = []
+    arrays = {}
     for name, table in tables.items():
         given = parameters[name]
         if isinstance(given, str | Value):
             given = float(value_of(table, given))
-        try:
-            array = np.asarray(given, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError(f"parameter {name} is no array of real numbers") from None
-        arrays.append(np.where(in_domains(table, array), array, np.nan))
+        array = parameter_array(name, given)
+        arrays[name] = np.where(in_domains(table, array), array, np.nan)
     if not arrays:  # a declaration in numbers alone
         return np.empty((1, 0)), ()
-    try:
-        joined = np.broadcast_arrays(*arrays)
-    except ValueError:
-        shapes = ", ".join(f"{n} {a.shape}" for n, a in zip(tables, arrays, strict=True))
-        raise InputError(f"the parameters do not broadcast: {shapes}") from None
+    shape = _common_shape(arrays)
+    joined = [np.broadcast_to(array, shape) for array in arrays.values()]
     points = np.stack([array.ravel() for array in joined], axis=-1)
     columns = dict(zip(tables, points.T, strict=True))
     points[~constrained(kernels, columns)] = np.nan
-    return points, joined[0].shape
+    return points, shape

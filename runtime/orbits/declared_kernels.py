@@ -105,7 +105,7 @@ class DeclaredKernels:
         return replace(
             found,
             problem=self.reference.problem,
-            parameters={name: parameter_array(value) for name, value in parameters.items()},
+            parameters={name: parameter_array(name, value) for name, value in parameters.items()},
             unknowns={name: row.reshape(shape) for name, row in named.items()},
             bounds={} if admissibility else None,
             starts=starts.reshape(*shape, *starts.shape[1:]),

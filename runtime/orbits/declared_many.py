@@ -11,7 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import OrbitKernels
-from nonsmooth.runtime.model.parameter_batches import parameter_points
+from nonsmooth.runtime.model.parameter_batches import check_arrays, parameter_points
 from nonsmooth.runtime.model.piecewise import piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.declared_kernels import declared_kernels
@@ -72,6 +72,7 @@ def solve_declared_many(
             f"{kernels.name} is declared by a part and a symmetry, which one point at a time knows"
         )
     values = {**reference["parameters"], **parameters}
+    check_arrays(kernels.system, values)  # kernels are not compiled for a slip of the pen
     own = declared_kernels(kernels)
     known = solve_declared(kernels, {}) if own is None else own.reference
     options: Any = {"admissibility": admissibility, "threads": threads}
@@ -153,9 +154,9 @@ def with_admissibility(values: Mapping[str, Any], found: Orbits) -> Orbits:
     points, given = parameter_points(system, values)
     width = points.shape[1]
     points = np.broadcast_to(points.reshape(*given, width), (*shape, width)).reshape(-1, width)
-    dwell = found.dwell_times.reshape(len(points), -1)
+    dwell = found.dwell_times.reshape(len(points), found.dwell_times.shape[-1])
     assert found.starts is not None
-    starts = found.starts[..., 0, :].reshape(len(points), -1)
+    starts = found.starts[..., 0, :].reshape(len(points), found.starts.shape[-1])
     allowed = np.zeros(len(points), dtype=bool)
     cycle = itinerary_shape(structure_of(system), found.itinerary)
     for place in np.flatnonzero(found.converged.ravel()).tolist():

@@ -164,7 +164,7 @@ def solve_itineraries(
     columns = np.concatenate([found_dwell, states[:, 0]], axis=1).T
     return Orbits(
         problem,
-        {name: parameter_array(value) for name, value in parameters.items()},
+        {name: parameter_array(name, value) for name, value in parameters.items()},
         {n: x.reshape(shape) for n, x in zip(problem.unknown_names, columns, strict=True)},
         np.trace(maps, axis1=-2, axis2=-1).reshape(shape),
         found_dwell.sum(axis=-1).reshape(shape),

@@ -320,6 +320,14 @@ def probe(expression: sp.Expr, *symbols: sp.Symbol, argument: str = "inputs") ->
 POSITIVE, REAL = sp.Symbol("x", positive=True), sp.Symbol("x", real=True)
 TAKEN = {
     "an array": probe(sp.Symbol("inputs") + 1, sp.Symbol("inputs")),
+    "a result": probe(sp.Symbol("result") + 1, sp.Symbol("result")),
+    "a number that is given": Kernel(
+        "probe",
+        "",
+        (Argument("inputs", (1,), (sp.Symbol("time"),)), Argument("time", (), (sp.Symbol("t"),))),
+        (Output("result", (), (sp.Symbol("time") * sp.Symbol("t"),)),),
+        (),
+    ),
     "two symbols": probe(POSITIVE + REAL, POSITIVE, REAL),
     "a word of C": probe(sp.Symbol("double") + 1, sp.Symbol("double")),
     "a word of Python": probe(sp.Symbol("lambda") + 1, sp.Symbol("lambda")),

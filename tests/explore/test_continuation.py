@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import importlib
 import inspect
 import math
 import re
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -231,3 +233,28 @@ def test_what_is_zero_all_along_is_no_event() -> None:
 
 def test_the_docstring_of_an_event_names_every_kind() -> None:
     assert re.findall(r'"([a-z-]+)"', str(inspect.getdoc(nonsmooth.Event))) == list(KINDS)
+
+
+def test_an_interrupt_while_events_are_located_loses_no_point(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """They take as long as the points; a branch that is whole is not followed again."""
+    orbit, calls = nonsmooth.solve(STICK), list[int]()
+    continuing = importlib.import_module("nonsmooth.runtime.explore.continuation.continue_orbit")
+    located = continuing._branch
+
+    def interrupted_once(*arguments: Any) -> Any:
+        calls.append(1)
+        if len(calls) == 1:
+            raise KeyboardInterrupt
+        return located(*arguments)
+
+    whole = nonsmooth.continue_orbit(orbit, "V", (0.95, 1.05))
+    monkeypatch.setattr(continuing, "_branch", interrupted_once)
+    with pytest.raises(nonsmooth.Interrupted) as stopped:
+        nonsmooth.continue_orbit(orbit, "V", (0.95, 1.05))
+    found: Any = stopped.value.partial
+    np.testing.assert_array_equal(found.unknowns, whole.unknowns)
+    assert (found.ends, found.events) == (whole.ends, whole.events)
+    again = nonsmooth.continue_orbit(orbit, "V", (0.95, 1.05), resume=found)
+    assert (len(again), again.ends) == (len(whole), whole.ends)

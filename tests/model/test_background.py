@@ -244,6 +244,11 @@ def test_who_interrupts_the_wait_ends_the_compilation(
         library.wanted(9.0)
     assert process.poll() == -signal.SIGKILL
     assert not list(cache.iterdir())
+    # an interrupt does not decide which way later points are solved
+    begun: list[str] = []
+    monkeypatch.setattr(background, "_begin", lambda *_, **__: begun.append("again"))
+    assert library.wanted(1.0) is None
+    assert begun == ["again"]
 
 
 def test_what_killed_processes_left_long_ago_is_removed(cache: Path) -> None:

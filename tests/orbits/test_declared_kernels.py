@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,8 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.charting.chart import chart_problem
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.loading import background
+from nonsmooth.runtime.model.loading.caching import cache_folder
+from nonsmooth.runtime.model.loading.load import load_path, many_points_key
 from nonsmooth.runtime.orbits.declared_kernels import declared_kernels
 from nonsmooth.runtime.orbits.kernel_points import _largest_sizes
 from tests.places import GALLERY
@@ -143,10 +146,10 @@ def test_where_kernels_find_no_motion_tables_look_for_one(monkeypatch: pytest.Mo
     assert plain.trace.tobytes() == both.trace.tobytes()
 
 
-def two_stops() -> Itinerary:
+def two_stops(names: tuple[str, str] = ("far", "w")) -> Itinerary:
     """The restitution of the stop that is far away decides nothing."""
-    far = Parameter("far", "restitution of the other stop", lower=0, upper=1, upper_closed=True)
-    w = Parameter("w", "frequency")
+    far = Parameter(names[0], "restitution of the other", lower=0, upper=1, upper_closed=True)
+    w = Parameter(names[1], "frequency")
     system = oscillator(
         "two-sided",
         ["x"],
@@ -164,7 +167,7 @@ def two_stops() -> Itinerary:
         "one",
         system,
         [("free-free", "near-reaches-stop", "T")],
-        reference=Reference({"far": "0.5", "w": "2"}, {"T": "3.14"}),
+        reference=Reference({names[0]: "0.5", names[1]: "2"}, {"T": "3.14"}),
     )
 
 
@@ -186,6 +189,70 @@ def test_parameters_that_decide_nothing_have_domains(monkeypatch: pytest.MonkeyP
     with pytest.raises(InputError, match="unknown parameter 'near'"):
         ns.solve_many(orbit, near=0.5)
     assert ns.solve_many(orbit, far="1/2", w="2").converged
+
+
+def test_parameters_may_have_names_of_functions_in_c() -> None:
+    orbit: Any = two_stops(("M_PI", "cos"))
+    assert declared_kernels(load_orbit(orbit)) is not None
+    found = ns.solve_many(orbit, {"M_PI": [0.5, 1.5], "cos": 2.0})
+    assert found.converged.tolist() == [True, False]
+    assert -found.unknowns["v0"][0] / 0.8 == pytest.approx(3.9016492908886392, rel=1e-13)
+
+
+@pytest.mark.parametrize("shape", [(0,), (2, 0), (0, 3)])
+def test_no_points_have_the_shape_of_any(
+    shape: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    values = {"w": np.empty(shape)}
+    for found in (ns.solve_many(SUBHARMONIC, values), by_tables(SUBHARMONIC, monkeypatch, values)):
+        assert found.status.shape == found.admissible.shape == found.trace.shape == shape
+        assert found.starts.shape[: len(shape)] == shape
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"w": [True]}, "parameter w: bool is no type of real numbers"),
+        ({"w": np.array([1j])}, "parameter w: complex128 is no type"),
+        ({"w": ["5/2"]}, "parameter w: could not convert"),
+        ({"w": [2.4, 2.5], "r": [0.7, 0.8, 0.9]}, "the parameters do not broadcast: "),
+        ({"nu": 2.4}, "unknown parameter 'nu'"),
+    ],
+)
+def test_wrong_arrays_are_refused_in_the_same_words(
+    values: dict[str, Any], message: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And before kernels are compiled, which takes seconds."""
+    with monkeypatch.context() as elsewhere:
+        elsewhere.setattr("nonsmooth.runtime.orbits.declared_many.declared_kernels", None)
+        with pytest.raises(InputError, match=message) as early:
+            ns.solve_many(ONE_PERIOD, values)
+    with pytest.raises(InputError, match=message) as late:
+        by_tables(ONE_PERIOD, monkeypatch, values)
+    assert str(early.value) == str(late.value)
+
+
+def test_kernels_whose_tables_went_are_made_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The cache is kept small file by file: one of the two may go alone."""
+    assert declared_kernels(load_orbit(ONE_PERIOD)) is not None
+    loaded = load_path(Path(ONE_PERIOD.rpartition(":")[0]), "one-period", compiled=False)
+    assert loaded is not None
+    key, folder = many_points_key(loaded.module), cache_folder()
+    assert key is not None
+    assert folder is not None
+    for path in folder.glob(f"{key}*"):
+        shutil.copy2(path, tmp_path)
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
+
+    def found() -> bool:
+        library = background.KernelLibrary(key, None, "impact_oscillator", many_points=True)
+        return library.module() is not None
+
+    assert found()
+    (tmp_path / f"{key}.py").unlink()
+    assert not found()
 
 
 def test_a_chart_keeps_the_kernels_that_it_began_with(

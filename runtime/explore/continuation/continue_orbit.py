@@ -119,11 +119,16 @@ def continue_orbit(
         return None
 
     path = trace_both_ways(curve, limits, step, points, go_on, known)
-    if INTERRUPTED not in path.ends:
-        return _branch(curve, path)
-    if len(path.points) < 2:
+    stopped = INTERRUPTED in path.ends
+    if stopped and len(path.points) < 2:
         raise KeyboardInterrupt
-    raise Interrupted(_branch(curve, path))
+    try:
+        branch = _branch(curve, path)
+    except KeyboardInterrupt:  # the points are there: what is known of them is found nevertheless
+        stopped, branch = True, _branch(curve, path)
+    if stopped:
+        raise Interrupted(branch)
+    return branch
 
 
 def _check_same(orbit: Orbit, parameter: str, limits: tuple[float, float], known: Branch) -> None:

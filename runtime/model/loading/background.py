@@ -35,6 +35,7 @@ from nonsmooth.runtime.model.loading.caching import (
     cached,
     made_folder,
     store_library,
+    stored,
     stored_library,
 )
 from nonsmooth.runtime.model.loading.compiling import compile_files, compiler
@@ -129,10 +130,16 @@ class KernelLibrary:
             building = self._building
         if building is not None and (at_once or seconds >= _WORTH_WAITING):
             # so it takes at most twice as long as with NumPy from the start
-            building.wait(_LONGEST_BUILD if at_once else min(seconds, _LONGEST_BUILD))
+            try:
+                building.wait(_LONGEST_BUILD if at_once else min(seconds, _LONGEST_BUILD))
+            except BaseException:
+                self._tried = False  # interrupted: whoever asks again has them made again
+                raise
         return self.module()
 
     def _found(self) -> ModuleType | None:
+        if self.many_points and stored(self.key) is None:  # its tables went: both are made again
+            return None
         path = stored_library(self.key)
         module = None if path is None else load_extension(path)
         found = getattr(module, f"derivation_{self.stem}", None)
