@@ -341,7 +341,7 @@ PROOFS = (
     Mutation("runtime/proof/counting/branch_and_prune.py", "untouched", "(tuple(problem.domain),)",
              "()", COUNTING),
     Mutation("runtime/cli/keeping.py", "worked",
-             "_exchange(signal.default_int_handler, _keep_first)", "None",
+             "_exchange(first, _keep_first)", "None",
              ("tests/cli/test_faults.py", "-kwhile_a_file")),
     Mutation("runtime/proof/counting/contraction.py", "contract", "unique and inside", "unique",
              COUNTED),
