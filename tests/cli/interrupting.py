@@ -1,7 +1,8 @@
 """A command that gets Ctrl-C at the instant when its progress shows something.
 
-Run as a script: the pattern of what it shows, then the command's arguments. The process sends
-the signal to itself, so that no load of the machine delays it.
+Run as a script: the pattern of what it shows, then the command's arguments. Progress is shown
+whenever it is told, and the process sends the signal to itself: neither how fast the machine is
+nor what else it does decides when.
 """
 
 from __future__ import annotations
@@ -11,6 +12,8 @@ import re
 import signal
 import sys
 from typing import Any, TextIO
+
+from rich.progress import Progress
 
 from nonsmooth.runtime.cli.program import main
 
@@ -34,6 +37,15 @@ class Watched:
         return count
 
 
+def update(progress: Progress, *arguments: Any, **options: Any) -> None:
+    """Update a task of the progress, and show it at once."""
+    UPDATE(progress, *arguments, **options)
+    progress.refresh()
+
+
+UPDATE = Progress.update
+
 if __name__ == "__main__":
+    Progress.update = update
     sys.stderr = Watched(sys.stderr, sys.argv.pop(1))  # type: ignore[assignment]
     main()
