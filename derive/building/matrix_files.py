@@ -51,7 +51,7 @@ def read_matrices(path: str | os.PathLike[str]) -> dict[str, Any]:
         raise DeclarationError(f"{file}: no such file")
     try:
         found = _READERS[kind](file)
-    except NotImplementedError:
+    except NotImplementedError:  # what SciPy says of that version, which is HDF5
         raise DeclarationError(
             f"{file}: MATLAB's version 7.3 is not read; save it by `save -v7`"
         ) from None
