@@ -47,9 +47,11 @@ def vectorised(
             flat = [value] if not shape else list(value)
             if len(shape) == 2:
                 flat = [entry for row in flat for entry in row]
+            varying = [place for place, entry in enumerate(flat) if isinstance(entry, np.ndarray)]
             filled = np.empty((*lead, len(flat)))
-            for place, entry in enumerate(flat):
-                filled[..., place] = entry
+            filled[...] = [0.0 if isinstance(entry, np.ndarray) else entry for entry in flat]
+            for place in varying:
+                filled[..., place] = flat[place]
             results.append(filled.reshape((*lead, *shape)))
         return tuple(results) if len(results) > 1 else results[0][()]
 

@@ -35,11 +35,13 @@ from nonsmooth.runtime.model.eigenvalue_clusters import (
     smallest_projectors,
 )
 from nonsmooth.runtime.model.projectors import exponentials_at
+from nonsmooth.runtime.model.simple_modes import ModeGroup, balanced, dependence, simple_modes
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 from nonsmooth.runtime.model.time_functions import functions_at
 
-__all__ = ["NumericModes", "no_modes", "numeric_modes"]
+__all__ = ["NumericModes", "grouped_modes", "no_modes", "numeric_modes"]
 
+_FEW = 4  # for fewer fields it pays to remember their modes
 _FAR = 0.05  # of the largest modulus: no digits are lost
 _CLOSE = 2e-14  # error of a sum, relative to the flow, that is rounding
 _LARGEST = 1e-7
@@ -96,6 +98,42 @@ def numeric_modes(field: np.ndarray) -> NumericModes:
         ) from None
 
 
+def grouped_modes(fields: np.ndarray) -> list[ModeGroup]:
+    """Modes of many motions y' = A y + b, grouped by their shapes.
+
+    Parameters
+    ----------
+    fields : array (n, N, N + 1)
+        A, then b.
+
+    Returns
+    -------
+    list of ModeGroup
+        With NaN where there are no numbers, or double precision does not tell the motion.
+    """
+    count = len(fields)
+    if count > 1 and (fields == fields[:1]).all():  # nothing that varies matters
+        (only,) = grouped_modes(fields[:1])
+        exponents, flows = (
+            np.broadcast_to(part, (count, *part.shape[1:])) for part in (only.exponents, only.flows)
+        )
+        return [ModeGroup(np.arange(count), only.shapes, exponents, flows)]
+    finite = np.flatnonzero(np.isfinite(fields).all(axis=(-2, -1)))
+    simple = simple_modes(fields[finite]) if len(finite) > _FEW else []
+    groups = [group._replace(places=finite[group.places]) for group in simple]
+    members: dict[tuple[ModeShape, ...], list[tuple[int, NumericModes]]] = {}
+    for place in sorted({*range(count)}.difference(*(g.places.tolist() for g in groups))):
+        try:
+            found = numeric_modes(fields[place])
+        except InputError:
+            found = no_modes(fields.shape[1])
+        members.setdefault(found.shapes, []).append((place, found))
+    for shapes, each in members.items():
+        exponents, flows = (np.stack([modes[k] for _, modes in each]) for k in (1, 2))
+        groups.append(ModeGroup(np.array([place for place, _ in each]), shapes, exponents, flows))
+    return groups
+
+
 @cache
 def no_modes(size: int) -> NumericModes:
     """What stands for the modes of a configuration that are not known.
@@ -119,44 +157,16 @@ def no_modes(size: int) -> NumericModes:
 @lru_cache(maxsize=4096)  # configurations share fields, and so do points of a sweep
 def _numeric_modes(content: bytes, size: int) -> NumericModes:
     field = np.frombuffer(content).reshape(size, size + 1)
+    for simple in simple_modes(field[None]):
+        return NumericModes(simple.shapes, simple.exponents[0], simple.flows[0])
     whole = np.vstack([field, np.zeros(size + 1)])
     # a change of units keeps powers of two exact
-    scaled, units = _balanced(whole)
+    scaled, units = (part[0] for part in balanced(whole[None]))
     shapes, exponents, terms = _modes_of(_decomposed(scaled, units))
-    # zero exactly, and not but for rounding, where a state, as of a forcing, does not depend on
-    # another one: modes are polynomials in the matrix
-    depends = np.linalg.matrix_power((whole != 0) | np.eye(size + 1, dtype=bool), size)[:size]
-    flows = np.where(depends, (units[:, None] * terms / units)[:, :size], 0.0)
+    flows = np.where(dependence(whole[None])[0], units[:, None] * terms / units, 0.0)[:, :size]
     for array in (exponents, flows):
         array.flags.writeable = False
     return NumericModes(shapes, exponents, flows)
-
-
-def _balanced(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Change of units, by powers of two, after which rows and columns are of like size.
-
-    Parlett and Reinsch (1969), with the norms of LAPACK's dgebal. Importing SciPy for it would
-    take longer than all that follows.
-    """
-    scaled, units = matrix.copy(), np.ones(len(matrix))
-    changed = True
-    while changed:
-        changed = False
-        for i in range(len(scaled)):
-            column, row = math.hypot(*scaled[:, i].tolist()), math.hypot(*scaled[i].tolist())
-            if column == 0 or row == 0 or not math.isfinite(column + row):
-                continue
-            factor, before = 1.0, column + row
-            while column < row / 2:
-                factor, column, row = 2 * factor, 2 * column, row / 2
-            while column / 2 >= row:
-                factor, column, row = factor / 2, column / 2, 2 * row
-            if column + row < 0.95 * before:
-                units[i] *= factor
-                scaled[i] /= factor
-                scaled[:, i] *= factor
-                changed = True
-    return scaled, units
 
 
 def _modes_of(clusters: list[Cluster]) -> NumericModes:

@@ -19,8 +19,9 @@ from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
-from nonsmooth.runtime.model.modes import NumericModes, no_modes, numeric_modes
-from nonsmooth.runtime.model.structure import Modes, Structure, structure_of
+from nonsmooth.runtime.model.modes import NumericModes, grouped_modes, no_modes, numeric_modes
+from nonsmooth.runtime.model.simple_modes import ModeGroup
+from nonsmooth.runtime.model.structure import Structure, structure_of
 
 __all__ = [
     "PiecewiseLinear",
@@ -178,23 +179,53 @@ def numbers_at(
     if structure.modes is not None:
         parts = (*parts, *_closed_modes(kernels, points))
         return [PointGroup(structure, np.arange(count), _flat(parts))]
-    groups: dict[Modes, list[tuple[int, np.ndarray]]] = {}
-    for place in range(count):
-        try:
-            found = _numeric(structure, parts[0][place], visited)
-        except InputError:  # no numbers, or eigenvalues that cannot be told from each other
-            found = [no_modes(len(structure.states))] * len(structure.configurations)
-        modes = tuple(each.shapes for each in found)
-        arrays = [*(m.exponents for m in found), *(m.flows for m in found)]
-        numbers = np.concatenate([array.ravel() for array in arrays])
-        groups.setdefault(modes, []).append((place, numbers))
+    size = len(structure.states)
+    fields = parts[0].reshape(count, -1, size, size + 1)
+    told = np.isfinite(fields).all(axis=(1, 2, 3))
+    found: dict[int, list[ModeGroup]] = {}
+    for place in range(fields.shape[1]) if visited is None else sorted({*visited}):
+        found[place] = grouped_modes(np.where(told[:, None, None], fields[:, place], np.nan))
+        for group in found[place]:
+            told[group.places] &= np.isfinite(group.exponents).all(axis=(1, 2))
     known = _flat(parts)
-    result: list[PointGroup] = []
-    for modes, members in groups.items():
-        places = np.array([place for place, _ in members])
-        flat = np.concatenate([known[places], np.stack([n for _, n in members])], axis=1)
-        result.append(PointGroup(structure.with_modes(modes), places, flat))
+    none, result = no_modes(size), []
+    for places in _alike(told, found.values()):
+        own = [
+            _members(found[place], places) if told[places[0]] and place in found else none
+            for place in range(fields.shape[1])
+        ]
+        arrays = [*(modes.exponents for modes in own), *(modes.flows for modes in own)]
+        lead = (len(places),)
+        numbers = [
+            np.broadcast_to(part, lead + part.shape[-2:] if k < len(own) else lead + part.shape[-3:])
+            for k, part in enumerate(arrays)
+        ]
+        flat = np.concatenate([known[places], *(n.reshape(len(places), -1) for n in numbers)], axis=1)
+        shapes = tuple(modes.shapes for modes in own)
+        result.append(PointGroup(structure.with_modes(shapes), places, flat))
     return result
+
+
+def _alike(told: np.ndarray, found: Iterable[list[ModeGroup]]) -> list[np.ndarray]:
+    """Places of the points of whose modes every configuration's are in one group."""
+    labels = [~told]
+    for groups in found:
+        label = np.zeros(len(told), dtype=int)
+        for number, group in enumerate(groups):
+            label[group.places] = number
+        labels.append(np.where(told, label, 0))
+    _, inverse = np.unique(np.stack(labels, axis=1), axis=0, return_inverse=True)
+    return [np.flatnonzero(inverse == k) for k in range(inverse.max(initial=-1) + 1)]
+
+
+def _members(groups: list[ModeGroup], places: np.ndarray) -> ModeGroup:
+    """Modes of some points of one group."""
+    for group in groups:
+        row = np.searchsorted(group.places, places[0])
+        if row < len(group.places) and group.places[row] == places[0]:
+            rows = np.searchsorted(group.places, places)
+            return ModeGroup(places, group.shapes, group.exponents[rows], group.flows[rows])
+    raise AssertionError("each point is in a group")  # pragma: no cover
 
 
 def _flat(parts: Iterable[np.ndarray]) -> np.ndarray:

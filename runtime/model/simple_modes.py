@@ -1,0 +1,205 @@
+"""Modes of many configurations at once, where every eigenvalue is simple and well conditioned.
+
+LAPACK finds the eigenvalues of a whole stack of matrices. Each decomposition is then held
+against its matrix: where the projectors do not sum up to the unit, or miss their eigenvalues by
+more than rounding, the configuration is left to `nonsmooth.runtime.model.modes`, which clusters
+eigenvalues and works in more digits. Every operation acts on one matrix or one entry alone, so
+that no digit depends on which other matrices are in the stack.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
+
+__all__ = ["ModeGroup", "balanced", "dependence", "simple_modes"]
+
+EPSILON = float(np.finfo(float).eps)
+APART = 1e-9  # of the largest modulus: eigenvalues that are nearer are not simple
+LARGE = 30.0  # norm of a projector: as much, squared, may be lost of the digits
+# of as many states as there are, times the rounding of one number:
+_UNIT = 8 * EPSILON  # what the projectors' sum may miss
+_MISSED = 16 * EPSILON  # what they may miss their eigenvalues by, of the largest modulus
+_NORM = 2.0  # and norm of a projector
+_MODERATE = 1e3  # term of a state beside which it loses no digits that count while it is small
+_SWEEPS = 40
+
+
+class ModeGroup(NamedTuple):
+    """Modes of those configurations of a stack that have modes of the same shapes.
+
+    Attributes
+    ----------
+    places : array (k,) of int
+        Which of the stack they are.
+    shapes : tuple of ModeShape
+        First that of the exponent 0, which has the constants.
+    exponents : array (k, modes, 2)
+        Real and imaginary parts.
+    flows : array (k, functions, N, N + 1)
+    """
+
+    places: np.ndarray
+    shapes: tuple[ModeShape, ...]
+    exponents: np.ndarray
+    flows: np.ndarray
+
+
+def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
+    """Modes of motions y' = A y + b whose eigenvalues are apart.
+
+    Parameters
+    ----------
+    fields : array (n, N, N + 1)
+        A, then b; finite.
+
+    Returns
+    -------
+    list of ModeGroup
+        Without those whose eigenvalues are not simple, or not told well by double precision.
+    """
+    count, size, columns = fields.shape
+    whole = np.concatenate([fields, np.zeros((count, 1, columns))], axis=1)
+    with np.errstate(all="ignore"):
+        scaled, units = balanced(whole)
+        values, right = np.linalg.eig(scaled)
+        scale = np.abs(values).max(axis=-1)
+        apart = np.flatnonzero(_smallest_distance(values) > APART * scale)
+        values, right = values[apart].astype(complex), right[apart].astype(complex)
+        scaled, units, scale = scaled[apart], units[apart], scale[apart]
+        try:
+            left = np.linalg.inv(right)
+        except np.linalg.LinAlgError:  # one is singular: all go the other way
+            return []
+        values = _snapped(values, 8 * columns * EPSILON * scale[:, None])
+        sound = _sound(scaled, values, right, left, scale)
+    result = []
+    order = np.lexsort((values.real, values.imag, values != 0), axis=-1)
+    reals = (values.imag == 0).sum(axis=-1)
+    for count in np.unique(reals[sound]).tolist():
+        group = np.flatnonzero(sound & (reals == count))
+        kept = order[group]
+        kept = kept[np.take_along_axis(values[group], kept, axis=-1).imag >= 0]
+        kept = kept.reshape(len(group), -1)
+        poles = np.take_along_axis(values[group], kept, axis=-1)
+        columns_of = np.take_along_axis(right[group], kept[:, None, :], axis=-1)
+        rows_of = np.take_along_axis(left[group], kept[:, :, None], axis=-2)
+        terms = _terms(count, np.swapaxes(columns_of, -1, -2), rows_of)
+        unit = units[group]
+        terms = (unit[:, None, :, None] * terms / unit[:, None, None, :])[:, :, :size]
+        places = apart[group]
+        # motions that are slow in the unit of time are sums of terms that cancel
+        rates = np.maximum(np.abs(whole[places, :size]).max(axis=-1, initial=1.0), 1.0)
+        small = (np.abs(terms) <= _MODERATE * rates[:, None, :, None]).all(axis=(1, 2, 3))
+        places, terms, poles = places[small], terms[small], poles[small]
+        if not len(places):
+            continue
+        terms[~np.broadcast_to(dependence(whole[places])[:, None, :size], terms.shape)] = 0.0
+        shapes = mode_shapes(((1, False),) * count + ((1, True),) * (poles.shape[1] - count))
+        exponents = np.stack([poles.real, poles.imag], axis=-1)
+        result.append(ModeGroup(places, shapes, exponents, terms))
+    return result
+
+
+def _terms(count: int, right: np.ndarray, left: np.ndarray) -> np.ndarray:
+    """Matrices (k, functions, n, n) of eigenvectors (k, modes, n), of which `count` are real."""
+    real = right[:, :count, :, None].real * left[:, :count, None, :].real
+    u, v = right[:, count:, :, None], left[:, count:, None, :]
+    even = 2 * (u.real * v.real - u.imag * v.imag)
+    odd = -2 * (u.real * v.imag + u.imag * v.real)
+    pairs = np.stack([even, odd], axis=2)
+    return np.concatenate([real, pairs.reshape(len(u), -1, *real.shape[2:])], axis=1)
+
+
+def _sound(
+    matrix: np.ndarray, values: np.ndarray, right: np.ndarray, left: np.ndarray, scale: np.ndarray
+) -> np.ndarray:
+    """Where projectors are small, sum up to the unit and belong to their eigenvalues."""
+    norms = np.linalg.norm(left, axis=-1) * np.linalg.norm(right, axis=-2)
+    missed = np.abs(matrix @ right - right * values[:, None, :]) @ np.abs(left)
+    unit = np.abs(right @ left - np.eye(matrix.shape[-1]))
+    size = matrix.shape[-1]
+    return np.asarray(
+        (norms.max(axis=-1) <= max(LARGE, _NORM * size))
+        & (unit.max(axis=(-2, -1)) <= _UNIT * size)
+        & (missed.max(axis=(-2, -1)) <= _MISSED * size * scale)
+    )
+
+
+def _snapped(values: np.ndarray, tiny: np.ndarray) -> np.ndarray:
+    """Eigenvalues without what rounding makes of a part that is zero."""
+    real = np.where(np.abs(values.real) <= tiny, 0.0, values.real)
+    return np.asarray(real + 1j * np.where(np.abs(values.imag) <= tiny, 0.0, values.imag))
+
+
+def balanced(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Change of units, by powers of two, after which rows and columns are of like size.
+
+    Parlett and Reinsch (1969), for many matrices at once.
+
+    Parameters
+    ----------
+    matrices : array (n, m, m)
+
+    Returns
+    -------
+    scaled : array (n, m, m)
+    units : array (n, m)
+        Powers of two: ``scaled = matrices * units[:, None] / units[:, :, None]``.
+    """
+    scaled, units = matrices.copy(), np.ones(matrices.shape[:2])
+    for _ in range(_SWEEPS):
+        changed = False
+        for i in range(matrices.shape[-1]):
+            column, row = np.abs(scaled[:, :, i]).max(axis=1), np.abs(scaled[:, i]).max(axis=1)
+            # a factor f turns them into f column and row / f: of like size for f^2 = row / column
+            told = (column > 0) & (row > 0) & np.isfinite(column) & np.isfinite(row)
+            exponent = np.frexp(np.where(told, row / np.where(told, column, 1.0), 1.0))[1]
+            factor = np.where(told, np.ldexp(1.0, exponent // 2), 1.0)
+            better = factor * column + row / factor < 0.95 * (column + row)
+            if better.any():
+                factor = np.where(better, factor, 1.0)
+                units[:, i] *= factor
+                scaled[:, i] /= factor[:, None]
+                scaled[:, :, i] *= factor[:, None]
+                changed = True
+        if not changed:
+            break
+    return scaled, units
+
+
+def dependence(matrices: np.ndarray) -> np.ndarray:
+    """Which entries of a matrix's polynomials may be other than zero.
+
+    Zero exactly, and not but for rounding, stands where a state, as of a forcing, does not
+    depend on another one.
+
+    Parameters
+    ----------
+    matrices : array (n, m, m)
+
+    Returns
+    -------
+    array (n, m, m) of bool
+    """
+    patterns = matrices != 0
+    if (patterns == patterns[:1]).all():
+        return np.broadcast_to(_closure(patterns[0].tobytes(), len(patterns[0])), patterns.shape)
+    return np.stack([_closure(pattern.tobytes(), len(pattern)) for pattern in patterns])
+
+
+@lru_cache(maxsize=4096)
+def _closure(content: bytes, size: int) -> np.ndarray:
+    pattern = np.frombuffer(content, dtype=bool).reshape(size, size)
+    return np.asarray(np.linalg.matrix_power(pattern | np.eye(size, dtype=bool), size))
+
+
+def _smallest_distance(values: np.ndarray) -> np.ndarray:
+    """Smallest distances of eigenvalues (n, m); inf for a single one."""
+    gaps = np.abs(values[:, :, None] - values[:, None, :])
+    gaps[:, np.arange(values.shape[1]), np.arange(values.shape[1])] = np.inf
+    return np.asarray(gaps.min(axis=(-2, -1)))
