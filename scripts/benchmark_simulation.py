@@ -11,14 +11,14 @@ from measuring import Row, interleaved
 
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.engine_run import Run
-from nonsmooth.runtime.model.kernels import kernels_of, load_system
+from nonsmooth.runtime.model.kernels import compiled_engine, kernels_of, load_system
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, numbers_at, piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from nonsmooth.runtime.shooting.table_newton import solve_shape
-from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
+from nonsmooth.runtime.simulation.engines import run_motions
 from nonsmooth.runtime.simulation.simulate import follow, simulate_many
 from nonsmooth.runtime.simulation.starting import configuration_of
 

@@ -10,13 +10,14 @@ import numpy as np
 from stressing import EPS, Ball, Shape, Sums, first_excess, undecided
 
 from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.structure import (
     BoundaryShape,
     ModeShape,
     Structure,
     TransitionShape,
 )
-from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
+from nonsmooth.runtime.simulation.engines import run_motions
 
 __all__ = ["FAMILIES", "random_sums", "search", "search_chunk", "verdicts"]
 

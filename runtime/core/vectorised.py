@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -41,19 +43,37 @@ def vectorised(
         lead = np.broadcast_shapes(
             *(a.shape[len(shape) :] for a, shape in zip(unpacked, inputs, strict=True))
         )
-        found = function(*unpacked, lib=FLOATS)
         results = []
-        for value, shape in zip(found if len(outputs) > 1 else (found,), outputs, strict=True):
-            flat = [value] if not shape else list(value)
-            if len(shape) == 2:
-                flat = [entry for row in flat for entry in row]
-            varying = [place for place, entry in enumerate(flat) if isinstance(entry, np.ndarray)]
-            filled = np.empty((*lead, len(flat)))
-            filled[...] = [0.0 if isinstance(entry, np.ndarray) else entry for entry in flat]
+        for entries, shape, (constants, varying) in zip(
+            listed(unpacked), outputs, patterns(), strict=True
+        ):
+            filled = np.empty((*lead, len(entries)))
+            filled[...] = constants
             for place in varying:
-                filled[..., place] = flat[place]
+                filled[..., place] = entries[place]
             results.append(filled.reshape((*lead, *shape)))
         return tuple(results) if len(results) > 1 else results[0][()]
+
+    def listed(arrays: list[np.ndarray]) -> list[list[Any]]:
+        """Entries of each result."""
+        found = function(*arrays, lib=FLOATS)
+        results = found if len(outputs) > 1 else (found,)
+        return [
+            list(chain.from_iterable(result)) if len(shape) == 2 else list(result) if shape
+            else [result]
+            for result, shape in zip(results, outputs, strict=True)
+        ]  # fmt: skip
+
+    @cache
+    def patterns() -> list[tuple[np.ndarray, list[int]]]:
+        """What each result has at all points, and the places of what varies."""
+        with np.errstate(all="ignore"):
+            entries = listed([np.ones((*shape, 1)) for shape in inputs])
+        varying = [[k for k, x in enumerate(e) if isinstance(x, np.ndarray)] for e in entries]
+        constants = [
+            np.array([0.0 if isinstance(x, np.ndarray) else float(x) for x in e]) for e in entries
+        ]
+        return list(zip(constants, varying, strict=True))
 
     return call
 

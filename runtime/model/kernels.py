@@ -141,6 +141,22 @@ def backend() -> str:
     return "numpy" if _compiled_module() is None else "c"
 
 
+def compiled_engine() -> ModuleType | None:
+    """The compiled engine, or None where Python is to be used.
+
+    Returns
+    -------
+    module or None
+        The extension module; None where Python runs or nothing is compiled.
+    """
+    if backend() != "c":
+        return None
+    try:
+        return import_module("nonsmooth.runtime._engine")
+    except ImportError:
+        return None
+
+
 def load_orbit(orbit: str | DeclaredOrbit) -> OrbitKernels:
     """Tables and kernels of an orbit.
 

@@ -30,6 +30,7 @@ __all__ = [
     "piecewise",
     "piecewise_at",
     "piecewise_in",
+    "tables_at",
 ]
 
 
@@ -187,23 +188,26 @@ def numbers_at(
         found[place] = grouped_modes(np.where(told[:, None, None], fields[:, place], np.nan))
         for group in found[place]:
             told[group.places] &= np.isfinite(group.exponents).all(axis=(1, 2))
-    known = _flat(parts)
-    none, result = no_modes(size), []
+    result = []
     for places in _alike(told, found.values()):
+        visible = found if told[places[0]] else {}
         own = [
-            _members(found[place], places) if told[places[0]] and place in found else none
+            _members(visible[place], places) if place in visible else _unknown(size, places)
             for place in range(fields.shape[1])
         ]
-        arrays = [*(modes.exponents for modes in own), *(modes.flows for modes in own)]
-        lead = (len(places),)
-        numbers = [
-            np.broadcast_to(part, lead + part.shape[-2:] if k < len(own) else lead + part.shape[-3:])
-            for k, part in enumerate(arrays)
-        ]
-        flat = np.concatenate([known[places], *(n.reshape(len(places), -1) for n in numbers)], axis=1)
+        arrays = [part[places] for part in parts]
+        arrays += [modes.exponents for modes in own] + [modes.flows for modes in own]
+        flat = np.concatenate([part.reshape(len(places), -1) for part in arrays], axis=1)
         shapes = tuple(modes.shapes for modes in own)
         result.append(PointGroup(structure.with_modes(shapes), places, flat))
     return result
+
+
+def _unknown(size: int, places: np.ndarray) -> ModeGroup:
+    """What stands for the modes of a configuration that are not known."""
+    none = no_modes(size)
+    arrays = (np.broadcast_to(a, (len(places), *a.shape)) for a in (none.exponents, none.flows))
+    return ModeGroup(places, none.shapes, *arrays)
 
 
 def _alike(told: np.ndarray, found: Iterable[list[ModeGroup]]) -> list[np.ndarray]:
@@ -288,6 +292,27 @@ def piecewise_in(
         _objects(part) for part in kernels.source("modes")(point, spectrum, lib=lib)
     )
     return _record(structure, values, fields, rows, resets, exponents, flows)
+
+
+def tables_at(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Fields, rows and resets at points (n, p), in double precision.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    points : array (n, p)
+        In the order of the system's parameters.
+
+    Returns
+    -------
+    fields : array (n, configurations, N, N + 1)
+    rows : array (n, R, N + 1)
+    resets : array (n, S, N, N + 1)
+    """
+    size = len(kernels.table["states"])
+    fields, rows, resets = _evaluated(kernels, points)
+    matrices = (part.reshape(len(points), -1, size, size + 1) for part in (fields, resets))
+    return next(matrices), rows, next(matrices)
 
 
 def _evaluated(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -19,29 +19,31 @@ from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.matrices import (
     eigenvalues,
-    exponentials,
     sorted_by_size,
 )
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
-from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
+from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at, tables_at
+from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
-from nonsmooth.runtime.orbits.table_admissible import assess_cycle
+from nonsmooth.runtime.orbits.table_limits import first_limits
 from nonsmooth.runtime.orbits.table_motion import motion_along
 from nonsmooth.runtime.orbits.table_phase_functions import Conditions, conditions_of, phase_waves
 from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.shooting.derivatives import (
+    ShootingDerivatives,
+    dependent_variational,
+    shooting_derivatives,
+)
 from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.shooting.shooting_map import (
-    ItineraryShape,
     Numbers,
     numbers_in,
-    phases_in,
     shoot,
 )
 from nonsmooth.runtime.shooting.symmetric_orbit import closing, closing_matrix
 from nonsmooth.runtime.shooting.table_newton import sizes as sizes_along
-from nonsmooth.runtime.shooting.variational import COMPLEX_STEP, Shooting, shooting_map
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["TableEquations"]
@@ -82,7 +84,7 @@ class TableEquations:
         self.values = np.array([*dwell, *start, *given, *([orbit.period] if self._timed else [])])
         self._given = slice(len(self.unknowns), len(self.unknowns) + len(parameters))
         self._repeated = _parts(self.phases)
-        self._known: tuple[bytes, list[tuple[np.ndarray, ItineraryShape, Numbers]]] = (b"", [])
+        self._passed: tuple[bytes, ShootingDerivatives | None] = (b"", None)
 
     @cached_property
     def sizes(self) -> np.ndarray:
@@ -94,24 +96,12 @@ class TableEquations:
     def linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
         """See `OrbitEquations`."""
         cycle, count, size = self._cycle, len(self._cycle), len(self._cycle.structure.states)
-        tiny = _IMAGINARY * max(1.0, abs(x[place]))
-        numbers = self._complex_numbers(x, place, tiny)
+        numbers, changes = self._changing(x, place)
         dwell, start = self._unknowns(x)
-        generators = np.zeros((count, size + 1, size + 1), dtype=complex)
-        generators[:, :size] = numbers.fields[list(cycle.configurations)]
-        flows = exponentials(generators * dwell[:, None, None])[:, :size]
-        unit = np.eye(count + size)
-        now = shooting_map(
-            COMPLEX_STEP,
-            phases_in(cycle, numbers),
-            flows,
-            start[:, None].astype(complex),
-            unit[count:],
-            list(unit[:count, None]),
-        )
-        state, linear = now.starts[-1][:, 0], now.variational
+        now = shooting_derivatives(cycle, numbers, dwell[None], start[None], changes)
+        state, linear, jacobian = now.starts[0, -1], now.variational[0], now.slopes[0]
         closure, by_unknowns = state - start, linear.copy()
-        by_unknowns[:, count:] -= np.eye(size)
+        by_unknowns[:, count:-1] -= np.eye(size)
         for c, s in cycle.structure.forcing:
             # its amplitude is 1; that it turns by whole turns is one equation, not two
             closure[c] = start[c] ** 2 + start[s] ** 2 - 1
@@ -119,18 +109,15 @@ class TableEquations:
             by_unknowns[c, [count + c, count + s]] = 2 * start[[c, s]]
             closure[s] = start[c] * state[s] - start[s] * state[c]
             by_unknowns[s] = start[c] * linear[s] - start[s] * linear[c]
-            by_unknowns[s, [count + c, count + s]] += state.real[s], -state.real[c]
-        values = np.concatenate([*(value[:, 0] for value in now.residual), closure])
-        jacobian = np.concatenate([*now.slopes, by_unknowns])
-        by_place = values.imag / tiny
-        residual = values.real
-        if self._timed:
-            row = np.concatenate([np.ones(count), np.zeros(size)])
-            jacobian = np.concatenate([jacobian, row[None]])
-            residual = np.append(residual, dwell.sum() - x[-1] / self.order)
-            is_period = place == len(self.names) - 1
-            by_place = np.append(by_place, -1.0 / self.order if is_period else 0.0)
-        return residual, np.concatenate([jacobian, by_place[:, None]], axis=1)
+            by_unknowns[s, [count + c, count + s]] += state[s], -state[c]
+        residual = np.concatenate([now.residual[0], closure])
+        jacobian = np.concatenate([jacobian, by_unknowns])
+        if not self._timed:
+            return residual, jacobian
+        by_place = -1.0 / self.order if place == len(self.names) - 1 else 0.0
+        row = np.concatenate([np.ones(count), np.zeros(size), [by_place]])
+        residual = np.append(residual, dwell.sum() - x[-1] / self.order)
+        return residual, np.concatenate([jacobian, row[None]])
 
     def dwell(self, x: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`."""
@@ -140,31 +127,30 @@ class TableEquations:
         """See `OrbitEquations`."""
         if not self._repeated:
             return []
-        ((_, cycle, numbers),) = self._groups(x[None])
-        dwell, start = self._unknowns(x[None])
-        now = _passed(cycle, numbers, dwell, start)
-        sizes = self.sizes[len(self._cycle) :]
-        return [np.asarray((now.starts[count, 0] - start[0]) / sizes) for count in self._repeated]
+        start = self._unknowns(x)[1]
+        starts, sizes = self._shot(x[None]).starts[0], self.sizes[len(self._cycle) :]
+        return [np.asarray((starts[count] - start) / sizes) for count in self._repeated]
 
     def waves(self, x: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
         """See `OrbitEquations`."""
         found = []
-        for places, cycle, numbers in self._groups(x):
-            part = x[places]
-            dwell, start = self._unknowns(part)
-            now = _passed(cycle, numbers, dwell, start)
-            phases = range(len(cycle))
-            found.append((places, [phase_waves(cycle, numbers, now, dwell, k) for k in phases]))
+        starts, dwell = self._shot(x).starts, self.dwell(x)
+        system, visited = self.orbit.system, self._cycle.configurations
+        for group in numbers_at(system, x[:, self._given], visited):
+            places, numbers = group.places, numbers_in(group.structure, group.flat)
+            cycle = self._cycle.at(self._cycle.structure.with_modes(group.structure.shapes))
+            phases = [
+                phase_waves(cycle, numbers, starts[places, k], dwell[places], k)
+                for k in range(len(cycle))
+            ]
+            found.append((places, phases))
         return found
 
     def conditions(self, x: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`: the lowest derivative along a flow that is not zero there."""
-        found = np.empty((len(x), len(self._conditions.rows)))
-        for places, cycle, numbers in self._groups(x):
-            now = _passed(cycle, numbers, *self._unknowns(x[places]))
-            for column, condition in enumerate(self._conditions.rows):
-                found[places, column] = condition.value(numbers, now)
-        return found
+        now, numbers = self._shot(x), self._tables(x)
+        values = [condition.value(numbers, now.ends) for condition in self._conditions.rows]
+        return np.stack(values, axis=-1) if values else np.empty((len(x), 0))
 
     @cached_property
     def _conditions(self) -> Conditions:
@@ -181,22 +167,17 @@ class TableEquations:
 
     def multipliers(self, x: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`."""
-        size = len(self._cycle.structure.states)
-        found = np.full((len(x), self._rank - self.conservative), np.nan, dtype=complex)
-        for places, cycle, numbers in self._groups(x):
-            dwell, start = self._unknowns(x[places])
-            now = _passed(cycle, numbers, dwell, start)
-            matrices = now.variational[..., :size]
-            if self._driven is not None:
-                field = numbers.fields[:, cycle.configurations[0]]
-                matrices = stroboscopic_maps(cycle, field, start, matrices, self._driven)
-            values = eigenvalues(matrices)
-            if self.conservative:
-                trivial = np.argmin(abs(values - 1), axis=-1)
-                values[np.arange(len(values)), trivial] = 0
-                values = sorted_by_size(values)
-            found[places] = values[:, : found.shape[1]]
-        return found
+        matrices = dependent_variational(self._shot(x))
+        if self._driven is not None:
+            field = self._tables(x).fields[:, self._cycle.configurations[0]]
+            start = self._unknowns(x)[1]
+            matrices = stroboscopic_maps(self._cycle, field, start, matrices, self._driven)
+        values = eigenvalues(matrices)
+        if self.conservative:
+            trivial = np.argmin(abs(values - 1), axis=-1)
+            values[np.arange(len(values)), trivial] = 0
+            values = sorted_by_size(values)
+        return np.asarray(values[:, : self._rank - self.conservative])
 
     def traces(self, x: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`."""
@@ -205,18 +186,18 @@ class TableEquations:
 
     def admissible(self, x: np.ndarray) -> np.ndarray:
         """See `OrbitEquations`."""
-        return np.array([self._admissible(point) for point in x])
-
-    def _admissible(self, x: np.ndarray) -> bool:
-        if not (np.isfinite(x).all() and (self.dwell(x[None]) > 0).all()):
-            return False
-        cycle = self.orbit.tables.cycle
-        system = piecewise_at(self.orbit.system, x[self._given], cycle.configurations)
-        cycle = cycle.at(system.structure)
-        dwell, start = self._unknowns(x)
-        times = np.tile(dwell, self.order)
-        now = shoot(cycle, numbers_in(system), times, start, np)
-        return bool(assess_cycle(cycle, system, now, times).verdict)
+        found = np.full(len(x), False)
+        told = np.flatnonzero(np.isfinite(x).all(axis=-1) & (self.dwell(x) > 0).all(axis=-1))
+        system, cycle = self.orbit.system, self.orbit.tables.cycle
+        points = x[told][:, self._given]
+        for group in numbers_at(system, points, cycle.configurations):
+            here, places = cycle.at(group.structure), told[group.places]
+            dwell, start = self._unknowns(x[places])
+            times, numbers = np.tile(dwell, self.order), numbers_in(group.structure, group.flat)
+            starts = shooting_derivatives(here, numbers, times, start).starts[:, :-1]
+            limits = first_limits(system, here, points[group.places], group.flat, times, starts)
+            found[places] = limits == NEITHER
+        return found
 
     def orbit_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Orbit:
         """See `OrbitEquations`."""
@@ -249,20 +230,41 @@ class TableEquations:
         count = len(self._cycle)
         return x[..., :count], x[..., count : len(self.unknowns)]
 
-    def _complex_numbers(self, x: np.ndarray, place: int, tiny: float) -> Numbers:
-        """Fields, rows and resets, the last reset that of the part's closure."""
-        size = len(self._cycle.structure.states)
-        numbers = x.astype(complex)
-        numbers[place] += 1j * tiny
-        point = numbers[self._given]
+    def _changing(self, x: np.ndarray, place: int) -> tuple[Numbers, Numbers]:
+        """Fields, rows and resets at one point, and their derivatives by one number."""
+        size, tiny = len(self._cycle.structure.states), _IMAGINARY * max(1.0, abs(x[place]))
+        point = x.astype(complex)
+        point[place] += 1j * tiny
         fields, rows, resets = (
-            np.array(self.orbit.system.source(name)(point, lib=FLOATS), dtype=complex)
+            np.array(self.orbit.system.source(name)(point[self._given], lib=FLOATS), dtype=complex)
             for name in ("fields", "rows", "resets")
         )
-        resets = resets.reshape(-1, size, size + 1)
-        fields, rows = fields.reshape(-1, size, size + 1), rows.reshape(-1, size + 1)
+        found = self._closed(
+            fields.reshape(1, -1, size, size + 1), rows[None], resets.reshape(1, -1, size, size + 1)
+        )
+        real, imaginary = (
+            (part.real for part in found[:3]),
+            (part.imag / tiny for part in found[:3]),
+        )
+        return Numbers(*real, (), ()), Numbers(*imaginary, (), ())
+
+    def _tables(self, x: np.ndarray) -> Numbers:
+        """Fields, rows and resets at many points."""
+        return self._closed(*tables_at(self.orbit.system, x[:, self._given]))
+
+    def _shot(self, x: np.ndarray) -> ShootingDerivatives:
+        """Passages of many points."""
+        key, found = self._passed
+        if found is None or key != x.tobytes():  # who asks for multipliers asks for conditions
+            found = shooting_derivatives(self._cycle, self._tables(x), *self._unknowns(x))
+            self._passed = x.tobytes(), found
+        return found
+
+    def _closed(self, fields: np.ndarray, rows: np.ndarray, resets: np.ndarray) -> Numbers:
+        """Numbers of many points, the last reset that of the part's closure."""
         if self._cycle.structure is not self.orbit.tables.cycle.structure:
-            resets = self._closed_resets(fields, rows, resets)
+            arrays = zip(fields, rows, resets, strict=True)
+            resets = np.stack([self._closed_resets(*each) for each in arrays])
         return Numbers(fields, rows, resets, (), ())
 
     def _closed_resets(self, fields: Any, rows: Any, resets: Any) -> np.ndarray:
@@ -272,36 +274,6 @@ class TableEquations:
         last = resets[cycle.transitions[len(self._cycle) - 1].reset]
         found = last if matrix is None else matrix @ last
         return np.concatenate([resets, found[None]])
-
-    def _groups(self, x: np.ndarray) -> list[tuple[np.ndarray, ItineraryShape, Numbers]]:
-        """Numbers of the system at many points, grouped by the modes that they have."""
-        points = x[:, self._given]
-        key = points.tobytes()
-        if self._known[0] != key:  # one point is asked for its multipliers, waves and conditions
-            self._known = key, self._grouped(points)
-        return self._known[1]
-
-    def _grouped(self, points: np.ndarray) -> list[tuple[np.ndarray, ItineraryShape, Numbers]]:
-        found = []
-        for group in numbers_at(self.orbit.system, points, self._cycle.configurations):
-            numbers = numbers_in(group.structure, group.flat)
-            cycle = self._cycle
-            if cycle.structure is not self.orbit.tables.cycle.structure:
-                arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
-                resets = np.stack([self._closed_resets(*each) for each in arrays])
-                numbers = numbers._replace(resets=resets)
-            modes = group.structure.shapes
-            here = cycle.at(cycle.structure.with_modes(modes))
-            found.append((group.places, here, numbers))
-        return found
-
-
-def _passed(
-    cycle: ItineraryShape, numbers: Numbers, dwell: np.ndarray, start: np.ndarray
-) -> Shooting:
-    """Passages of many points; derivatives are infinite where a boundary is touched."""
-    with np.errstate(all="ignore"):
-        return shoot(cycle, numbers, dwell, start, np)
 
 
 def _parts(itinerary: tuple[tuple[str, str], ...]) -> list[int]:

@@ -12,12 +12,12 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.boundary_sets import lowest_of, mask_of
 from nonsmooth.runtime.model.engine_run import Status
-from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise_at
 from nonsmooth.runtime.orbits.admissible import NEITHER, UNTOLD
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, numbers_in, shoot
-from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
+from nonsmooth.runtime.simulation.engines import run_motions
 
 __all__ = ["first_limits"]
 

@@ -35,23 +35,23 @@ class ConditionRow:
     along: int
     order: int
 
-    def value(self, numbers: Numbers, now: Shooting) -> Any:
-        """Its value, with the leading axes of the numbers.
+    def value(self, numbers: Numbers, ends: np.ndarray) -> np.ndarray:
+        """Its values at k points.
 
         Parameters
         ----------
         numbers : Numbers
-            Of the system, with leading axes or none.
-        now : Shooting
-            The cycle at these numbers.
+            Of k points.
+        ends : array (k, p, N)
+            States at the ends of the phases.
 
         Returns
         -------
-        number, or array of the leading axes
+        array (k,)
         """
-        end, field = now.ends[self.place], numbers.fields[..., self.along, :, :]
+        end, field = ends[:, self.place], numbers.fields[:, self.along]
         *_, row = derivatives(numbers.rows[..., self.row, :], field, self.order + 1, _rate)
-        return (row[..., :-1] * end).sum(axis=-1) + row[..., -1]
+        return np.asarray((row[..., :-1] * end).sum(axis=-1) + row[..., -1])
 
 
 @dataclass(frozen=True)
@@ -161,7 +161,7 @@ def _rate(row: Any, field: Any) -> Any:
 
 
 def phase_waves(
-    cycle: ItineraryShape, numbers: Numbers, now: Shooting, dwell: np.ndarray, place: int
+    cycle: ItineraryShape, numbers: Numbers, start: np.ndarray, dwell: np.ndarray, place: int
 ) -> PhaseWaves:
     """Boundary functions along one phase at k points, by the modes of its configuration.
 
@@ -170,8 +170,8 @@ def phase_waves(
     cycle : ItineraryShape
     numbers : Numbers
         Of k points.
-    now : Shooting
-        The cycle at these points.
+    start : array (k, N)
+        States at the start of the phase.
     dwell : array (k, p)
         In the unit of time.
     place : int
@@ -186,7 +186,7 @@ def phase_waves(
     modes = cycle.structure.shapes[configuration]
     exponents = numbers.exponents[configuration]
     flow, field = numbers.flows[configuration], numbers.fields[:, configuration]
-    moved = np.einsum("kfij,kj->kfi", flow[..., :-1], now.starts[place]) + flow[..., -1]
+    moved = np.einsum("kfij,kj->kfi", flow[..., :-1], start) + flow[..., -1]
     rows = numbers.rows[:, [shape.row for shape in shapes]]
     coefficients = []
     for _ in range(3):

@@ -5,15 +5,13 @@ The compiled engine does it where it is built; the same on NumPy serves elsewher
 
 from __future__ import annotations
 
-import os
-from importlib import import_module
-from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.model.engine_layout import layout_of
+from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
 from nonsmooth.runtime.shooting.fitting_start import fitting_start, least_squares
 from nonsmooth.runtime.shooting.newton import (
@@ -114,7 +112,7 @@ def solve_shape(
     -------
     TableSolution
     """
-    engine = _compiled()
+    engine = compiled_engine()
     if engine is None or len(cycle.structure.forcing) > 1:
         return solve_in_python(cycle, flat, dwell, start, period)
     if start is None and cycle.structure.forcing:
@@ -153,16 +151,6 @@ def message_of(status: int, *, timed: bool = False) -> str:
     str
     """
     return _TIMED.get(status, _MESSAGES[status]) if timed else _MESSAGES[status]
-
-
-def _compiled() -> ModuleType | None:
-    """The engine, unless it was not built or NONSMOOTH_BACKEND asks for NumPy."""
-    if os.environ.get("NONSMOOTH_BACKEND") == "numpy":
-        return None
-    try:
-        return import_module("nonsmooth.runtime._engine")
-    except ImportError:  # without a compiler
-        return None
 
 
 def solve_in_python(

@@ -6,7 +6,6 @@ NONSMOOTH_BACKEND chooses, as it does for the kernels.
 from __future__ import annotations
 
 import math
-from importlib import import_module
 from types import ModuleType
 from typing import NamedTuple
 
@@ -19,13 +18,11 @@ from nonsmooth.runtime.model.boundary_sets import mask_type, masks_of, no_words
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
 from nonsmooth.runtime.model.flows import flow_states
-from nonsmooth.runtime.model.kernels import backend
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
 __all__ = [
     "MotionEnds",
-    "compiled_engine",
     "entry_size",
     "no_ends",
     "run_compiled",
@@ -65,22 +62,6 @@ class MotionEnds(NamedTuple):
     kept_configurations: np.ndarray
     kept_sets: np.ndarray
     kept_states: np.ndarray
-
-
-def compiled_engine() -> ModuleType | None:
-    """The compiled engine, or None where Python is to be used.
-
-    Returns
-    -------
-    module or None
-        The extension module; None where Python runs or nothing is compiled.
-    """
-    if backend() != "c":
-        return None
-    try:
-        return import_module("nonsmooth.runtime._engine")
-    except ImportError:
-        return None
 
 
 def run_compiled(

@@ -16,7 +16,7 @@ from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.threads import thread_pool
 from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.model.engine_run import Run
-from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import (
@@ -29,7 +29,6 @@ from nonsmooth.runtime.model.piecewise import (
 from nonsmooth.runtime.model.structure import Structure, structure_of
 from nonsmooth.runtime.simulation.engines import (
     MotionEnds,
-    compiled_engine,
     entry_size,
     no_ends,
     run_compiled,

@@ -13,7 +13,7 @@ sys.path.append(str(CHECKOUT / "scripts"))
 from stressing import Ball, Sums, first_excess, undecided
 from stressing_search import FAMILIES, random_sums, search, verdicts
 
-from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.model.kernels import compiled_engine
 
 pytestmark = [
     pytest.mark.compiled,

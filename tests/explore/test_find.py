@@ -14,10 +14,10 @@ from nonsmooth.runtime.explore.finding import primitive
 from nonsmooth.runtime.explore.finding.find import find_orbits, start_box
 from nonsmooth.runtime.explore.finding.found import label_names
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.files.found import load_found
-from nonsmooth.runtime.simulation.engines import compiled_engine
 from nonsmooth.runtime.simulation.recurrence import Candidate, canonical
 from nonsmooth.runtime.simulation.simulate import simulate
 

@@ -51,7 +51,7 @@ IMPACT = [("free", "first-reaches-stop")]
 TRACE = -0.980114981284158715
 
 needs_engine = pytest.mark.skipif(
-    table_newton._compiled() is None, reason="the engine is not compiled"
+    compiled_engine() is None, reason="the engine is not compiled"
 )
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.model.kernels import compiled_engine
 
 # simulate many motions, which takes minutes in Python
 COMPILED = {

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from nonsmooth.runtime.model.engine_layout import numbers_of
+from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from nonsmooth.runtime.shooting.table_newton import solve_in_python, solve_shape
-from nonsmooth.runtime.simulation.engines import compiled_engine
 from nonsmooth.runtime.simulation.simulate import follow
 from tests.large_systems import OMEGA, chain
 

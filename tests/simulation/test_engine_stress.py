@@ -24,8 +24,8 @@ from stressing_steps import broken_step
 import nonsmooth as ns
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.model.engine_run import LONGEST_WAIT, Status
+from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise, piecewise_in
-from nonsmooth.runtime.simulation.engines import compiled_engine
 from nonsmooth.runtime.simulation.simulate import follow
 from nonsmooth.runtime.simulation.stepping import run
 

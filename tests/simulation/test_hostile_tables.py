@@ -19,8 +19,9 @@ import pytest
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
+from nonsmooth.runtime.simulation.engines import run_motions
 from nonsmooth.runtime.simulation.simulate import follow
 from nonsmooth.runtime.simulation.stepping import run
 from tests.places import CHECKOUT

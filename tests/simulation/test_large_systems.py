@@ -12,8 +12,9 @@ from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.model.boundary_sets import mask_of, masks_of, members_of, words_of
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.engine_run import Run
+from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.engines import compiled_engine, run_compiled, run_motions
+from nonsmooth.runtime.simulation.engines import run_compiled, run_motions
 from nonsmooth.runtime.simulation.simulate import follow, simulate
 from nonsmooth.runtime.simulation.stepping import run
 from tests.large_systems import RESTITUTION, chain, integrated, masses_apart

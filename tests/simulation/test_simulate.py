@@ -9,7 +9,7 @@ from scipy.linalg import expm
 
 from nonsmooth.runtime.core.errors import InputError, MissingExtra
 from nonsmooth.runtime.model.engine_run import Status
-from nonsmooth.runtime.simulation.engines import compiled_engine
+from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.simulation.simulate import simulate, simulate_many
 
 FRICTION = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}

@@ -14,12 +14,11 @@ from nonsmooth.runtime.explore.charting.grid import Block, Grid
 from nonsmooth.runtime.explore.charting.problem import MISSING, Variable, fixed_values, table_hash
 from nonsmooth.runtime.explore.finding.settled import settled, settled_texts
 from nonsmooth.runtime.model.engine_run import Status
-from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, load_system
 from nonsmooth.runtime.model.saved_orbit import held_text, kernels_held
 from nonsmooth.runtime.model.saved_system import named
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.model.units import units_of
-from nonsmooth.runtime.simulation.engines import compiled_engine
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 
