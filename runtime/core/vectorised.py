@@ -29,14 +29,15 @@ def vectorised(
     Returns
     -------
     callable
-        Takes arrays (..., shape) of floats that broadcast over the leading axes. It raises
-        ValueError for an argument of another shape.
+        Takes arrays (..., shape) of floats or complex numbers that broadcast over the leading
+        axes. It raises ValueError for an argument of another shape.
     """
 
     def call(*arrays: Any) -> Any:
         unpacked = []
         for array, shape in zip(arrays, inputs, strict=True):
-            array = np.asarray(array, dtype=float)
+            array = np.asarray(array)
+            array = array.astype(complex if array.dtype.kind == "c" else float, copy=False)
             if array.shape[array.ndim - len(shape) :] != tuple(shape):
                 raise ValueError(f"an argument of shape {array.shape} does not end in {shape}")
             unpacked.append(np.moveaxis(array, range(-len(shape), 0), range(len(shape))))
@@ -47,7 +48,7 @@ def vectorised(
         for entries, shape, (constants, varying) in zip(
             listed(unpacked), outputs, patterns(), strict=True
         ):
-            filled = np.empty((*lead, len(entries)))
+            filled = np.empty((*lead, len(entries)), np.result_type(float, *unpacked))
             filled[...] = constants
             for place in varying:
                 filled[..., place] = entries[place]

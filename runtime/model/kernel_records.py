@@ -136,12 +136,14 @@ class SystemKernels:
         ----------
         kernel : str
         *arrays : array
-            The kernel's arguments, in double precision.
+            The kernel's arguments; a tiny imaginary part comes out as a derivative.
 
         Returns
         -------
         array or tuple of array
         """
+        if any(map(np.iscomplexobj, arrays)):
+            return self._on_numpy(kernel)(*arrays)
         return self.function(kernel)(*arrays)
 
     def flow(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
@@ -201,10 +203,13 @@ class SystemKernels:
         callable
         """
         compiled = getattr(self.compiled, f"{self.table['name'].replace('-', '_')}_{kernel}", None)
-        inputs, outputs = self.module.KERNELS[kernel]
         if compiled is not None:
-            return with_entries(compiled, inputs)
-        return vectorised(self.source(kernel), inputs, outputs)
+            return with_entries(compiled, self.module.KERNELS[kernel][0])
+        return self._on_numpy(kernel)
+
+    @cache  # noqa: B019 - as `function`
+    def _on_numpy(self, kernel: str) -> Callable[..., Any]:
+        return vectorised(self.source(kernel), *self.module.KERNELS[kernel])
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.matrices import (
     eigenvalues,
@@ -232,21 +231,12 @@ class TableEquations:
 
     def _changing(self, x: np.ndarray, place: int) -> tuple[Numbers, Numbers]:
         """Fields, rows and resets at one point, and their derivatives by one number."""
-        size, tiny = len(self._cycle.structure.states), _IMAGINARY * max(1.0, abs(x[place]))
+        tiny = _IMAGINARY * max(1.0, abs(x[place]))
         point = x.astype(complex)
         point[place] += 1j * tiny
-        fields, rows, resets = (
-            np.array(self.orbit.system.source(name)(point[self._given], lib=FLOATS), dtype=complex)
-            for name in ("fields", "rows", "resets")
-        )
-        found = self._closed(
-            fields.reshape(1, -1, size, size + 1), rows[None], resets.reshape(1, -1, size, size + 1)
-        )
-        real, imaginary = (
-            (part.real for part in found[:3]),
-            (part.imag / tiny for part in found[:3]),
-        )
-        return Numbers(*real, (), ()), Numbers(*imaginary, (), ())
+        found = self._tables(point[None])[:3]
+        changes = (part.imag / tiny for part in found)
+        return Numbers(*(part.real for part in found), (), ()), Numbers(*changes, (), ())
 
     def _tables(self, x: np.ndarray) -> Numbers:
         """Fields, rows and resets at many points."""

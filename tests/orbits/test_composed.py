@@ -5,7 +5,7 @@ import pytest
 
 from nonsmooth.derive import RigidStop, oscillator
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
-from nonsmooth.runtime.model.kernels import kernels_of, load_system
+from nonsmooth.runtime.model.kernels import compiled_engine, kernels_of, load_system
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at
 from nonsmooth.runtime.model.structure import structure_of
@@ -50,9 +50,7 @@ CONTACT = [("contact", "first-leaves-stop"), ("free", "first-reaches-stop")]
 IMPACT = [("free", "first-reaches-stop")]
 TRACE = -0.980114981284158715
 
-needs_engine = pytest.mark.skipif(
-    compiled_engine() is None, reason="the engine is not compiled"
-)
+needs_engine = pytest.mark.skipif(compiled_engine() is None, reason="the engine is not compiled")
 
 
 def stick(**changes):
@@ -498,7 +496,7 @@ def test_bad_input_of_many(changes, match):
 
 @needs_engine
 def test_the_engine_checks_its_arrays():
-    engine = table_newton._compiled()
+    engine = compiled_engine()
     structure, flat = made(STICK_DATA)
     cycle = itinerary_shape(structure, STICK)
     layout = table_newton.layout_of(structure)

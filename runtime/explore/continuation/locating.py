@@ -36,6 +36,8 @@ _MEETING = 1e-3  # of a chord: a branch that turns where it meets another one
 _NOTHING = 1e-9  # of a number made of multipliers
 _HALVINGS = 50
 _FINEST = 1e-15  # of a chord
+_ROUNDING = 1e-13  # of the values at the ends: there a number is zero
+_POLE = 1e3  # of the values at the ends: so large is it between them beside a pole alone
 
 _TOUCHES = ", touched and not passed"
 
@@ -280,16 +282,18 @@ def _fitted(
 def _root(
     value_at: Callable[[float], float], low: float, high: float, before: float, after: float
 ) -> float | None:
-    """Where a function changes its sign; None where it is not defined in between."""
+    """Where a function changes its sign; None where it has a pole or is not defined in between."""
     from scipy.optimize import brentq
+
+    largest = max(abs(before), abs(after))
 
     def value(part: float) -> float:
         if part in (low, high):
             return before if part == low else after
         found = value_at(part)
-        if not np.isfinite(found):
+        if not abs(found) <= _POLE * largest:
             raise ArithmeticError
-        return found
+        return found if abs(found) > _ROUNDING * largest else 0.0
 
     try:
         return float(brentq(value, low, high, xtol=_FINEST, rtol=4 * np.finfo(float).eps))
