@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 
-__all__ = ["check_called_off", "thread_pool"]
+__all__ = ["check_called_off", "in_parallel", "thread_pool"]
 
 _here = threading.local()  # `ends`: events that call off the work of this thread
 
@@ -37,6 +37,25 @@ def thread_pool(threads: int | None) -> Iterator[ThreadPoolExecutor]:
         pool.shutdown(cancel_futures=True)
         raise
     pool.shutdown()
+
+
+def in_parallel(work: Callable[[int], object], parts: Sequence[int], threads: int | None) -> None:
+    """Do parts of some work in threads, where that pays.
+
+    Parameters
+    ----------
+    work : callable
+        Takes a part, and stores what it finds.
+    parts : sequence of int
+    threads : int or None
+        As many as Python chooses if None.
+    """
+    if threads == 1 or len(parts) < 2:
+        for part in parts:
+            work(part)
+        return
+    with thread_pool(threads) as pool:
+        list(pool.map(work, parts))
 
 
 def _begin(ends: tuple[threading.Event, ...]) -> None:

@@ -40,15 +40,17 @@ def vectorised(
             array = array.astype(complex if array.dtype.kind == "c" else float, copy=False)
             if array.shape[array.ndim - len(shape) :] != tuple(shape):
                 raise ValueError(f"an argument of shape {array.shape} does not end in {shape}")
-            unpacked.append(np.moveaxis(array, range(-len(shape), 0), range(len(shape))))
+            axes, own = range(array.ndim), array.ndim - len(shape)
+            unpacked.append(array.transpose(*axes[own:], *axes[:own]))
         lead = np.broadcast_shapes(
             *(a.shape[len(shape) :] for a, shape in zip(unpacked, inputs, strict=True))
         )
+        dtype = complex if any(array.dtype.kind == "c" for array in unpacked) else float
         results = []
         for entries, shape, (constants, varying) in zip(
             listed(unpacked), outputs, patterns(), strict=True
         ):
-            filled = np.empty((*lead, len(entries)), np.result_type(float, *unpacked))
+            filled = np.empty((*lead, len(entries)), dtype)
             filled[...] = constants
             for place in varying:
                 filled[..., place] = entries[place]

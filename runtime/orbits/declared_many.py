@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -11,18 +10,14 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import OrbitKernels
-from nonsmooth.runtime.model.parameter_batches import check_arrays, parameter_points
-from nonsmooth.runtime.model.piecewise import piecewise_at
-from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.model.parameter_batches import check_arrays
 from nonsmooth.runtime.orbits.declared_kernels import declared_kernels
 from nonsmooth.runtime.orbits.declared_solve import solve_declared
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
-from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
-from nonsmooth.runtime.shooting.shooting_map import itinerary_shape, numbers_in, shoot
 
-__all__ = ["solve_declared_many", "with_admissibility"]
+__all__ = ["solve_declared_many"]
 
 
 def solve_declared_many(
@@ -46,7 +41,7 @@ def solve_declared_many(
     parameters : mapping of str to array
         Absent ones take the reference point's values.
     admissibility : bool
-        By tables it is decided point by point in Python, about a millisecond for each.
+        Whether each is a motion of the system.
     threads : int or None
     chunk : int
         Points that the kernels solve at a time.
@@ -100,12 +95,12 @@ def _by_tables(
         values,
         known.dwell_times,
         known.states[0],
+        admissibility=admissibility,
         threads=threads,
     )
     names = known.problem.unknown_names
     unknowns = dict(zip(names, composed.unknowns.values(), strict=True))
-    found = replace(composed, problem=known.problem, unknowns=unknowns)
-    return with_admissibility(values, found) if admissibility else found
+    return replace(composed, problem=known.problem, unknowns=unknowns)
 
 
 def _filled(found: Orbits, rest: np.ndarray, others: Orbits) -> Orbits:
@@ -132,38 +127,3 @@ def _filled(found: Orbits, rest: np.ndarray, others: Orbits) -> Orbits:
         admissible=allowed,
         starts=filled(found.starts, others.starts),
     )
-
-
-def with_admissibility(values: Mapping[str, Any], found: Orbits) -> Orbits:
-    """Decide point by point whether orbits are motions of the system; no parameter is open.
-
-    Parameters
-    ----------
-    values : mapping of str to array
-        All physical parameters; they broadcast against each other.
-    found : Orbits
-        Orbits by tables.
-
-    Returns
-    -------
-    Orbits
-        The same with `admissible`: False also where a phase is longer than the guarantee of the
-        search reaches.
-    """
-    system, shape = found.problem.system, found.status.shape
-    points, given = parameter_points(system, values)
-    width = points.shape[1]
-    points = np.broadcast_to(points.reshape(*given, width), (*shape, width)).reshape(-1, width)
-    dwell = found.dwell_times.reshape(len(points), found.dwell_times.shape[-1])
-    assert found.starts is not None
-    starts = found.starts[..., 0, :].reshape(len(points), found.starts.shape[-1])
-    allowed = np.zeros(len(points), dtype=bool)
-    cycle = itinerary_shape(structure_of(system), found.itinerary)
-    for place in np.flatnonzero(found.converged.ravel()).tolist():
-        here = piecewise_at(system, points[place], cycle.configurations)
-        cycle = cycle.at(here.structure)
-        now = shoot(cycle, numbers_in(here), dwell[place], starts[place], np)
-        if (dwell[place] > 0).all():
-            with suppress(InputError):  # of one point among many
-                allowed[place] = assess_cycle(cycle, here, now, dwell[place]).verdict is True
-    return replace(found, admissible=allowed.reshape(shape), bounds={})

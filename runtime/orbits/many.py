@@ -9,7 +9,7 @@ from typing import Any
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels_of, load_orbit
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
-from nonsmooth.runtime.orbits.declared_many import solve_declared_many, with_admissibility
+from nonsmooth.runtime.orbits.declared_many import solve_declared_many
 from nonsmooth.runtime.orbits.kernel_many import CHUNK, solve_kernels_many
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.solve import Itinerary, guess_along, period_in
@@ -91,10 +91,17 @@ def solve_many(
         kernels = kernels_of(system)
         phases, dwell, start = guess_along(kernels, itinerary, guess)
         period = period_in((), given)
-        found = solve_itineraries(
-            kernels, phases, values, dwell, start, period, multipliers=multipliers, threads=threads
+        return solve_itineraries(
+            kernels,
+            phases,
+            values,
+            dwell,
+            start,
+            period,
+            multipliers=multipliers,
+            admissibility=admissibility,
+            threads=threads,
         )
-        return with_admissibility(values, found) if admissibility else found
     beside = {"guess": guess is not None, "given": given is not None, "multipliers": multipliers}
     if any(beside.values()):
         wrong = " and ".join(name for name, is_given in beside.items() if is_given)

@@ -25,7 +25,7 @@ from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at, tables_at
 from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
-from nonsmooth.runtime.orbits.table_limits import first_limits
+from nonsmooth.runtime.orbits.table_limits import limits_at
 from nonsmooth.runtime.orbits.table_motion import motion_along
 from nonsmooth.runtime.orbits.table_phase_functions import Conditions, conditions_of, phase_waves
 from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled
@@ -188,14 +188,11 @@ class TableEquations:
         found = np.full(len(x), False)
         told = np.flatnonzero(np.isfinite(x).all(axis=-1) & (self.dwell(x) > 0).all(axis=-1))
         system, cycle = self.orbit.system, self.orbit.tables.cycle
-        points = x[told][:, self._given]
-        for group in numbers_at(system, points, cycle.configurations):
-            here, places = cycle.at(group.structure), told[group.places]
-            dwell, start = self._unknowns(x[places])
-            times, numbers = np.tile(dwell, self.order), numbers_in(group.structure, group.flat)
-            starts = shooting_derivatives(here, numbers, times, start).starts[:, :-1]
-            limits = first_limits(system, here, points[group.places], group.flat, times, starts)
-            found[places] = limits == NEITHER
+        dwell, start = self._unknowns(x[told])
+        points, times = x[told][:, self._given], np.tile(dwell, self.order)
+        numbers = Numbers(*tables_at(system, points), (), ())
+        starts = shooting_derivatives(cycle, numbers, times, start).starts[:, :-1]
+        found[told] = limits_at(system, cycle, points, times, starts) == NEITHER
         return found
 
     def orbit_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Orbit:

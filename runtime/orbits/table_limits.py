@@ -13,18 +13,55 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.boundary_sets import lowest_of, mask_of
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine
-from nonsmooth.runtime.model.piecewise import piecewise_at
+from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.orbits.admissible import NEITHER, UNTOLD
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
-from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, numbers_in, shoot
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, finite_at, numbers_in, shoot
 from nonsmooth.runtime.simulation.engines import run_motions
 
-__all__ = ["first_limits"]
+__all__ = ["CHUNK", "first_limits", "limits_at"]
 
+CHUNK = 1 << 11  # points whose numbers are in memory at once
 _CLOSE = 1e-6  # of a dwell time: nearer to its ends rounding may decide
 _EARLY = 1e-3  # the same for the boundary that ends the phase
 _ZERO = 1e-9  # of the terms of a boundary function
 _LONGER = 1.5  # than a dwell time nothing is looked for
+
+
+def limits_at(
+    system: SystemKernels,
+    cycle: ItineraryShape,
+    points: np.ndarray,
+    dwell: np.ndarray,
+    starts: np.ndarray,
+) -> np.ndarray:
+    """Judge orbits of one itinerary at many parameter points.
+
+    Parameters
+    ----------
+    system : SystemKernels
+    cycle : ItineraryShape
+    points : array (n, parameters)
+        Finite.
+    dwell : array (n, p)
+    starts : array (n, p, N)
+        State at the start of each phase.
+
+    Returns
+    -------
+    array (n,) of int
+        As `first_limits`; `UNTOLD` where double precision does not tell the flows.
+    """
+    limits = np.full(len(points), UNTOLD)
+    for begin in range(0, len(points), CHUNK):
+        for group in numbers_at(system, points[begin : begin + CHUNK], cycle.configurations):
+            here = cycle.at(group.structure)
+            sound = finite_at(here, group.flat)
+            at = begin + group.places[sound]
+            limits[at] = first_limits(
+                system, here, points[at], group.flat[sound], dwell[at], starts[at]
+            )
+    return limits
 
 
 def first_limits(
@@ -80,6 +117,8 @@ def first_limits(
             moved = ends.status == Status.TRANSITIONS
             expected = moved & (reached == own) & (np.abs(when - times) <= _CLOSE * times)
             expected &= ends.kept_configurations[:, 1] == cycle.configurations[(place + 1) % count]
+            if cycle.boundaries[place] is None:  # the forcing's phase begins anew: none is reached
+                expected = np.isin(ends.status, (Status.UNTIL, Status.QUIET))
             close = np.where((reached & own) != 0, _EARLY, _CLOSE) * times
             lowest = lowest_of(np.where(moved, reached, 1))
             at_once = when <= _CLOSE * times

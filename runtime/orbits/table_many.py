@@ -9,14 +9,16 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.threads import thread_pool
+from nonsmooth.runtime.core.threads import in_parallel
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.parameter_batches import parameter_array, parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise_at
 from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.routes import with_routes
 from nonsmooth.runtime.orbits.table_digits import without_digits
+from nonsmooth.runtime.orbits.table_limits import first_limits
 from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID
 from nonsmooth.runtime.shooting.section_map import (
@@ -58,6 +60,7 @@ def solve_itineraries(
     period: Any = None,
     *,
     multipliers: bool = False,
+    admissibility: bool = False,
     threads: int | None = None,
 ) -> Orbits:
     """Find the periodic orbit of an itinerary at many parameter points.
@@ -76,6 +79,8 @@ def solve_itineraries(
         What the dwell times have to sum up to.
     multipliers : bool
         Also give multipliers.
+    admissibility : bool
+        Also tell whether each is a motion of the system. No parameter is open.
     threads : int, optional
         As many as processors when omitted.
 
@@ -122,6 +127,7 @@ def solve_itineraries(
     maps = np.empty((count, *(2 * (size if driven is None else len(driven),))))
     residual = np.empty(count)
     iterations, status = np.empty(count, dtype=np.int32), np.empty(count, dtype=np.int32)
+    allowed = np.zeros(count, dtype=bool)
 
     def work(begin: int) -> None:
         own = points[begin : begin + CHUNK]
@@ -148,14 +154,20 @@ def solve_itineraries(
                 maps[part] = _with_translations(timed, directions[..., driven])
             iterations[part] = found.iterations
             status[part] = without_digits(here.rotated(first), flat, found, lengths[part])
+            if admissibility:
+                there = np.flatnonzero(status[part] == CONVERGED)
+                at = part[there]
+                limits = first_limits(
+                    kernels,
+                    cycle.at(group.structure),
+                    points[at],
+                    group.flat[there],
+                    found_dwell[at],
+                    states[at],
+                )
+                allowed[at] = limits == NEITHER
 
-    parts = range(0, count, CHUNK)
-    if threads == 1 or len(parts) < 2:
-        for begin in parts:
-            work(begin)
-    else:
-        with thread_pool(threads) as pool:
-            list(pool.map(work, parts))
+    in_parallel(work, range(0, count, CHUNK), threads)
     status[~np.isfinite(points).all(axis=1)] = INVALID  # also where no number depends on it
     lost = status != CONVERGED
     for array in (found_dwell, states, maps, residual):
@@ -176,6 +188,8 @@ def solve_itineraries(
         ),
         starts=states.reshape(*shape, len(cycle), size),
         timed=period is not None,
+        admissible=(allowed & ~lost).reshape(shape) if admissibility else None,
+        bounds={} if admissibility else None,
     )
 
 
