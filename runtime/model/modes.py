@@ -129,7 +129,8 @@ def grouped_modes(fields: np.ndarray) -> list[ModeGroup]:
             found = no_modes(fields.shape[1])
         members.setdefault(found.shapes, []).append((place, found))
     for shapes, each in members.items():
-        exponents, flows = (np.stack([modes[k] for _, modes in each]) for k in (1, 2))
+        exponents = np.stack([modes.exponents for _, modes in each])
+        flows = np.stack([modes.flows for _, modes in each])
         groups.append(ModeGroup(np.array([place for place, _ in each]), shapes, exponents, flows))
     return groups
 

@@ -294,7 +294,9 @@ def piecewise_in(
     return _record(structure, values, fields, rows, resets, exponents, flows)
 
 
-def tables_at(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:
+def tables_at(
+    kernels: SystemKernels, points: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Fields, rows and resets at points (n, p), in double precision.
 
     Parameters
@@ -311,8 +313,8 @@ def tables_at(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, .
     """
     size = len(kernels.table["states"])
     fields, rows, resets = _evaluated(kernels, points)
-    matrices = (part.reshape(len(points), -1, size, size + 1) for part in (fields, resets))
-    return next(matrices), rows, next(matrices)
+    shape = (len(points), -1, size, size + 1)
+    return fields.reshape(shape), rows, resets.reshape(shape)
 
 
 def _evaluated(kernels: SystemKernels, points: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -190,7 +190,7 @@ class TableEquations:
         system, cycle = self.orbit.system, self.orbit.tables.cycle
         dwell, start = self._unknowns(x[told])
         points, times = x[told][:, self._given], np.tile(dwell, self.order)
-        numbers = Numbers(*tables_at(system, points), (), ())
+        numbers = Numbers(*tables_at(system, points))
         starts = shooting_derivatives(cycle, numbers, times, start).starts[:, :-1]
         found[told] = limits_at(system, cycle, points, times, starts) == NEITHER
         return found
@@ -231,9 +231,11 @@ class TableEquations:
         tiny = _IMAGINARY * max(1.0, abs(x[place]))
         point = x.astype(complex)
         point[place] += 1j * tiny
-        found = self._tables(point[None])[:3]
-        changes = (part.imag / tiny for part in found)
-        return Numbers(*(part.real for part in found), (), ()), Numbers(*changes, (), ())
+        fields, rows, resets, *_ = self._tables(point[None])
+        return (
+            Numbers(fields.real, rows.real, resets.real),
+            Numbers(fields.imag / tiny, rows.imag / tiny, resets.imag / tiny),
+        )
 
     def _tables(self, x: np.ndarray) -> Numbers:
         """Fields, rows and resets at many points."""
@@ -252,7 +254,7 @@ class TableEquations:
         if self._cycle.structure is not self.orbit.tables.cycle.structure:
             arrays = zip(fields, rows, resets, strict=True)
             resets = np.stack([self._closed_resets(*each) for each in arrays])
-        return Numbers(fields, rows, resets, (), ())
+        return Numbers(fields, rows, resets)
 
     def _closed_resets(self, fields: Any, rows: Any, resets: Any) -> np.ndarray:
         """The resets, and the one behind which the part closes."""

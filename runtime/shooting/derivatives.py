@@ -137,8 +137,11 @@ def _in_python(
     """The same on NumPy."""
     count, (points, size) = len(cycle), start.shape
     if changes is not None:
-        own = zip(numbers[:3], changes[:3], strict=True)
-        numbers = Numbers(*(part + 1j * _TINY * change for part, change in own), (), ())
+        numbers = Numbers(
+            numbers.fields + 1j * _TINY * changes.fields,
+            numbers.rows + 1j * _TINY * changes.rows,
+            numbers.resets + 1j * _TINY * changes.resets,
+        )
     generators = np.zeros((points, count, size + 1, size + 1), dtype=numbers.fields.dtype)
     generators[:, :, :size] = numbers.fields[:, list(cycle.configurations)]
     flows = exponentials((generators * dwell[..., None, None]).reshape(-1, size + 1, size + 1))

@@ -252,14 +252,15 @@ class Numbers(NamedTuple):
     rows : array (..., R, N + 1)
     resets : array (..., S, N, N + 1)
     exponents : for each configuration an array (..., modes, 2)
+        Empty, as the flows, where modes are not asked for.
     flows : for each configuration an array (..., functions, N, N + 1)
     """
 
     fields: np.ndarray
     rows: np.ndarray
     resets: np.ndarray
-    exponents: tuple[np.ndarray, ...]
-    flows: tuple[np.ndarray, ...]
+    exponents: tuple[np.ndarray, ...] = ()
+    flows: tuple[np.ndarray, ...] = ()
 
 
 def finite_at(cycle: ItineraryShape, flat: np.ndarray) -> np.ndarray:

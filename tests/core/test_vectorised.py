@@ -1,0 +1,43 @@
+"""Kernels over any arithmetic as functions of arrays."""
+
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.core.vectorised import vectorised
+
+
+def kernel(point, lib):
+    """A matrix of which some entries are the same everywhere, and a number."""
+    x, y = point
+    return [[1, x * y, 0.0], [lib.sin(x), 2, -y]], x + 1
+
+
+@pytest.fixture
+def function():
+    return vectorised(kernel, [(2,)], [(2, 3), ()])
+
+
+@pytest.mark.parametrize("shape", [(), (1,), (4,), (2, 3), (0,)])
+def test_points_may_have_any_leading_axes(function, shape) -> None:
+    points = np.random.default_rng(2).normal(size=(*shape, 2))
+    matrix, number = function(points)
+    x, y = points[..., 0], points[..., 1]
+    assert matrix.shape == (*shape, 2, 3)
+    np.testing.assert_array_equal(matrix[..., 0, 1], x * y)
+    np.testing.assert_array_equal(matrix[..., 1, 0], np.sin(x))
+    np.testing.assert_array_equal(matrix[..., 1, 2], -y)
+    for place, constant in (((0, 0), 1), ((0, 2), 0), ((1, 1), 2)):
+        assert (matrix[(..., *place)] == constant).all()
+    np.testing.assert_array_equal(number, x + 1)
+
+
+def test_a_tiny_imaginary_part_is_a_derivative(function) -> None:
+    x, tiny = np.array([0.7, -1.2]), 1e-30
+    matrix, number = function(x + 1j * tiny * np.array([1.0, 0.0]))
+    np.testing.assert_allclose(matrix.imag / tiny, [[0, x[1], 0], [np.cos(x[0]), 0, 0]], rtol=1e-15)
+    assert number.imag == tiny
+
+
+def test_an_argument_of_another_shape_is_refused(function) -> None:
+    with pytest.raises(ValueError, match="does not end in"):
+        function(np.zeros((4, 3)))
