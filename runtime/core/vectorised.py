@@ -47,10 +47,10 @@ def vectorised(
         )
         dtype = complex if any(array.dtype.kind == "c" for array in unpacked) else float
         results = []
-        for entries, shape, (constants, varying) in zip(
-            listed(unpacked), outputs, patterns(), strict=True
-        ):
-            filled = np.empty((*lead, len(entries)), dtype)
+        known = patterns()
+        every = listed(unpacked) if any(varying for _, varying in known) else [[]] * len(known)
+        for entries, shape, (constants, varying) in zip(every, outputs, known, strict=True):
+            filled = np.empty((*lead, len(constants)), dtype)
             filled[...] = constants
             for place in varying:
                 filled[..., place] = entries[place]

@@ -119,11 +119,11 @@ def dependent_variational(found: ShootingDerivatives) -> np.ndarray:
 
 def _maps(cycle: ItineraryShape, numbers: Numbers) -> tuple[np.ndarray, ...]:
     """Fields, rows and resets phase by phase, contiguous."""
-    resets = [transition.reset for transition in cycle.transitions]
+    configurations, rows, resets = cycle.packed[: 3 * len(cycle)].reshape(3, -1)
     return (
-        np.ascontiguousarray(numbers.fields[:, list(cycle.configurations)]),
-        np.ascontiguousarray(numbers.rows[:, list(cycle.rows)]),
-        np.ascontiguousarray(numbers.resets[:, resets]),
+        numbers.fields.take(configurations, axis=1),
+        numbers.rows.take(rows, axis=1),
+        numbers.resets.take(resets, axis=1),
     )
 
 
