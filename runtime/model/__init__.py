@@ -15,6 +15,8 @@
 `exponential`          flows as exponentials of vector fields, in mpmath numbers
 `flows`                states inside a configuration from its closed-form flow, at many times
 `modes`                modes of a configuration from its numbers, where its flow has no closed form
+`simple_modes`         the same of many at once, where eigenvalues are apart
+`driven_modes`         modes of a structure that is driven by states which move by themselves
 `naming`               names of unknowns, and names as people see them
 `parameter_batches`    completion of many parameter points at once: arrays that broadcast
 `projectors`           spectral projectors of clusters of eigenvalues, in the digits they need

@@ -22,11 +22,11 @@ from __future__ import annotations
 
 import math
 from functools import cache, lru_cache
-from typing import NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.driven_modes import driven_modes
 from nonsmooth.runtime.model.eigenvalue_clusters import (
     Cluster,
     eigenvectors_apart,
@@ -35,7 +35,13 @@ from nonsmooth.runtime.model.eigenvalue_clusters import (
     smallest_projectors,
 )
 from nonsmooth.runtime.model.projectors import exponentials_at
-from nonsmooth.runtime.model.simple_modes import ModeGroup, balanced, dependence, simple_modes
+from nonsmooth.runtime.model.simple_modes import (
+    ModeGroup,
+    NumericModes,
+    balanced,
+    dependence,
+    simple_modes,
+)
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 from nonsmooth.runtime.model.time_functions import functions_at
 
@@ -50,24 +56,6 @@ _ANGLES = (1 / 64, 1.0, 16.0)  # radians of the fastest at which sums are compar
 _LONG = 1024.0  # the same where eigenvalues were taken for equal that turn
 _TURNED = 32.0  # radians in which an exponent's rounding grows to that of the sum
 _GROWTH = 100.0  # exponent beyond which nothing is compared
-
-
-class NumericModes(NamedTuple):
-    """Modes of one configuration.
-
-    Attributes
-    ----------
-    shapes : tuple of ModeShape
-        First that of the exponent 0, which has the constants.
-    exponents : array (modes, 2)
-        Real and imaginary parts.
-    flows : array (functions, N, N + 1)
-        ``y(t) = sum_f phi_f(t) (B_f y(0) + beta_f)``: B_f, then beta_f.
-    """
-
-    shapes: tuple[ModeShape, ...]
-    exponents: np.ndarray
-    flows: np.ndarray
 
 
 def numeric_modes(field: np.ndarray) -> NumericModes:
@@ -157,16 +145,24 @@ def no_modes(size: int) -> NumericModes:
 
 @lru_cache(maxsize=4096)  # configurations share fields, and so do points of a sweep
 def _numeric_modes(content: bytes, size: int) -> NumericModes:
-    field = np.frombuffer(content).reshape(size, size + 1)
-    for simple in simple_modes(field[None]):
-        return NumericModes(simple.shapes, simple.exponents[0], simple.flows[0])
+    found = _found(np.frombuffer(content).reshape(size, size + 1))
+    for array in (found.exponents, found.flows):
+        array.flags.writeable = False
+    return found
+
+
+def _found(field: np.ndarray) -> NumericModes:
+    """The fast ways first; what they leave is clustered."""
+    for group in simple_modes(field[None]):
+        return NumericModes(group.shapes, group.exponents[0], group.flows[0])
+    if (driven := driven_modes(field, numeric_modes)) is not None:
+        return driven
+    size = len(field)
     whole = np.vstack([field, np.zeros(size + 1)])
     # a change of units keeps powers of two exact
     scaled, units = (part[0] for part in balanced(whole[None]))
     shapes, exponents, terms = _modes_of(_decomposed(scaled, units))
     flows = np.where(dependence(whole[None])[0], units[:, None] * terms / units, 0.0)[:, :size]
-    for array in (exponents, flows):
-        array.flags.writeable = False
     return NumericModes(shapes, exponents, flows)
 
 

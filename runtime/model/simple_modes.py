@@ -16,7 +16,7 @@ import numpy as np
 
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 
-__all__ = ["ModeGroup", "balanced", "dependence", "simple_modes"]
+__all__ = ["ModeGroup", "NumericModes", "balanced", "dependence", "is_moderate", "simple_modes"]
 
 EPSILON = float(np.finfo(float).eps)
 APART = 1e-9  # of the largest modulus: eigenvalues that are nearer are not simple
@@ -27,6 +27,24 @@ _MISSED = 16 * EPSILON  # what they may miss their eigenvalues by, of the larges
 _NORM = 2.0  # and norm of a projector
 _MODERATE = 1e3  # term of a state beside which it loses no digits that count while it is small
 _SWEEPS = 40
+
+
+class NumericModes(NamedTuple):
+    """Modes of one configuration.
+
+    Attributes
+    ----------
+    shapes : tuple of ModeShape
+        First that of the exponent 0, which has the constants.
+    exponents : array (modes, 2)
+        Real and imaginary parts.
+    flows : array (functions, N, N + 1)
+        ``y(t) = sum_f phi_f(t) (B_f y(0) + beta_f)``: B_f, then beta_f.
+    """
+
+    shapes: tuple[ModeShape, ...]
+    exponents: np.ndarray
+    flows: np.ndarray
 
 
 class ModeGroup(NamedTuple):
@@ -92,9 +110,7 @@ def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
         unit = units[group]
         terms = (unit[:, None, :, None] * terms / unit[:, None, None, :])[:, :, :size]
         places = apart[group]
-        # motions that are slow in the unit of time are sums of terms that cancel
-        rates = np.maximum(np.abs(whole[places, :size]).max(axis=-1, initial=1.0), 1.0)
-        small = (np.abs(terms) <= _MODERATE * rates[:, None, :, None]).all(axis=(1, 2, 3))
+        small = is_moderate(terms, fields[places])
         places, terms, poles = places[small], terms[small], poles[small]
         if not len(places):
             continue
@@ -103,6 +119,26 @@ def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
         exponents = np.stack([poles.real, poles.imag], axis=-1)
         result.append(ModeGroup(places, shapes, exponents, terms))
     return result
+
+
+def is_moderate(flows: np.ndarray, fields: np.ndarray) -> np.ndarray:
+    """Whether no digits that count are lost while a motion is small.
+
+    Motions that are slow in the unit of time are sums of terms that cancel.
+
+    Parameters
+    ----------
+    flows : array (..., functions, N, N + 1)
+    fields : array (..., N, N + 1)
+
+    Returns
+    -------
+    array (...) of bool
+    """
+    rates = np.maximum(np.abs(fields).max(axis=-1, initial=1.0), 1.0)
+    return np.asarray(
+        (np.abs(flows) <= _MODERATE * rates[..., None, :, None]).all(axis=(-3, -2, -1))
+    )
 
 
 def _terms(count: int, right: np.ndarray, left: np.ndarray) -> np.ndarray:

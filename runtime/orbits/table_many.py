@@ -155,7 +155,8 @@ def solve_itineraries(
             iterations[part] = found.iterations
             status[part] = without_digits(here.rotated(first), flat, found, lengths[part])
             if admissibility:
-                there = np.flatnonzero(status[part] == CONVERGED)
+                sound = (status[part] == CONVERGED) & np.isfinite(points[part]).all(axis=1)
+                there = np.flatnonzero(sound)
                 at = part[there]
                 limits = first_limits(
                     kernels,

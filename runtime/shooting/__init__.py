@@ -3,6 +3,7 @@
 ====================  ============================================================================
 `shooting_map`        itineraries of a system, and their shooting map in arrays
 `variational`         the shooting map of a chain of phases and its variational, in any arithmetic
+`derivatives`         that map with its derivatives by dwell times, start and a parameter
 `newton`              Newton's method over a batch of points, or towards any number of digits
 `kernel_newton`       that on derived equations: reduced and batched, or full
 `table_newton`        that on the start and the dwell times of an itinerary, in batches

@@ -30,6 +30,9 @@ LEAST_COSINE = 0.97  # between the tangents at both ends of a step
 FAR = 0.3  # of a step: how far the corrector may go
 _APPROACHES, _LEAST_APPROACH = 60, 1e-2  # to a singular end; of the rest of the way
 _SAME_POINT = 1e-12  # a branch that begins at an end of its interval has no step to it
+_SINGULAR = (
+    1e-9  # smallest singular value, relative to the largest, of equations with many solutions
+)
 _NO_ROW = 1e-10  # relative size of a row that says nothing
 MOST_GROWTH = 100.0  # of an unknown, in units of its size at first
 GROWN = "the orbit grows a hundredfold: a resonance"
@@ -359,7 +362,7 @@ def _ended(
         return None
     part, normal, offset, reason = min(ends, key=lambda end: end[0])
     found = correct(curve, z + part * (following - z), normal, offset)
-    if found is None:
+    if found is None or not _determined(curve, found[0], normal):
         return _before(curve, z, following, normal, offset), reason
     point = found[0]
     if reason.startswith("end"):
@@ -367,6 +370,17 @@ def _ended(
             limits[0] if abs(point[-1] - limits[0]) < abs(point[-1] - limits[1]) else limits[1]
         )
     return point, reason
+
+
+def _determined(curve: Curve, z: np.ndarray, normal: np.ndarray) -> bool:
+    """Whether a point on a plane is the only one near it that solves the equations.
+
+    Where a phase takes no time its conditions are those of the phase before: orbits without it
+    solve them too.
+    """
+    rows, _ = scaled_rows(curve.equations(z)[1] * curve.sizes)
+    values = np.linalg.svd(np.concatenate([rows, normal[None]]), compute_uv=False)
+    return bool(values[-1] > _SINGULAR * values[0])
 
 
 def _before(
