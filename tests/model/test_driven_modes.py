@@ -34,7 +34,7 @@ def missed(field: np.ndarray, modes: NumericModes) -> float:
     return worst
 
 
-@pytest.mark.parametrize(("count", "which"), [(3, 2), (3, 1), (6, 0), (12, 11)])
+@pytest.mark.parametrize(("count", "which"), [(3, 2), (4, 1), (6, 0), (12, 11)])
 def test_a_held_mass_and_a_forcing_drive_the_rest(count: int, which: int) -> None:
     field = held(count, which)
     found = driven_modes(field, numeric_modes)

@@ -7,14 +7,16 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.model.structure import FORCING_PHASE
+from nonsmooth.runtime.model.structure import FORCING_PHASE, structure_of
+from nonsmooth.runtime.orbits.admissible import NEITHER
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.table_limits import limits_at
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
-from nonsmooth.runtime.shooting.newton import SINGULAR
+from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
+from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from nonsmooth.runtime.shooting.symmetry import Symmetry
 from nonsmooth.runtime.shooting.translations import up_to_shift
 from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical, variation
@@ -83,15 +85,20 @@ def admissible(orbit: Orbit) -> bool:
     Parameters
     ----------
     orbit : Orbit
+        By tables.
 
     Returns
     -------
     bool
     """
-    try:
-        return orbit.admissibility.verdict is True
-    except InputError:  # a phase that lasts too long for a guarantee
+    if orbit.status != CONVERGED:
         return False
+    system = orbit.system
+    point = [float(orbit.parameters[p.name]) for p in system.parameters]
+    cycle = itinerary_shape(structure_of(system), orbit.itinerary)
+    dwell, starts = orbit.dwell_times.astype(float), orbit.states.astype(float)
+    limits = limits_at(system, cycle, np.array([point]), dwell[None], starts[None])
+    return bool(limits[0] == NEITHER)
 
 
 def orbit_scale(orbit: Orbit) -> np.ndarray:
