@@ -5,10 +5,13 @@ from __future__ import annotations
 import statistics
 from collections.abc import Iterator
 
+import sympy as sp
 from measuring import Row, timed
 
 import nonsmooth
+from nonsmooth.derive import Harmonic, RigidStop, System, chain_matrices, oscillator
 from nonsmooth.runtime.explore.continuation.continue_event import continue_event
+from nonsmooth.runtime.model.kernels import load_system
 
 STICK = "dry-friction/global-stick"
 DATA = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
@@ -18,6 +21,39 @@ PHASES = [
     ("slip-slip", "first-reaches-belt"),
     ("stick-slip", "second-reaches-belt"),
 ]
+
+
+def forced_chain(count: int) -> System:
+    """Masses between two walls, the first one forced, the last in front of a rigid stop."""
+    mass, stiffness, _ = chain_matrices([1] * count, [1] * (count + 1), fixed="both")
+    damping = (sp.Matrix(stiffness) + sp.eye(count)) / 50
+    return oscillator(
+        f"chain-{count}",
+        [f"x{k}" for k in range(1, count + 1)],
+        mass,
+        stiffness,
+        damping.tolist(),
+        forcing=[Harmonic(sp.Symbol("Omega"), cosine=[1] + [0] * (count - 1))],
+        elements=[RigidStop(f"x{count}", at="1/2", restitution="4/5", name="stop")],
+    )
+
+
+def chains(quick: bool) -> Iterator[Row]:
+    """Branches of chains over the frequency of their forcing, with all events."""
+    for count, must in ((1, 0.2), (3, 1.0), (7, 3.0)):
+        kernels = load_system(forced_chain(count))
+        found = nonsmooth.find_orbits(kernels, {"Omega": "0.7"}, 40, transitions=400, seed=1)
+        orbit = found.orbits[0].orbit
+        branch = nonsmooth.continue_orbit(orbit, "Omega", (0.65, 0.75))
+        yield Row(
+            f"{count} forced masses with a stop: {len(branch)} points, {len(branch.events)} events",
+            timed(
+                lambda orbit=orbit: nonsmooth.continue_orbit(orbit, "Omega", (0.65, 0.75)),
+                1,
+                2 if quick else 5,
+            ),
+            must,
+        )
 
 
 def branch(quick: bool) -> Iterator[Row]:
@@ -42,6 +78,7 @@ def branch(quick: bool) -> Iterator[Row]:
         f"global-stick composed: {len(same)} points",
         timed(lambda: nonsmooth.continue_orbit(composed, "V", (0.8, 1.3)), 1, runs),
     )
+    yield from chains(quick)
     event = found.events[-1]
     yield Row(
         "itineraries beyond a border collision",

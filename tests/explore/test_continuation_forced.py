@@ -14,7 +14,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 import nonsmooth
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, System, oscillator
 
 W, R = 2.8, 0.8
 
@@ -185,3 +185,23 @@ def test_symmetry_breaking_between_two_stops() -> None:
         assert found.trace[place] == pytest.approx(whole.trace, abs=1e-9)
         assert found.period[place] == pytest.approx(whole.period, abs=1e-12)
         assert found.admissible[place] == whole.admissibility.verdict
+
+
+def test_a_phase_vanishes_where_the_linear_response_grazes() -> None:
+    """2 x'' + 2 x' + 800 x = 2 cos(Omega t) touches x = 1/200 where its amplitude is that."""
+    omega = sp.Symbol("Omega")
+    soft = oscillator(
+        "bump",
+        ["x"],
+        mass=[[2]],
+        damping=[[2]],
+        stiffness=[[800]],
+        forcing=[Harmonic(omega, cosine=[2])],
+        elements=[SoftStop("x", at="1/200", stiffness=8000, damping=5, name="rubber")],
+    )
+    motion = nonsmooth.simulate(soft, {"Omega": 26}, {"x": 0.02, "v": 0}, until=60)
+    known = nonsmooth.solve(soft, {"Omega": 26}, itinerary=nonsmooth.itinerary_of(motion))
+    followed = nonsmooth.continue_orbit(known, "Omega", (16, 30), step=0.05)
+    (event,) = (e for e in followed.events if e.kind == "vanishing-phase")
+    squares = np.roots([4, 4 - 3200, 640_000 - 160_000])  # of (800 - 2 W)^2 + 4 W = 160000
+    assert event.value == pytest.approx(math.sqrt(squares.max()), rel=1e-7)
