@@ -17,6 +17,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.completion import system_parameters
+from nonsmooth.runtime.model.factored_flows import Flows, arrays_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.modes import NumericModes, no_modes, numeric_modes
@@ -50,7 +51,7 @@ class PiecewiseLinear:
     resets : array (S, N, N + 1)
     exponents : for each configuration an array (modes, 2)
         Real and imaginary parts.
-    flows : for each configuration an array (functions, N, N + 1)
+    flows : for each configuration an array (functions, N, N + 1), or FactoredFlows
         ``y(t) = sum_f phi_f(t) (B_f y(0) + beta_f)``: B_f, then beta_f.
     """
 
@@ -60,7 +61,7 @@ class PiecewiseLinear:
     rows: np.ndarray
     resets: np.ndarray
     exponents: tuple[np.ndarray, ...]
-    flows: tuple[np.ndarray, ...]
+    flows: tuple[Flows, ...]
 
     @property
     def numbers(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -185,7 +186,8 @@ def numbers_at(
         except InputError:  # no numbers, or eigenvalues that cannot be told from each other
             found = [no_modes(len(structure.states))] * len(structure.configurations)
         modes = tuple(each.shapes for each in found)
-        arrays = [*(m.exponents for m in found), *(m.flows for m in found)]
+        flows = (array for m in found for array in arrays_of(m.flows))
+        arrays = [*(m.exponents for m in found), *flows]
         numbers = np.concatenate([array.ravel() for array in arrays])
         groups.setdefault(modes, []).append((place, numbers))
     known = _flat(parts)

@@ -31,7 +31,7 @@ def harness(tmp_path_factory: pytest.TempPathFactory) -> Path:
     program = tmp_path_factory.mktemp("engine") / "harness"
     sources = [
         CHECKOUT / "runtime" / "engine" / f"{name}.c"
-        for name in ("cell", "chain", "engine", "phase", "search", "tables")
+        for name in ("cell", "chain", "engine", "phase", "search", "tables", "factored")
     ]
     flags = ["-std=c11", "-O1", "-g", "-Wall", "-Wextra", "-Werror", "-Wno-unknown-pragmas"]
     flags += [
