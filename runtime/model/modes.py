@@ -34,6 +34,8 @@ from nonsmooth.runtime.model.eigenvalue_clusters import (
     smallest_distance,
     smallest_projectors,
 )
+from nonsmooth.runtime.model.factored_flows import Flows, arrays_of
+from nonsmooth.runtime.model.large_modes import LARGE, dependences, large_modes
 from nonsmooth.runtime.model.projectors import exponentials_at
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 from nonsmooth.runtime.model.time_functions import functions_at
@@ -59,13 +61,13 @@ class NumericModes(NamedTuple):
         First that of the exponent 0, which has the constants.
     exponents : array (modes, 2)
         Real and imaginary parts.
-    flows : array (functions, N, N + 1)
+    flows : array (functions, N, N + 1), or FactoredFlows
         ``y(t) = sum_f phi_f(t) (B_f y(0) + beta_f)``: B_f, then beta_f.
     """
 
     shapes: tuple[ModeShape, ...]
     exponents: np.ndarray
-    flows: np.ndarray
+    flows: Flows
 
 
 def numeric_modes(field: np.ndarray) -> NumericModes:
@@ -122,14 +124,22 @@ def _numeric_modes(content: bytes, size: int) -> NumericModes:
     whole = np.vstack([field, np.zeros(size + 1)])
     # a change of units keeps powers of two exact
     scaled, units = _balanced(whole)
+    if size >= LARGE:
+        large = large_modes(scaled, units, dependences(whole))
+        if large is not None:
+            return _unchanging(NumericModes(*large))
     shapes, exponents, terms = _modes_of(_decomposed(scaled, units))
     # zero exactly, and not but for rounding, where a state, as of a forcing, does not depend on
     # another one: modes are polynomials in the matrix
     depends = np.linalg.matrix_power((whole != 0) | np.eye(size + 1, dtype=bool), size)[:size]
     flows = np.where(depends, (units[:, None] * terms / units)[:, :size], 0.0)
-    for array in (exponents, flows):
+    return _unchanging(NumericModes(shapes, exponents, flows))
+
+
+def _unchanging(modes: NumericModes) -> NumericModes:
+    for array in (modes.exponents, *arrays_of(modes.flows)):
         array.flags.writeable = False
-    return NumericModes(shapes, exponents, flows)
+    return modes
 
 
 def _balanced(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
