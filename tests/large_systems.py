@@ -86,9 +86,7 @@ def _factored(
     columns, rows = right[:size, places].T, left[places]
     both = np.stack([2 * columns.real, -2 * columns.imag], axis=1).reshape(-1, size)
     parts = np.stack([rows.real, rows.imag], axis=1).reshape(-1, size + 1)
-    shapes = mode_shapes(
-        [(1, False), *[(1, True, False, False, True)] * len(places)]
-    )
+    shapes = mode_shapes([(1, False), *[(1, True, False, False, True)] * len(places)])
     exponents = np.array([(0.0, 0.0), *((values[k].real, values[k].imag) for k in places)])
     exponents[np.abs(exponents) < 1e-13] = 0.0
     constant = np.eye(size, size + 1) - both.T @ parts

@@ -28,7 +28,7 @@ from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 
 __all__ = ["LARGE", "dependences", "large_modes"]
 
-LARGE = 24  # states from which on factors are faster than matrices
+LARGE = 20  # states from which on factors are faster than matrices
 _NEARNESS = (1e-9, 1e-7, 3e-6, 1e-4)  # of the largest modulus: what is taken together
 _ASIDE = 0.1  # shift of an inverse iteration, in units of the distance to what is not meant
 _ITERATIONS = 20
@@ -161,7 +161,10 @@ def _modes_of(
         for first in range(place, place + twice * count, count):
             inside = slice(first, first + count), slice(first, first + count)
             blocks[inside] = moved[inside]
-        rows, block = left[place : place + count], blocks[place : place + count, place : place + count]
+        rows, block = (
+            left[place : place + count],
+            blocks[place : place + count, place : place + count],
+        )
         place += twice * count
         own = np.abs(units[:, None] * basis).max(axis=0) * np.abs(rows / units).max(axis=1)
         largest = max(largest, float(own.max()))
