@@ -60,9 +60,13 @@ def _places(shapes: tuple[ModeShape, ...]) -> _Places:
             factors += [(first, last, count + 1, -1), (first, last, count, 1)]
         else:
             factors.append((first, last, count, 0))
+    even, odd, other, sign = np.array(factors, dtype=int).reshape(-1, 4).T
     return _Places(
         np.array([p for s in shapes if not s.factored for p in s.places], dtype=int),
-        *np.array(factors, dtype=int).reshape(-1, 4).T,
+        even,
+        odd,
+        other,
+        sign,
         np.array(starts, dtype=int),
         np.array([shape.oscillates for shape in modes], dtype=bool),
     )
@@ -87,6 +91,11 @@ class FactoredFlows:
     matrices: np.ndarray
     left: np.ndarray
     right: np.ndarray
+
+    def __getitem__(self, point: int) -> FactoredFlows:
+        """Flows of one of many points."""
+        arrays = (self.matrices[point], self.left[point], self.right[point])
+        return FactoredFlows(self.shapes, *arrays)
 
     def states(self, functions: np.ndarray, extended: np.ndarray) -> np.ndarray:
         """States from values of the functions of time.

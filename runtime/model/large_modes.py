@@ -67,7 +67,7 @@ def dependences(field: np.ndarray) -> np.ndarray:
     reached = ((field != 0) | np.eye(len(field), dtype=bool)).astype(np.float32)
     for _ in range(len(field).bit_length()):
         reached = (reached @ reached > 0).astype(np.float32)
-    return reached > 0
+    return np.asarray(reached > 0)
 
 
 def large_modes(
@@ -161,10 +161,8 @@ def _modes_of(
         for first in range(place, place + twice * count, count):
             inside = slice(first, first + count), slice(first, first + count)
             blocks[inside] = moved[inside]
-        rows, block = (
-            left[place : place + count],
-            blocks[place : place + count, place : place + count],
-        )
+        here = slice(place, place + count)
+        rows, block = left[here], blocks[here, here]
         place += twice * count
         own = np.abs(units[:, None] * basis).max(axis=0) * np.abs(rows / units).max(axis=1)
         largest = max(largest, float(own.max()))

@@ -34,7 +34,7 @@ from nonsmooth.runtime.model.eigenvalue_clusters import (
     smallest_distance,
     smallest_projectors,
 )
-from nonsmooth.runtime.model.factored_flows import Flows, arrays_of
+from nonsmooth.runtime.model.factored_flows import Flows, arrays_of, matrices_of
 from nonsmooth.runtime.model.large_modes import LARGE, dependences, large_modes
 from nonsmooth.runtime.model.projectors import exponentials_at
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
@@ -274,7 +274,8 @@ def _missed(
     angles: tuple[float, ...],
 ) -> float:
     """Largest error of the clusters' sum in the coordinates' own units, relative to the flow."""
-    shapes, exponents, terms = _modes_of(_sorted(clusters))
+    shapes, exponents, flows = _modes_of(_sorted(clusters))
+    terms = matrices_of(flows)
     worst, growth = 0.0, max(exponents[:, 0].max(), 0.0)
     # products with powers of two are exact
     times = [(angle, 2.0 ** round(math.log2(angle / scale))) for angle in angles]
