@@ -104,7 +104,7 @@ def _rubbing(
     mass: int,
     limit: float,
 ) -> tuple[list[np.ndarray], list[np.ndarray], list[np.ndarray]]:
-    """Three regimes of each field; rows of velocities and forces, and a reset to rest, come last."""
+    """Three regimes of each field; rows of velocities and forces, a reset to rest, come last."""
     size = len(fields[0])
     velocity = (size - 2) // 2 + mass
     found, forces = [], []
@@ -321,7 +321,7 @@ class _Run:
         scale = np.abs(slope).max()
         order = int(np.argmax(np.abs(slope) > 1e-18 * scale)) if scale else 0
         roots = np.roots(np.trim_zeros(slope[order:], "b")[::-1])
-        inside = roots[(np.abs(roots.imag) < 1e-3) & (0 < roots.real) & (roots.real < 1)].real
+        inside = roots[(np.abs(roots.imag) < 1e-3) & (roots.real > 0) & (roots.real < 1)].real
         ends = [arb(0), *(arb(float(u)) for u in np.sort(inside)), arb(1)]
         heights = [_value(series, u) for u in ends]
         for u, height in zip(ends[1:-1], heights[1:-1], strict=True):
@@ -373,7 +373,7 @@ class _Run:
         for transition in self.system.structure.transitions[self.here]:
             if transition.boundaries != {b}:
                 continue
-            for row, along, holds in transition.conditions:
+            for row, _, holds in transition.conditions:
                 value = float((arb_mat([self.system.rows[row].tolist()]) * before).entries()[0])
                 bound = math.sqrt(np.trace(self.spread)) * DEVIATIONS + ROUNDING
                 if abs(value) < bound:
