@@ -36,14 +36,14 @@ _CLOSE = 1e-11  # error of the sum and of its derivative, relative to the larges
 _EPSILON = float(np.finfo(float).eps)
 
 
-class _Group(NamedTuple):
+class _Subspace(NamedTuple):
     """Eigenvalues taken together, with a basis of their invariant subspace."""
 
     values: list[complex]
     basis: np.ndarray  # (N + 1, m)
 
 
-class _Mode(NamedTuple):
+class _ModeParts(NamedTuple):
     """Powers of one exponent: columns and rows of factors, or matrices."""
 
     centre: complex
@@ -105,7 +105,7 @@ def large_modes(
         known.append(groups)
         try:
             bases = [
-                _Group(group, _basis(matrix, snug, vectors, group))
+                _Subspace(group, _basis(matrix, snug, vectors, group))
                 for group in groups
                 if leads(group)
             ]
@@ -139,9 +139,9 @@ def _modes_of(
     matrix: np.ndarray,
     units: np.ndarray,
     depends: np.ndarray,
-    groups: Sequence[_Group],
+    groups: Sequence[_Subspace],
     scale: float,
-) -> list[_Mode] | None:
+) -> list[_ModeParts] | None:
     """Modes of all groups, if they add up to the motion."""
     size = len(matrix)
     parts = [
@@ -189,30 +189,30 @@ def _is_real(group: list[complex]) -> bool:
 
 def _factors(
     centre: complex, column: np.ndarray, row: np.ndarray, units: np.ndarray, depends: np.ndarray
-) -> _Mode:
+) -> _ModeParts:
     """Factors of a simple mode: zero exactly, and not but for rounding, where nothing depends."""
     column, row, own = units * column, row / units, int(np.abs(column * row).argmax())
     column, row = np.where(depends[:, own], column, 0)[:-1], np.where(depends[own], row, 0)
     if not centre.imag:
-        return _Mode(centre, column.real[None], row.real[None], [])
+        return _ModeParts(centre, column.real[None], row.real[None], [])
     left, right = np.stack([2 * column.real, -2 * column.imag]), np.stack([row.real, row.imag])
-    return _Mode(centre, left, right, [])
+    return _ModeParts(centre, left, right, [])
 
 
 def _powers(
     centre: complex, terms: list[np.ndarray], units: np.ndarray, depends: np.ndarray
-) -> _Mode:
+) -> _ModeParts:
     """Matrices of a group's powers of time."""
     size, matrices = len(units) - 1, []
     for k, term in enumerate(terms):
         part = units[:, None] * term / units / math.factorial(k)
         found = [2 * part.real, -2 * part.imag] if centre.imag else [part.real]
         matrices += [np.where(depends, array, 0.0)[:size] for array in found]
-    return _Mode(centre, np.empty((0, size)), np.empty((0, size + 1)), matrices)
+    return _ModeParts(centre, np.empty((0, size)), np.empty((0, size + 1)), matrices)
 
 
 def _record(
-    modes: list[_Mode], size: int
+    modes: list[_ModeParts], size: int
 ) -> tuple[tuple[ModeShape, ...], np.ndarray, FactoredFlows]:
     modes = sorted(modes, key=lambda m: (m.centre != 0, m.centre.imag, m.centre.real))
     parts = []

@@ -170,8 +170,8 @@ import numpy as np
 from nonsmooth.runtime import _engine
 
 def layout(states, length):
-    header = [states, 1, 1, 1, 1, length, 0, 0, 0, 0]
-    rest = [0, 1, length, 0, 0, 0, 0, length, 0, 0, 0, 0, 0]
+    header = [states, 1, 1, 1, 1, length, 0, 0, 0, 0, 0]
+    rest = [0, 1, length, 0, 0, 0, 0, 0, length, 0, 0, 0, 0, 0, 0, 0]
     return np.array([*header, *rest], dtype=np.int32)
 
 resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
