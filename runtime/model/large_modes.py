@@ -32,7 +32,7 @@ LARGE = 20  # states from which on factors are faster than matrices
 _NEARNESS = (1e-9, 1e-7, 3e-6, 1e-4)  # of the largest modulus: what is taken together
 _ASIDE = 0.1  # shift of an inverse iteration, in units of the distance to what is not meant
 _ITERATIONS = 20
-_CLOSE = 1e-11  # error of the sum and of its derivative, relative to the largest matrix
+_CLOSE = 1e-11  # error of the sum and of its derivative over a radian, relative to these
 _EPSILON = float(np.finfo(float).eps)
 
 
@@ -155,7 +155,7 @@ def _modes_of(
     left = np.linalg.inv(right)
     left = left @ (2 * np.eye(size) - right @ left)
     moved = left @ matrix @ right
-    modes, largest, place, blocks = [], 1.0, 0, np.zeros((size, size), dtype=complex)
+    modes, place, blocks = [], 0, np.zeros((size, size), dtype=complex)
     for values, basis in groups:
         count, twice = basis.shape[1], 1 if _is_real(values) else 2
         for first in range(place, place + twice * count, count):
@@ -164,8 +164,6 @@ def _modes_of(
         here = slice(place, place + count)
         rows, block = left[here], blocks[here, here]
         place += twice * count
-        own = np.abs(units[:, None] * basis).max(axis=0) * np.abs(rows / units).max(axis=1)
-        largest = max(largest, float(own.max()))
         centre = complex(np.trace(block)) / count if min(map(abs, values)) else 0j
         centre = snapped(complex(centre.real) if twice == 1 else centre, size, scale)
         if count == 1:
@@ -176,11 +174,12 @@ def _modes_of(
         if terms is None:
             return None
         modes.append(_powers(centre, terms, units, depends))
-    rate = (right @ blocks @ left - matrix) / scale
-    for missed in (right @ left - np.eye(size), rate):
-        if not float(np.abs(units[:, None] * missed / units).max()) <= _CLOSE * largest:
-            return None
-    return modes
+    sums = right @ left - np.eye(size), (right @ blocks @ left - matrix) / scale
+    missed, own = (
+        max(float(np.abs(units[:, None] * part / units).max()) for part in parts)
+        for parts in (sums, (np.eye(size), matrix / scale))
+    )
+    return modes if missed <= _CLOSE * own else None
 
 
 def _is_real(group: list[complex]) -> bool:

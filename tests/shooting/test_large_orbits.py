@@ -13,11 +13,12 @@ from tests.large_systems import OMEGA, chain
 
 
 @pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
+@pytest.mark.parametrize("factored", [False, True])
 @pytest.mark.parametrize(("count", "phases", "periods"), [(8, 5, 2), (10, 2, 1)])
 def test_the_compiled_solver_takes_any_number_of_states(
-    count: int, phases: int, periods: int
+    count: int, phases: int, periods: int, factored: bool
 ) -> None:
-    system = chain(count)
+    system = chain(count, factored=factored)
     start = np.array([*np.zeros(count), *np.random.default_rng(0).normal(size=count), 1, 0])
     motion = follow(system, start, 0, transitions=3000)
     cycle = itinerary_shape(system.structure, [("c0", "stop")] * phases)

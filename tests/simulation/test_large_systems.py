@@ -3,6 +3,7 @@
 import math
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,9 +11,11 @@ import sympy as sp
 
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.model.boundary_sets import mask_of, masks_of, members_of, words_of
-from nonsmooth.runtime.model.engine_layout import numbers_of
+from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
 from nonsmooth.runtime.model.engine_run import Run
+from nonsmooth.runtime.model.modes import numeric_modes
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import ModeShape
 from nonsmooth.runtime.simulation.engines import compiled_engine, run_compiled, run_motions
 from nonsmooth.runtime.simulation.simulate import follow, simulate
 from nonsmooth.runtime.simulation.stepping import run
@@ -28,6 +31,20 @@ def start_of(count: int, seed: int) -> np.ndarray:
     return np.array([*place, *rng.normal(size=count), np.cos(phase), np.sin(phase)])
 
 
+def chain_of(kind: str, count: int, rubbing: int | None) -> PiecewiseLinear:
+    """A chain with modes from eigenvectors found here, or by the package."""
+    system = chain(count, rubbing, kind != "matrices")
+    if kind != "modes of the package":
+        return system
+    modes = [numeric_modes(field) for field in system.fields]
+    return replace(
+        system,
+        structure=replace(system.structure, modes=tuple(m.shapes for m in modes)),
+        exponents=tuple(m.exponents for m in modes),
+        flows=tuple(m.flows for m in modes),
+    )
+
+
 def engines(system: PiecewiseLinear, state: np.ndarray, transitions: int) -> tuple[Run, Run]:
     engine = compiled_engine()
     assert engine is not None
@@ -36,14 +53,23 @@ def engines(system: PiecewiseLinear, state: np.ndarray, transitions: int) -> tup
 
 
 @compiled
+@pytest.mark.parametrize("kind", ["matrices", "factors", "modes of the package"])
 @pytest.mark.parametrize(
     ("count", "rubbing", "transitions"),
-    [(10, None, 20), (12, None, 20), (30, None, 12), (10, 4, 40), (30, 12, 40)],
+    [
+        (10, None, 20),
+        (12, None, 20),
+        (30, None, 12),
+        (10, 4, 40),
+        (30, 12, 40),
+        pytest.param(100, None, 12, marks=pytest.mark.slow),
+        pytest.param(100, 40, 30, marks=pytest.mark.slow),
+    ],
 )
 def test_chains_follow_matrix_exponentials(
-    count: int, rubbing: int | None, transitions: int
+    count: int, rubbing: int | None, transitions: int, kind: str
 ) -> None:
-    system, state = chain(count, rubbing), start_of(count, 3)
+    system, state = chain_of(kind, count, rubbing), start_of(count, 3)
     if rubbing is not None:
         state[count + rubbing] = abs(state[count + rubbing])
     engine = compiled_engine()
@@ -52,14 +78,15 @@ def test_chains_follow_matrix_exponentials(
     times, places, states = integrated(system, state, 0, transitions)
     assert found.configurations.tolist() == places
     assert rubbing is None or set(places) == {0, 1, 2}
-    np.testing.assert_allclose(found.times, times, rtol=0, atol=1e-10)
-    np.testing.assert_allclose(found.states, states, rtol=0, atol=1e-10)
+    np.testing.assert_allclose(found.times, times, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(found.states, states, rtol=0, atol=1e-11)
 
 
 @compiled
+@pytest.mark.parametrize("factored", [False, True])
 @pytest.mark.parametrize(("count", "rubbing"), [(9, None), (20, None), (12, 5)])
-def test_chains_follow_the_other_engine(count: int, rubbing: int | None) -> None:
-    found, known = engines(chain(count, rubbing), start_of(count, 5), 20)
+def test_chains_follow_the_other_engine(count: int, rubbing: int | None, factored: bool) -> None:
+    found, known = engines(chain(count, rubbing, factored), start_of(count, 5), 20)
     assert (found.status, found.sets.tolist()) == (known.status, known.sets.tolist())
     assert found.configurations.tolist() == known.configurations.tolist()
     np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
@@ -162,6 +189,30 @@ def test_a_declared_chain() -> None:
     known = run(chain(count), start_of(count, 9), 0, transitions=15)
     np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
     np.testing.assert_allclose(found.states, known.states, rtol=0, atol=1e-11)
+
+
+@compiled
+def test_factors_that_no_mode_has_are_refused() -> None:
+    """A layout that says of a mode that it has factors, and does not count them, or of a chain."""
+    engine = compiled_engine()
+    assert engine is not None
+    system = chain(10)
+    structure = system.structure
+    (shapes,) = structure.shapes
+    longer = ModeShape(2, False, (0, 1), factored=True)
+    joined = replace(shapes[1], joined=True, factored=True)
+    layouts = [
+        layout_of(replace(structure, modes=(modes,)))
+        for modes in ((longer, *shapes[1:]), (shapes[0], joined, *shapes[2:]))
+    ]
+    uncounted = layout_of(structure).copy()
+    flags = 11 + 2 + 4 * len(shapes)  # behind the header, starts, and four numbers of each mode
+    assert not uncounted[flags : flags + len(shapes)].any()
+    uncounted[flags + 1] = 1
+    none, real = np.zeros(0, dtype=np.int32), [np.zeros(0)]
+    for layout in (*layouts, uncounted):
+        with pytest.raises(ValueError, match="cut or foreign"):
+            engine.compose(layout, np.zeros(3, dtype=np.int32), *real * 6, none, none, 0)
 
 
 MEMORY = """
