@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import numpy as np
 
 from nonsmooth.runtime.events.first_crossing import ORDERS
 from nonsmooth.runtime.events.leading_derivative import derivatives, dot, square
-from nonsmooth.runtime.model.factored_flows import matrices_of
+from nonsmooth.runtime.model.factored_flows import FactoredFlows, matrices_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.quasi_polynomials import Chain, QuasiPolynomial
 from nonsmooth.runtime.model.time_functions import chains, factors_at
@@ -57,13 +59,14 @@ def orders(row: np.ndarray, field: np.ndarray, count: int) -> tuple[list[Row], l
 class BoundaryTable:
     """One boundary of a configuration: its row over the functions of time, and along the field."""
 
-    def __init__(
-        self, system: PiecewiseLinear, configuration: int, index: int, flow: np.ndarray
-    ) -> None:
+    def __init__(self, system: PiecewiseLinear, configuration: int, index: int) -> None:
         shape = system.structure.boundaries[configuration][index]
-        row = system.rows[shape.row]
-        values = np.einsum("i,fij->fj", row[:-1], flow)
-        sizes = np.einsum("i,fij->fj", abs(row[:-1]), abs(flow))
+        row, flow = system.rows[shape.row], system.flows[configuration]
+        if isinstance(flow, FactoredFlows):
+            values, sizes = flow.rows(row[:-1])
+        else:
+            values = np.einsum("i,fij->fj", row[:-1], flow)
+            sizes = np.einsum("i,fij->fj", abs(row[:-1]), abs(flow))
         values[0, -1] += row[-1]  # the constant joins the first function, which is 1
         sizes[0, -1] += abs(row[-1])
         self.row, self.reached = shape.row, shape.reached
@@ -75,7 +78,7 @@ class ConfigurationTable:
     """What a phase needs, as lists of Python numbers."""
 
     def __init__(self, system: PiecewiseLinear, index: int) -> None:
-        shape, flow = system.structure, matrices_of(system.flows[index])
+        shape, self._flows = system.structure, system.flows[index]
         self.modes = [
             (complex(*map(float, exponent)), mode)
             for exponent, mode in zip(system.exponents[index], shape.shapes[index], strict=True)
@@ -88,12 +91,24 @@ class ConfigurationTable:
         self.bounded = all(x.real == 0 and mode.length == 1 for x, mode in self.modes)
         self.bounded = self.bounded and not any(chain for _, _, chain in self.chains)
         self.boundaries = [
-            BoundaryTable(system, index, b, flow) for b in range(len(shape.boundaries[index]))
+            BoundaryTable(system, index, b) for b in range(len(shape.boundaries[index]))
         ]
-        self.flow = [rows_of(part) for part in flow]
-        self.sizes = [rows_of(abs(part)) for part in flow]
-        self.total = rows_of(abs(flow).sum(axis=0))
         self.field = rows_of(system.fields[index])
+
+    @cached_property
+    def flow(self) -> list[list[Row]]:
+        """Rows of the matrix of each function."""
+        return [rows_of(part) for part in matrices_of(self._flows)]
+
+    @cached_property
+    def sizes(self) -> list[list[Row]]:
+        """Their absolute values."""
+        return [rows_of(abs(part)) for part in matrices_of(self._flows)]
+
+    @cached_property
+    def total(self) -> list[Row]:
+        """The sum of these."""
+        return rows_of(abs(matrices_of(self._flows)).sum(axis=0))
 
     def function(
         self, boundary: BoundaryTable, state: list[float], size: list[float]

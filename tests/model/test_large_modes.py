@@ -101,6 +101,10 @@ def test_factors_are_the_matrices_they_stand_for() -> None:
         bounds = flows.sizes(abs(extended))
         assert (bounds >= sizes * (1 - 1e-13)).all()
         assert bounds.sum() < 2 * sizes.sum()
+        row = rng.normal(size=26)
+        found, reach = flows.rows(row)
+        np.testing.assert_allclose(found, np.einsum("i,fij->fj", row, whole), atol=1e-13)
+        assert (reach >= np.einsum("i,fij->fj", abs(row), abs(whole)) * (1 - 1e-13)).all()
 
 
 def test_factors_of_many_points_are_those_of_each() -> None:
