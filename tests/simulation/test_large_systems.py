@@ -12,7 +12,7 @@ import sympy as sp
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.model.boundary_sets import mask_of, masks_of, members_of, words_of
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
-from nonsmooth.runtime.model.engine_run import Run
+from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.modes import numeric_modes
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import ModeShape
@@ -213,6 +213,36 @@ def test_factors_that_no_mode_has_are_refused() -> None:
     for layout in (*layouts, uncounted):
         with pytest.raises(ValueError, match="cut or foreign"):
             engine.compose(layout, np.zeros(3, dtype=np.int32), *real * 6, none, none, 0)
+
+
+@compiled
+@pytest.mark.parametrize(("count", "growing"), [(12, False), (20, False), (12, True)])
+def test_rounding_by_factors_is_bounded_as_by_matrices(count: int, growing: bool) -> None:
+    """What a decider is told of an event: never less than by matrices, and not much more."""
+    engine, told = compiled_engine(), []
+    assert engine is not None
+
+    def decide(*what: object) -> tuple[int, int, int]:
+        told.append([np.frombuffer(what[4]), what[5]])  # type: ignore[call-overload]
+        return Status.UNDECLARED, 0, 0
+
+    for factored in (False, True):
+        system = chain(count, factored=factored)
+        if growing:
+            (exponents,) = system.exponents
+            system = replace(system, exponents=(np.abs(exponents),))
+        structure = replace(system.structure, transitions=((),))
+        none, whole = np.zeros(0), np.zeros(1, dtype=np.int32)
+        counts = np.zeros(3, dtype=np.int64)
+        engine.simulate(
+            layout_of(structure), numbers_of(system), whole, start_of(count, 3), whole.copy(),
+            np.array([np.inf]), 5, none, none.astype(np.int32), none, none,
+            none.astype(np.int32), none, counts, decide,
+        )  # fmt: skip
+    (sizes, late), (bounds, later) = told
+    assert (bounds >= sizes * (1 - 1e-12)).all()
+    assert (bounds <= 3 * sizes).all()
+    assert late * (1 - 1e-12) <= later <= 3 * late
 
 
 MEMORY = """
