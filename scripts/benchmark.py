@@ -22,6 +22,7 @@ from benchmark_chart import chart
 from benchmark_continuation import branch
 from benchmark_declared import declared
 from benchmark_simulation import composed, many, sequences, simulation
+from benchmark_size import size
 from measuring import Row, machine, timed
 from rich.console import Console
 from rich.table import Table
@@ -348,6 +349,7 @@ SECTIONS = {
             counted,
             chart,
             branch,
+            size,
         ),
     )
 }

@@ -17,6 +17,7 @@ from multiprocessing.pool import Pool
 import numpy as np
 from rich.console import Console
 from rich.progress import Progress
+from stressing_chains import chains_chunk
 from stressing_motions import (
     ELASTIC,
     FRICTION,
@@ -149,6 +150,7 @@ SECTIONS = {
         _judged(against_proof, (*FRICTION, *RIGID, *ELASTIC), TRANSITIONS), 20, 2_000
     ),
     "integrator": Section(_judged(against_integrator, ("plain", "elastic"), 20), 5, 50),
+    "chains": Section(chains_chunk, 10, 1_000),
 }
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
+from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import (
     BoundaryShape,
@@ -34,7 +35,7 @@ def _system(
     resets: np.ndarray,
     boundaries: list[list[tuple[str, int, bool]]],
     transitions: list[list[TransitionShape]],
-    modes: list[tuple[Any, np.ndarray, np.ndarray]],
+    modes: list[tuple[Any, np.ndarray, Any]],
     forcing: tuple[tuple[int, int], ...] = (),
 ) -> PiecewiseLinear:
     size, count = fields.shape[1], len(fields)
@@ -56,7 +57,7 @@ def _system(
     return PiecewiseLinear(structure, {}, fields, rows, resets, exponents, flows)
 
 
-def _modes(field: np.ndarray) -> tuple[Any, np.ndarray, np.ndarray]:
+def _modes(field: np.ndarray, factored: bool) -> tuple[Any, np.ndarray, Any]:
     """Pairs of complex eigenvalues from eigenvectors; what is left belongs to zero."""
     size = len(field)
     whole = np.vstack([field, np.zeros(size + 1)])
@@ -64,6 +65,8 @@ def _modes(field: np.ndarray) -> tuple[Any, np.ndarray, np.ndarray]:
     left = np.linalg.inv(right)
     places = np.flatnonzero(values.imag > 1e-6)
     assert 2 * len(places) + np.count_nonzero(abs(values) < 1e-9) == size + 1
+    if factored:
+        return _factored(values, right, left, places)
     terms = []
     for k in places:
         projector = np.outer(right[:, k], left[k])
@@ -75,7 +78,22 @@ def _modes(field: np.ndarray) -> tuple[Any, np.ndarray, np.ndarray]:
     return shapes, exponents, np.array(terms)[:, :size]
 
 
-def chain(count: int, rubbing: int | None = None) -> PiecewiseLinear:
+def _factored(
+    values: np.ndarray, right: np.ndarray, left: np.ndarray, places: np.ndarray
+) -> tuple[Any, np.ndarray, FactoredFlows]:
+    """Factors of the pairs; a matrix of what belongs to zero."""
+    size = len(values) - 1
+    columns, rows = right[:size, places].T, left[places]
+    both = np.stack([2 * columns.real, -2 * columns.imag], axis=1).reshape(-1, size)
+    parts = np.stack([rows.real, rows.imag], axis=1).reshape(-1, size + 1)
+    shapes = mode_shapes([(1, False), *[(1, True, False, False, True)] * len(places)])
+    exponents = np.array([(0.0, 0.0), *((values[k].real, values[k].imag) for k in places)])
+    exponents[np.abs(exponents) < 1e-13] = 0.0
+    constant = np.eye(size, size + 1) - both.T @ parts
+    return shapes, exponents, FactoredFlows(shapes, constant[None], both, parts)
+
+
+def chain(count: int, rubbing: int | None = None, factored: bool = False) -> PiecewiseLinear:
     """A chain; configurations without friction: 0, with it: 0 forwards, 1 sticking, 2 backwards.
 
     Parameters
@@ -84,6 +102,8 @@ def chain(count: int, rubbing: int | None = None) -> PiecewiseLinear:
         Masses; the states are positions, velocities, cosine and sine of the force.
     rubbing : int, optional
         The mass with friction, from 0.
+    factored : bool
+        Whether modes have factors instead of matrices.
 
     Returns
     -------
@@ -107,8 +127,7 @@ def chain(count: int, rubbing: int | None = None) -> PiecewiseLinear:
         fields, rows, resets = free[None], stop[None], np.stack([unit, bounce])
         return _system(
             f"chain-{count}", fields, rows, resets, [[("stop", 0, True)]], [[strike]],
-            [_modes(free)],
-            ((2 * count, 2 * count + 1),),
+            [_modes(free, factored)], ((2 * count, 2 * count + 1),),
         )  # fmt: skip
     mass = count + rubbing
     held, forwards, backwards = free.copy(), free.copy(), free.copy()
@@ -138,7 +157,7 @@ def chain(count: int, rubbing: int | None = None) -> PiecewiseLinear:
     return _system(
         f"rubbing-chain-{count}", fields, rows, np.stack([unit, bounce, rest]), names,
         [[strikes[0], *slides], [strikes[1], *starts], [strikes[2], *slides]],
-        [_modes(field) for field in fields],
+        [_modes(field, factored) for field in fields],
     )  # fmt: skip
 
 

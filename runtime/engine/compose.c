@@ -102,12 +102,32 @@ static const double *add_chain(size_t size, const layout *l, const point *at, in
     return part;
 }
 
+/* Add a mode that has factors: of n states, with the places of its u and v. */
+static void add_factors(ptrdiff_t n, const double *left, const double *right, int oscillates,
+                        double cosine, double sine, double *flow)
+{
+    for (ptrdiff_t i = 0; i < n; ++i, flow += n + 1) {
+        if (!oscillates) {
+            for (ptrdiff_t j = 0; j <= n; ++j)
+                flow[j] += cosine * left[i] * right[j];
+            continue;
+        }
+        const double one = cosine * left[i] + sine * left[n + i];
+        const double two = cosine * left[n + i] - sine * left[i];
+        for (ptrdiff_t j = 0; j <= n; ++j)
+            flow[j] += one * right[j] + two * right[n + 1 + j];
+    }
+}
+
 /* flow (n, n + 1) of a configuration at a time: matrix and constant. */
 INLINED void flow_at(ptrdiff_t n, const layout *l, const point *at, int c, double time,
                      double *flow)
 {
     const size_t size = (size_t)n * (size_t)(n + 1);
-    const double *part = at->flows + (size_t)l->function_start[c] * size;
+    const int factored = l->factored_start[c + 1] - l->factored_start[c];
+    const int dense = l->function_start[c + 1] - l->function_start[c] - factored;
+    const double *part = at->flows + layout_flows(l, c);
+    const double *left = part + (size_t)dense * size, *right = left + (size_t)factored * (size_t)n;
     for (size_t i = 0; i < size; ++i)
         flow[i] = 0.0;
     for (int m = l->mode_start[c]; m < l->mode_start[c + 1]; ++m) {
@@ -122,6 +142,13 @@ INLINED void flow_at(ptrdiff_t n, const layout *l, const point *at, int c, doubl
         double sine = 0.0, cosine = 1.0;
         if (l->mode_oscillates[m])
             nonsmooth_sincos(frequency * time, &sine, &cosine);
+        if (l->mode_factored[m]) {
+            const int oscillates = l->mode_oscillates[m];
+            add_factors(n, left, right, oscillates, power * cosine, power * sine, flow);
+            left += n << oscillates;
+            right += (n + 1) << oscillates;
+            continue;
+        }
         for (int k = 0; k < l->mode_length[m]; ++k) {
             const double even = power * cosine, odd = power * sine;
             if (l->mode_oscillates[m]) {

@@ -14,6 +14,7 @@ static const double LARGEST_STATE = 1e150; /* its squares are finite */
 static const double RESOLUTION = 0x1p-104; /* of the clock: a shorter flight is none */
 static const double ROUNDING = 16.0 * DBL_EPSILON;
 static const double GROWTH = 100.0; /* exponent of the largest growth in a window */
+static const double TURN = 6.283185307179586;
 static const double LONGEST_QUIET = 32e5 * (1.0 - 1e-9); /* radians of the fastest without event */
 static const double FARTHEST = 1e11; /* radians to an end beyond which it is none */
 enum { MOST_IMMEDIATE = 100 };
@@ -31,11 +32,18 @@ static long_time later(long_time t, double duration)
     return (long_time){high, low - (high - sum)};
 }
 
+/* `kept`: states that stay as they are, or NULL. */
 INLINED void
-reset(const double *matrix, const int n, double *state, double *magnitude, double *room)
+reset(const double *matrix, const unsigned char *kept, const int n, double *state,
+      double *magnitude, double *room)
 {
     double few[2 * FEW], *const result = n <= FEW ? few : room, *const size = result + n;
     for (int i = 0; i < n; ++i, matrix += n + 1) {
+        if (kept && kept[i]) {
+            result[i] = state[i];
+            size[i] = magnitude[i];
+            continue;
+        }
         double sum = matrix[n], sizes = fabs(matrix[n]);
         for (int j = 0; j < n; ++j) {
             sum += matrix[j] * state[j];
@@ -102,9 +110,7 @@ choose(const tables *t, const int n, int source, const uint32_t *set, const uint
 {
     const layout *l = t->layout;
     const int words = l->words;
-    const double *field = t->fields + (size_t)source * (size_t)n * (size_t)(n + 1);
-    for (int i = 0; i < n; ++i, field += n + 1)
-        at->moved[i] = at->time_error * affine(n, field, at->state);
+    int moved = 0; /* whether that is known */
     const int32_t *boundary_row = l->boundary_row + l->boundary_start[source];
     for (int i = l->transition_start[source]; i < l->transition_start[source + 1]; ++i) {
         const int32_t *listed = l->transition_set + (size_t)i * (size_t)words;
@@ -113,6 +119,10 @@ choose(const tables *t, const int n, int source, const uint32_t *set, const uint
             applies = (uint32_t)listed[k] == set[k];
         for (int k = l->condition_start[i]; applies && k < l->condition_start[i + 1]; ++k) {
             const int pair = l->condition_pair[k];
+            const double *field = t->fields + (size_t)source * (size_t)n * (size_t)(n + 1);
+            for (int j = 0; !moved && j < n; ++j, field += n + 1)
+                at->moved[j] = at->time_error * affine(n, field, at->state);
+            moved = 1;
             int is_zero = 0;
             for (members m = members_of(located, words); next_member(&m);)
                 is_zero |= boundary_row[m.member] == l->pair_row[pair];
@@ -235,7 +245,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
      * between them are MOST_IMMEDIATE at most, and the others as many as the caller allows. */
     while (result.transitions < limit) {
         const configuration *c = &t->configuration[here];
-        if (lost_after(patience, (size_t)c->functions * (size_t)n * (size_t)n)) {
+        if (lost_after(patience, ((size_t)c->dense * (size_t)n + (size_t)c->factored) * (size_t)n)) {
             result.status = STATUS_UNFINISHED;
             break;
         }
@@ -282,6 +292,11 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
                         last_time = now.high;
                     }
                     waited += window;
+                    if (watched && !(waited * c->fastest < LONGEST_QUIET) &&
+                        waited * c->slowest < TURN && window < HUGE_VAL) {
+                        result.status = STATUS_OVERFLOW; /* what is slow has hardly begun */
+                        break;
+                    }
                     /* a product that is no number ends the motion too */
                     if (!watched || waited * c->slowest >= LONGEST_WAIT * (1.0 - 1e-9) ||
                         !(waited * c->fastest < LONGEST_QUIET) || !(window < HUGE_VAL)) {
@@ -294,7 +309,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
                 /* the phase goes on from here, or ends with the simulation */
                 const double step = window < left ? window : left;
                 phase_functions(c, step, p->functions);
-                flow(c, n, p->functions, state, magnitude, room->result);
+                flow(p, n, state, magnitude, room->result);
                 now = later(now, step);
                 p->start = 4.0 * DBL_EPSILON * step;
                 set_clear(p->known, words);
@@ -312,7 +327,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
             immediate = 0;
             set_copy(located, p->event, words);
             set_copy(p->known, p->event, words);
-            flow(c, n, p->functions, state, magnitude, room->result);
+            flow(p, n, state, magnitude, room->result);
             now = later(now, event.time);
             event.time_error = fmax(event.time_error, RESOLUTION * now.high);
             memcpy(before, state, (size_t)n * sizeof *state);
@@ -338,7 +353,8 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
             }
         }
         if (taken != 0)
-            reset(t->resets + (size_t)taken * (size_t)n * (size_t)(n + 1), n, state, magnitude,
+            reset(t->resets + (size_t)taken * (size_t)n * (size_t)(n + 1),
+                  l->most_factored ? t->kept + (size_t)taken * (size_t)n : NULL, n, state, magnitude,
                   room->result);
         same_functions(l, here, p->known, target, p->spare);
         here = target;

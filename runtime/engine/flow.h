@@ -3,7 +3,9 @@
 #define NONSMOOTH_FLOW_H
 
 #include <math.h>
+#include <string.h>
 
+#include "factored.h"
 #include "phase.h"
 
 /* Of so few states arrays are in registers, where their number is a constant: 3 % faster. */
@@ -16,7 +18,7 @@ fill_phase(phase *p, const configuration *c, const int n, const double *state,
 {
     const int columns = n + 1;
     const double *row = c->boundary, *size = c->size;
-    const size_t products = (size_t)c->boundaries * (size_t)c->functions;
+    const size_t products = c->factored ? 0 : (size_t)c->boundaries * (size_t)c->functions;
     for (size_t i = 0; i < products; ++i, row += columns) {
         double sum = row[n];
         for (int j = 0; j < n; ++j)
@@ -33,6 +35,8 @@ fill_phase(phase *p, const configuration *c, const int n, const double *state,
     p->state = state;
     p->magnitude = magnitude;
     p->states = n;
+    if (c->factored)
+        factored_begin(p, n);
 }
 
 /* Sum of absolute values of an affine function's products. */
@@ -45,13 +49,22 @@ size_of(const int n, const double *row, const double *state)
     return sum;
 }
 
-/* The state at a time of a configuration, and bounds on the sizes of what was summed. */
+/* The state at the time of a phase's functions, and bounds on the sizes of what was summed. */
 INLINED void
-flow(const configuration *c, const int n, const double *functions, double *state,
-     double *magnitude, double *room)
+flow(const phase *p, const int n, double *state, double *magnitude, double *room)
 {
+    const configuration *c = p->c;
+    const double *functions = p->functions;
     const int columns = n + 1;
+    const int simple = c->uniform && c->mode[0].length <= 2; /* only t can pass 1 */
     double few[FEW], *const result = n <= FEW ? few : room, largest = 1.0;
+    if (c->factored) {
+        for (int f = 0; f < c->functions; ++f)
+            largest = fabs(functions[f]) > largest ? fabs(functions[f]) : largest;
+        factored_flow(p, n, functions, (largest > 1.0 || c->chained) && !simple, result, magnitude);
+        memcpy(state, result, (size_t)n * sizeof *state);
+        return;
+    }
     for (int i = 0; i < n; ++i)
         result[i] = 0.0;
     const double *row = c->flow, *reach = c->reach;
@@ -65,7 +78,6 @@ flow(const configuration *c, const int n, const double *functions, double *state
             result[i] += function * sum;
         }
     }
-    const int simple = c->uniform && c->mode[0].length <= 2; /* only t can pass 1 */
     if ((largest > 1.0 || c->chained) && !simple) {
         /* each function counts by itself: one may be huge */
         for (int i = 0; i < n; ++i)

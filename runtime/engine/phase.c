@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "factored.h"
 #include "sums.h"
 #include "support.h"
 
@@ -53,13 +54,17 @@ beginning phase_beginning(const phase *p, int b)
     const int n = p->states, count = c->functions;
     double *value = p->scratch, *next = value + count;
     double *size = next + count, *above = size + count;
-    const double *weight = c->weight + (size_t)b * (size_t)count * (size_t)(n + 1);
-    for (int f = 0; f < count; ++f, weight += n + 1) {
+    const double *weight = c->weight + (size_t)b * (size_t)c->dense * (size_t)(n + 1);
+    for (int f = 0; f < count; ++f)
         value[f] = value_of(p, b)[f];
-        size[f] = weight[n];
-        for (int j = 0; j < n; ++j)
-            size[f] += weight[j] * p->magnitude[j];
-    }
+    if (c->factored)
+        factored_sizes(p, b, size);
+    else
+        for (int f = 0; f < count; ++f, weight += n + 1) {
+            size[f] = weight[n];
+            for (int j = 0; j < n; ++j)
+                size[f] += weight[j] * p->magnitude[j];
+        }
     double d = at_start(c, value);
     for (int order = 0; order <= n; ++order) {
         differentiate(c, value, next);
@@ -142,20 +147,23 @@ int phase_begin(phase *p)
 /* Orders of a series beside those of the leading one, which is below the number of states. */
 enum { ORDERS = 24, FEW_STATES = 16 };
 
-enum { SETS = 3, ARRAYS = 11 };
+enum { SETS = 3, ARRAYS = 13 };
 
 int phase_create(phase *p, const layout *l)
 {
     const size_t boundaries = (size_t)l->most_boundaries, functions = (size_t)l->most_functions;
     const size_t orders = ORDERS + (size_t)(l->states > FEW_STATES ? l->states : FEW_STATES);
     const size_t products = size_product(boundaries, functions), words = (size_t)l->words;
+    const size_t factored = (size_t)l->most_factored;
     const size_t waves = 2 * (size_t)l->most_modes + 2 * functions;
     double **const array[ARRAYS] = {&p->value,  &p->slope,  &p->size,      &p->amplitude,
                                     &p->second, &p->fourth, &p->series,    &p->functions,
-                                    &p->sampled, &p->scratch, &p->waves};
+                                    &p->sampled, &p->scratch, &p->waves,     &p->projected,
+                                    &p->projected_size};
     const size_t size[ARRAYS] = {products,   products,   boundaries, boundaries,
                                  boundaries, boundaries, orders,     functions,
-                                 functions,  4 * functions, waves};
+                                 functions,  4 * functions, waves,   factored,
+                                 factored};
     size_t doubles = 0;
     for (int i = 0; i < ARRAYS; ++i)
         doubles = size_sum(doubles, size[i]);

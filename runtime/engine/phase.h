@@ -52,6 +52,8 @@ typedef struct {
     uint32_t *known;         /* the set that was located at the instant of the start */
     uint32_t *event;         /* the set that is reached together */
     double *functions;       /* of the configuration, at the event */
+    double *projected;       /* v . (y, 1) of each factor, at the start */
+    double *projected_size;  /* of the products that make it up */
     patience *patience;
     int steps; /* inside the cells of this stay, until a transition ends it */
     int touches;

@@ -127,9 +127,19 @@ static inline double bound_on(const configuration *c, const double *coefficients
     return sum * (1.0 + 64.0 * DBL_EPSILON);
 }
 
+/* From so many on, four sums side by side are faster. */
+enum { MANY = 32 };
+
 static inline double dot(int count, const double *a, const double *b)
 {
     double sum = 0.0;
+    if (count >= MANY) {
+        double part[4] = {0.0};
+        for (; count >= 4; count -= 4, a += 4, b += 4)
+            for (int k = 0; k < 4; ++k)
+                part[k] += a[k] * b[k];
+        sum = (part[0] + part[1]) + (part[2] + part[3]);
+    }
     for (int i = 0; i < count; ++i)
         sum += a[i] * b[i];
     return sum;

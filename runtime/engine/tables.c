@@ -2,6 +2,7 @@
 #include "tables.h"
 
 #include "chain.h"
+#include "factored.h"
 
 #include <float.h>
 #include <math.h>
@@ -55,6 +56,13 @@ static int goes_on(const layout *l, int m, int first)
     return !first && single && (!complex_before || (l->mode_oscillates[m] && !l->mode_paired[m]));
 }
 
+/* Whether a mode has one power of time and belongs to no chain. */
+static int is_single(const layout *l, int m, int end)
+{
+    return l->mode_length[m] == 1 && !l->mode_joined[m] && !l->mode_paired[m] &&
+           (m + 1 == end || !l->mode_joined[m + 1]);
+}
+
 int layout_read(layout *r, const int32_t *integers, size_t count)
 {
     const int32_t *at = integers;
@@ -71,7 +79,7 @@ int layout_read(layout *r, const int32_t *integers, size_t count)
     r->boundaries = header[6];
     r->transitions = header[7];
     r->pairs = header[8];
-    const int conditions = header[9];
+    const int conditions = header[9], factored = header[10];
     if (r->states < 1 || r->configurations < 1)
         return -1;
     const int owners = r->configurations;
@@ -84,7 +92,9 @@ int layout_read(layout *r, const int32_t *integers, size_t count)
         (r->mode_oscillates = take(&at, &left, modes, 0, 1)) &&
         (r->mode_joined = take(&at, &left, modes, 0, 1)) &&
         (r->mode_paired = take(&at, &left, modes, 0, 1)) &&
+        (r->mode_factored = take(&at, &left, modes, 0, 1)) &&
         (r->function_start = take_starts(&at, &left, owners, r->functions, &r->most_functions)) &&
+        (r->factored_start = take_starts(&at, &left, owners, factored, &r->most_factored)) &&
         (r->boundary_start = take_starts(&at, &left, owners, r->boundaries, &r->most_boundaries)) &&
         (r->boundary_row = take(&at, &left, boundaries, 0, r->rows - 1)) &&
         (r->boundary_reached = take(&at, &left, boundaries, 0, 1));
@@ -104,10 +114,15 @@ int layout_read(layout *r, const int32_t *integers, size_t count)
     if (!whole)
         return -1;
     for (int c = 0; c < owners; ++c) {
-        int64_t functions = 0;
+        int64_t functions = 0, with_factors = 0;
         int poles = 0;
         for (int m = r->mode_start[c]; m < r->mode_start[c + 1]; ++m) {
             functions += (int64_t)r->mode_length[m] << r->mode_oscillates[m];
+            if (r->mode_factored[m]) {
+                with_factors += 1 << r->mode_oscillates[m];
+                if (!is_single(r, m, r->mode_start[c + 1]))
+                    return -1;
+            }
             if (!r->mode_joined[m] && !r->mode_paired[m] &&
                 (m + 1 == r->mode_start[c + 1] || !r->mode_joined[m + 1]))
                 continue;
@@ -116,30 +131,51 @@ int layout_read(layout *r, const int32_t *integers, size_t count)
                 return -1;
         }
         if (functions != r->function_start[c + 1] - r->function_start[c] || functions < 1 ||
+            with_factors != r->factored_start[c + 1] - r->factored_start[c] ||
             r->mode_oscillates[r->mode_start[c]])
             return -1;
     }
     return 0;
 }
 
+size_t layout_flows(const layout *layout, int configuration)
+{
+    const size_t n = (size_t)layout->states;
+    const size_t factored = (size_t)layout->factored_start[configuration];
+    const size_t dense = (size_t)layout->function_start[configuration] - factored;
+    return size_sum(size_product(dense, size_product(n, n + 1)), size_product(factored, 2 * n + 1));
+}
+
 size_t layout_numbers(const layout *layout)
 {
     const size_t columns = (size_t)layout->states + 1;
     const size_t matrix = size_product((size_t)layout->states, columns);
-    const size_t matrices =
-        (size_t)layout->configurations + (size_t)layout->resets + (size_t)layout->functions;
+    const size_t matrices = (size_t)layout->configurations + (size_t)layout->resets;
     const size_t others = size_product((size_t)layout->rows, columns);
-    return size_sum(size_sum(size_product(matrices, matrix), others), 2 * (size_t)layout->modes);
+    const size_t flows = layout_flows(layout, layout->configurations);
+    return size_sum(size_sum(size_product(matrices, matrix), flows),
+                    size_sum(others, 2 * (size_t)layout->modes));
 }
 
-/* Rows times functions of all configurations. */
-static size_t products(const layout *layout)
+/* Room that the configurations need: rows times functions with matrices, and with factors, and
+ * configurations without factors. */
+typedef struct {
+    size_t dense, factored, plain;
+} products;
+
+static products products_of(const layout *layout)
 {
-    size_t found = 0;
+    products found = {0};
     for (int c = 0; c < layout->configurations; ++c) {
         const int boundaries = layout->boundary_start[c + 1] - layout->boundary_start[c];
         const int functions = layout->function_start[c + 1] - layout->function_start[c];
-        found = size_sum(found, size_product((size_t)boundaries, (size_t)functions));
+        const int factored = layout->factored_start[c + 1] - layout->factored_start[c];
+        const size_t dense = (size_t)functions - (size_t)factored, rows = (size_t)boundaries;
+        found.dense = size_sum(found.dense, size_product(rows, dense));
+        if (factored > 0)
+            found.factored = size_sum(found.factored, size_product(rows, (size_t)factored + 1));
+        else
+            ++found.plain;
     }
     return found;
 }
@@ -147,22 +183,26 @@ static size_t products(const layout *layout)
 int tables_create(tables *result, const layout *layout)
 {
     const size_t columns = (size_t)layout->states + 1, square = size_product(columns, columns);
-    const size_t product = size_product(products(layout), columns);
+    const products counts = products_of(layout);
+    const size_t product = size_sum(size_product(counts.dense, columns), counts.factored);
     const size_t size = size_product((size_t)layout->boundaries, columns);
     const size_t orders = size_product((size_t)layout->pairs, square);
-    const size_t reach = size_product((size_t)layout->configurations, square - columns);
+    const size_t reach = size_product(counts.plain, square - columns);
     const size_t before = size_sum(size_sum(size_product(2, product), size), reach);
     const size_t all = size_sum(before, size_product(2, orders));
     double *room = calloc(size_sum(all, 1), sizeof *room);
     configuration *configurations = calloc((size_t)layout->configurations, sizeof *configurations);
     mode *modes = calloc((size_t)layout->modes + 1, sizeof *modes);
+    const size_t rows = size_product((size_t)layout->resets, (size_t)layout->states);
+    unsigned char *kept = calloc(size_sum(rows, 1), sizeof *kept);
     *result = (tables){.layout = layout,
                        .configuration = configurations,
                        .derivative = room ? room + before : NULL,
                        .bound = room ? room + before + orders : NULL,
                        .memory = room,
+                       .kept = kept,
                        .mode = modes};
-    if (room && configurations && modes)
+    if (room && configurations && modes && kept)
         return 0;
     tables_free(result);
     return -1;
@@ -173,9 +213,11 @@ void tables_free(tables *tables)
     free(tables->memory);
     free(tables->configuration);
     free(tables->mode);
+    free(tables->kept);
     tables->memory = NULL;
     tables->configuration = NULL;
     tables->mode = NULL;
+    tables->kept = NULL;
 }
 
 /* Radians of the fastest exponent in one cell; the bound on a cell errs by its fourth power. */
@@ -183,7 +225,7 @@ static const double CELL = 1.0;
 
 static void fill_modes(configuration *c, mode *modes, const double *exponents)
 {
-    int function = 0, lengths = 0;
+    int function = 0, lengths = 0, factored = 0;
     c->fastest = c->slowest = c->growth = 0.0;
     c->uniform = c->harmonic = 1;
     c->chained = 0;
@@ -192,7 +234,9 @@ static void fill_modes(configuration *c, mode *modes, const double *exponents)
         one->rate = exponents[2 * m];
         one->frequency = exponents[2 * m + 1];
         one->first = function;
+        one->place = one->factored ? factored : function - factored;
         function += one->length << one->oscillates;
+        factored += one->factored << one->oscillates;
         lengths += one->length;
         const double speed = hypot(one->rate, one->frequency);
         c->fastest = speed <= c->fastest ? c->fastest : speed <= DBL_MAX ? speed : HUGE_VAL;
@@ -276,6 +320,15 @@ static void fill_boundary(int n, const double *row, const double *flow, int is_c
         size[j] += weight[j];
 }
 
+/* Whether a row of a reset keeps a state as it is. */
+static unsigned char keeps(int n, const double *row, int state)
+{
+    for (int j = 0; j <= n; ++j)
+        if (row[j] != (j == state ? 1.0 : 0.0))
+            return 0;
+    return 1;
+}
+
 void tables_fill(tables *tables, const double *numbers)
 {
     const layout *l = tables->layout;
@@ -286,10 +339,12 @@ void tables_fill(tables *tables, const double *numbers)
     const double *resets = rows + (size_t)l->rows * columns;
     const double *exponents = resets + (size_t)l->resets * matrix;
     const double *flows = exponents + 2 * (size_t)l->modes;
-    const size_t product = products(l) * columns;
+    const products counts = products_of(l);
     double *boundary = tables->memory;
-    double *weight = boundary + product;
-    double *size = weight + product;
+    double *weight = boundary + counts.dense * columns;
+    double *across = weight + counts.dense * columns;
+    double *spread = across + counts.factored;
+    double *size = spread + counts.factored;
     double *reach = size + (size_t)l->boundaries * columns;
     tables->fields = fields;
     tables->resets = resets;
@@ -304,31 +359,49 @@ void tables_fill(tables *tables, const double *numbers)
             tables->mode[at].oscillates = l->mode_oscillates[at];
             tables->mode[at].joined = l->mode_joined[at];
             tables->mode[at].paired = l->mode_paired[at];
+            tables->mode[at].factored = l->mode_factored[at];
         }
         fill_modes(c, tables->mode + l->mode_start[i], exponents + 2 * (size_t)l->mode_start[i]);
-        c->flow = flows + (size_t)l->function_start[i] * matrix;
+        c->factored = l->factored_start[i + 1] - l->factored_start[i];
+        c->dense = c->functions - c->factored;
+        c->flow = flows + layout_flows(l, i);
+        c->left = c->flow + (size_t)c->dense * matrix;
+        c->right = c->left + (size_t)c->factored * (size_t)n;
         c->boundary = boundary;
         c->weight = weight;
         c->size = size;
-        c->reach = reach;
-        for (size_t k = 0; k < matrix; ++k)
-            reach[k] = 0.0;
-        for (int f = 0; f < c->functions; ++f)
+        c->across = across;
+        c->spread = spread;
+        c->reach = c->factored ? NULL : reach;
+        if (!c->factored) {
             for (size_t k = 0; k < matrix; ++k)
-                reach[k] += fabs(c->flow[(size_t)f * matrix + k]);
-        reach += matrix;
+                reach[k] = 0.0;
+            for (int f = 0; f < c->functions; ++f)
+                for (size_t k = 0; k < matrix; ++k)
+                    reach[k] += fabs(c->flow[(size_t)f * matrix + k]);
+            reach += matrix;
+        }
         for (int b = 0; b < c->boundaries; ++b) {
             const double *row = rows + (size_t)l->boundary_row[l->boundary_start[i] + b] * columns;
             memset(size, 0, columns * sizeof *size);
-            for (int f = 0; f < c->functions; ++f) {
+            for (int f = 0; f < c->dense; ++f) {
                 /* the constant joins the function 1 */
-                fill_boundary(n, row, c->flow + (size_t)f * matrix, f == 0, boundary, weight, size);
+                fill_boundary(n, row, c->flow + (size_t)f * matrix, f == 0 && !c->mode[0].factored,
+                              boundary, weight, size);
                 boundary += columns;
                 weight += columns;
+            }
+            if (c->factored) {
+                factored_boundary(c, n, row, across, spread, size);
+                across += c->factored + 1;
+                spread += c->factored + 1;
             }
             size += columns;
         }
     }
+    for (int r = 0; r < l->resets; ++r)
+        for (int k = 0; k < n; ++k)
+            tables->kept[r * n + k] = keeps(n, resets + (size_t)r * matrix + (size_t)k * columns, k);
     for (int p = 0; p < l->pairs; ++p)
         fill_orders(n, rows + (size_t)l->pair_row[p] * columns,
                     fields + (size_t)l->pair_along[p] * matrix,

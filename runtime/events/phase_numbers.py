@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import numpy as np
 
 from nonsmooth.runtime.events.first_crossing import ORDERS
 from nonsmooth.runtime.events.leading_derivative import derivatives, dot, square
+from nonsmooth.runtime.model.factored_flows import FactoredFlows, matrices_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.quasi_polynomials import Chain, QuasiPolynomial
 from nonsmooth.runtime.model.time_functions import chains, factors_at
@@ -59,8 +62,11 @@ class BoundaryTable:
     def __init__(self, system: PiecewiseLinear, configuration: int, index: int) -> None:
         shape = system.structure.boundaries[configuration][index]
         row, flow = system.rows[shape.row], system.flows[configuration]
-        values = np.einsum("i,fij->fj", row[:-1], flow)
-        sizes = np.einsum("i,fij->fj", abs(row[:-1]), abs(flow))
+        if isinstance(flow, FactoredFlows):
+            values, sizes = flow.rows(row[:-1])
+        else:
+            values = np.einsum("i,fij->fj", row[:-1], flow)
+            sizes = np.einsum("i,fij->fj", abs(row[:-1]), abs(flow))
         values[0, -1] += row[-1]  # the constant joins the first function, which is 1
         sizes[0, -1] += abs(row[-1])
         self.row, self.reached = shape.row, shape.reached
@@ -72,7 +78,7 @@ class ConfigurationTable:
     """What a phase needs, as lists of Python numbers."""
 
     def __init__(self, system: PiecewiseLinear, index: int) -> None:
-        shape, flow = system.structure, system.flows[index]
+        shape, self._flows = system.structure, system.flows[index]
         self.modes = [
             (complex(*map(float, exponent)), mode)
             for exponent, mode in zip(system.exponents[index], shape.shapes[index], strict=True)
@@ -87,10 +93,22 @@ class ConfigurationTable:
         self.boundaries = [
             BoundaryTable(system, index, b) for b in range(len(shape.boundaries[index]))
         ]
-        self.flow = [rows_of(part) for part in flow]
-        self.sizes = [rows_of(abs(part)) for part in flow]
-        self.total = rows_of(abs(flow).sum(axis=0))
         self.field = rows_of(system.fields[index])
+
+    @cached_property
+    def flow(self) -> list[list[Row]]:
+        """Rows of the matrix of each function."""
+        return [rows_of(part) for part in matrices_of(self._flows)]
+
+    @cached_property
+    def sizes(self) -> list[list[Row]]:
+        """Their absolute values."""
+        return [rows_of(abs(part)) for part in matrices_of(self._flows)]
+
+    @cached_property
+    def total(self) -> list[Row]:
+        """The sum of these."""
+        return rows_of(abs(matrices_of(self._flows)).sum(axis=0))
 
     def function(
         self, boundary: BoundaryTable, state: list[float], size: list[float]

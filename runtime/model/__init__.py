@@ -14,6 +14,8 @@
 `engine_run`           what an engine gives: the transitions of one motion, and why it ended
 `exponential`          flows as exponentials of vector fields, in mpmath numbers
 `flows`                states inside a configuration from its closed-form flow, at many times
+`factored_flows`       flows of large configurations: factors in place of matrices
+`large_modes`          modes of configurations with many states, as factors
 `modes`                modes of a configuration from its numbers, where its flow has no closed form
 `simple_modes`         the same of many at once, where eigenvalues are apart
 `driven_modes`         modes of a structure that is driven by states which move by themselves

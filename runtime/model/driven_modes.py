@@ -16,6 +16,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from nonsmooth.runtime.model.factored_flows import matrices_of
 from nonsmooth.runtime.model.simple_modes import (
     NumericModes,
     dependence,
@@ -68,9 +69,10 @@ def driven_modes(
     distances = np.abs(poles[:, None] - free.exponents[0][1:] @ (1, 1j))
     if distances.min() <= _RESONANCE * np.abs(free.exponents).max():
         return None
-    terms = np.zeros((len(own.flows) + free.flows.shape[1] - 1, size + 1, size + 1))
-    moved = np.zeros((len(own.flows), len(drivers), len(drivers)))
-    moved[:, :-1], moved[0, -1, -1] = own.flows, 1.0
+    driving, flows = matrices_of(own.flows), free.flows[0][0, 1:]
+    terms = np.zeros((len(driving) + len(flows), size + 1, size + 1))
+    moved = np.zeros((len(driving), len(drivers), len(drivers)))
+    moved[:, :-1], moved[0, -1, -1] = driving, 1.0
     start = np.zeros((len(rest), len(drivers)))
     for pole, shape in zip(poles.tolist(), own.shapes, strict=True):
         following = np.zeros_like(load, dtype=complex)
@@ -86,12 +88,12 @@ def driven_modes(
                 terms[place][np.ix_(rest, drivers)] = part
                 terms[place][np.ix_(drivers, drivers)] = moved[place]
         start += following.real
-    for place, flow in enumerate(free.flows[0][1:, :, :-1], len(moved)):
+    for place, flow in enumerate(flows[:, :, :-1], len(moved)):
         terms[place][np.ix_(rest, rest)] = flow
         terms[place][np.ix_(rest, drivers)] = -flow @ start
-    flows = np.where(depends, terms, 0.0)[:, :size]
-    if not is_moderate(flows, field):
+    found = np.where(depends, terms, 0.0)[:, :size]
+    if not is_moderate(found, field):
         return None
     shapes = mode_shapes((s.length, s.oscillates) for s in (*own.shapes, *free.shapes[1:]))
     exponents = np.concatenate([own.exponents, free.exponents[0][1:]])
-    return NumericModes(shapes, exponents, flows)
+    return NumericModes(shapes, exponents, found)

@@ -20,10 +20,14 @@ from nonsmooth.runtime.model.projectors import chain, newton, poles_of
 
 __all__ = [
     "Cluster",
+    "cluster_terms",
     "eigenvectors_apart",
+    "leads",
+    "linked_groups",
     "precise_candidates",
     "smallest_distance",
     "smallest_projectors",
+    "snapped",
 ]
 
 _EPSILON = float(np.finfo(float).eps)
@@ -88,7 +92,7 @@ def smallest_projectors(
     best: list[Cluster] | None = None
     groupings: list[list[list[complex]]] = []
     for nearness in _NEARNESS:
-        groups = _groups(values.tolist(), nearness * scale if scale else math.inf)
+        groups = linked_groups(values.tolist(), nearness * scale if scale else math.inf)
         if groups in groupings:
             continue
         groupings.append(groups)
@@ -124,12 +128,12 @@ def precise_candidates(
     yield from _chains(matrix, scale)
     known: list[list[list[complex]]] = []
     for nearness in _NEARNESS:
-        groups = _groups(values, nearness * scale if scale else math.inf)
+        groups = linked_groups(values, nearness * scale if scale else math.inf)
         if groups in known:
             continue
         known.append(groups)
         found = [_exact_cluster(matrix, group, groups, scale) for group in groups
-                 if _leads(group)]  # fmt: skip
+                 if leads(group)]  # fmt: skip
         if all(cluster.terms is not None for cluster in found):
             yield found
 
@@ -156,12 +160,12 @@ def _chains(matrix: np.ndarray, scale: float) -> Iterator[list[Cluster]]:
     ]
     known: list[list[list[complex]]] = []
     for nearness in _NEARNESS:
-        groups = _groups(poles, nearness * scale if scale else math.inf)
+        groups = linked_groups(poles, nearness * scale if scale else math.inf)
         if groups in known or max(map(len, groups)) > _LONGEST_NEWTON:
             continue
         known.append(groups)
         try:
-            yield [_newton_cluster(matrix, group, groups) for group in groups if _leads(group)]
+            yield [_newton_cluster(matrix, group, groups) for group in groups if leads(group)]
         except (ValueError, ZeroDivisionError):  # no circle, or one that cuts an eigenvalue
             continue
 
@@ -189,7 +193,7 @@ def _exact_cluster(
         for k, (centre, term) in enumerate(
             islice(chain(matrix, group, others, _is_real(group), constant), _LONGEST_CHAIN)
         ):
-            centre = _snapped(centre, len(matrix), scale)
+            centre = snapped(centre, len(matrix), scale)
             size = float(np.abs(term).max())
             if not size < _HUGE:
                 break
@@ -218,15 +222,28 @@ def _singles(
     norms = np.linalg.norm(left, axis=1) * np.linalg.norm(right, axis=0)
     found = []
     for k, value in enumerate(values.tolist()):
-        centre = _snapped(complex(value), len(values), scale)
+        centre = snapped(complex(value), len(values), scale)
         if centre.imag >= 0:
             term = np.outer(right[:, k], left[k]).astype(complex)
             found.append(Cluster(centre, float(norms[k]), [term]))
     return found
 
 
-def _snapped(centre: complex, size: int, scale: float) -> complex:
-    """An exponent without what rounding makes of a part that is zero."""
+def snapped(centre: complex, size: int, scale: float) -> complex:
+    """An exponent without what rounding makes of a part that is zero.
+
+    Parameters
+    ----------
+    centre : complex
+    size : int
+        Of the matrix.
+    scale : float
+        Largest modulus of an eigenvalue.
+
+    Returns
+    -------
+    complex
+    """
     tiny = 8 * size * _EPSILON * scale
     return complex(
         0.0 if abs(centre.real) <= tiny else centre.real,
@@ -255,8 +272,19 @@ def smallest_distance(values: np.ndarray) -> float:
     return float(gaps.min())
 
 
-def _groups(values: list[complex], distance: float) -> list[list[complex]]:
-    """Eigenvalues linked by distances; conjugates are in one group, or in two conjugate ones."""
+def linked_groups(values: list[complex], distance: float) -> list[list[complex]]:
+    """Eigenvalues linked by distances; conjugates are in one group, or in two conjugate ones.
+
+    Parameters
+    ----------
+    values : list of complex
+    distance : float
+        Up to which two of them are taken together.
+
+    Returns
+    -------
+    list of list of complex
+    """
     groups: list[list[complex]] = []
     for value in values:
         near = [g for g in groups if any(abs(value - other) <= distance for other in g)]
@@ -265,8 +293,17 @@ def _groups(values: list[complex], distance: float) -> list[list[complex]]:
     return [sorted(g, key=lambda v: (v.real, v.imag)) for g in groups]
 
 
-def _leads(group: list[complex]) -> bool:
-    """Whether a group is not the conjugate of one that is taken."""
+def leads(group: list[complex]) -> bool:
+    """Whether a group is not the conjugate of one that is taken.
+
+    Parameters
+    ----------
+    group : list of complex
+
+    Returns
+    -------
+    bool
+    """
     return _is_real(group) or sum(group).imag > 0
 
 
@@ -277,7 +314,7 @@ def _is_real(group: list[complex]) -> bool:
 def _clusters(matrix: np.ndarray, groups: list[list[complex]], scale: float) -> Iterator[Cluster]:
     """Each cluster of which the conjugate is not another one."""
     for group in groups:
-        if _leads(group):
+        if leads(group):
             yield _cluster(matrix, group, _is_real(group), scale)
 
 
@@ -307,14 +344,14 @@ def _cluster(matrix: np.ndarray, group: list[complex], real: bool, scale: float)
     centre = complex(np.trace(block)) / count
     if min(map(abs, group)) <= 8 * size * _EPSILON * scale:
         centre = 0j  # the eigenvalue of the constants is among them
-    centre = _snapped(complex(centre.real) if real else centre, size, scale)
+    centre = snapped(complex(centre.real) if real else centre, size, scale)
     norm = float(np.linalg.norm(left, 2))
     error = 64 * _EPSILON * float(np.linalg.norm(matrix, 2))
     longest = LONGEST_WAIT / scale if scale else math.inf
-    return Cluster(centre, norm, _terms(block, right, left, centre, error, longest))
+    return Cluster(centre, norm, cluster_terms(block, right, left, centre, error, longest))
 
 
-def _terms(
+def cluster_terms(
     block: np.ndarray,
     right: np.ndarray,
     left: np.ndarray,
@@ -324,7 +361,23 @@ def _terms(
 ) -> list[np.ndarray] | None:
     """Matrices (B - mu)^k P until the rest counts no more over the longest wait.
 
-    The block of B errs by `error`: what that may make of zero is zero.
+    Parameters
+    ----------
+    block : array (m, m)
+        B in an invariant subspace.
+    right, left : array (N, m) and (m, N)
+        Its bases, of which the product is the projector P.
+    centre : complex
+        mu.
+    error : float
+        That of the block: what it may make of zero is zero.
+    longest : float
+        The longest time.
+
+    Returns
+    -------
+    list of array (N, N) or None
+        None where they do not end.
     """
     shifted = block - centre * np.eye(len(block))
     before = 1.0

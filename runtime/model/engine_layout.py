@@ -11,6 +11,7 @@ from itertools import chain
 import numpy as np
 
 from nonsmooth.runtime.model.boundary_sets import mask_of, words_of
+from nonsmooth.runtime.model.factored_flows import arrays_of, factored_functions
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
@@ -53,6 +54,7 @@ def layout_of(structure: Structure) -> np.ndarray:
         len(transitions),
         len(pairs),
         len(conditions),
+        sum(map(factored_functions, structure.shapes)),
     ]
     parts = [
         header,
@@ -61,7 +63,9 @@ def layout_of(structure: Structure) -> np.ndarray:
         [int(mode.oscillates) for mode in modes],
         [int(mode.joined) for mode in modes],
         [int(mode.paired) for mode in modes],
+        [int(mode.factored) for mode in modes],
         np.cumsum([0, *structure.functions]).tolist(),
+        np.cumsum([0, *map(factored_functions, structure.shapes)]).tolist(),
         _starts(structure.boundaries),
         [b.row for b in boundaries],
         [int(b.reached) for b in boundaries],
@@ -91,7 +95,8 @@ def numbers_of(system: PiecewiseLinear) -> np.ndarray:
     -------
     array (size,)
     """
-    parts = (system.fields, system.rows, system.resets, *system.exponents, *system.flows)
+    flows = [array for flow in system.flows for array in arrays_of(flow)]
+    parts = (system.fields, system.rows, system.resets, *system.exponents, *flows)
     return np.concatenate([np.asarray(part, dtype=float).ravel() for part in parts])
 
 

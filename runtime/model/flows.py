@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.time_functions import functions_at
 
-__all__ = ["flow_states", "functions_of"]
+__all__ = ["flow_states", "functions_of", "parts_of"]
 
 
 def functions_of(system: PiecewiseLinear, configuration: int, times: np.ndarray) -> np.ndarray:
@@ -49,6 +50,29 @@ def flow_states(
     functions = functions_of(system, configuration, times)
     flows = system.flows[configuration]
     extended = np.concatenate([starts, np.ones((*starts.shape[:-1], 1))], axis=-1)
+    if isinstance(flows, FactoredFlows):
+        return flows.states(functions, extended)
     if starts.ndim == 1:
         return np.asarray(functions @ (flows @ extended))
     return np.asarray(np.einsum("nf,fij,nj->ni", functions, flows, extended, optimize=True))
+
+
+def parts_of(system: PiecewiseLinear, configuration: int, starts: np.ndarray) -> np.ndarray:
+    """What each function of time of a configuration has as its factor in the state.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    configuration : int
+    starts : array (n, N)
+        In the system's units.
+
+    Returns
+    -------
+    array (n, functions, N)
+    """
+    flows = system.flows[configuration]
+    extended = np.concatenate([starts, np.ones((len(starts), 1))], axis=1)
+    if isinstance(flows, FactoredFlows):
+        return flows.parts(extended)
+    return np.asarray(np.einsum("fij,nj->nfi", flows, extended))

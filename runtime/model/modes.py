@@ -34,6 +34,8 @@ from nonsmooth.runtime.model.eigenvalue_clusters import (
     smallest_distance,
     smallest_projectors,
 )
+from nonsmooth.runtime.model.factored_flows import arrays_of, matrices_of
+from nonsmooth.runtime.model.large_modes import LARGE, large_modes
 from nonsmooth.runtime.model.projectors import exponentials_at
 from nonsmooth.runtime.model.simple_modes import (
     ModeGroup,
@@ -102,12 +104,14 @@ def grouped_modes(fields: np.ndarray) -> list[ModeGroup]:
     count = len(fields)
     if count > 1 and (fields == fields[:1]).all():  # nothing that varies matters
         (only,) = grouped_modes(fields[:1])
-        exponents, flows = (
-            np.broadcast_to(part, (count, *part.shape[1:])) for part in (only.exponents, only.flows)
+        exponents, *flows = (
+            np.broadcast_to(part, (count, *part.shape[1:]))
+            for part in (only.exponents, *only.flows)
         )
-        return [ModeGroup(np.arange(count), only.shapes, exponents, flows)]
+        return [ModeGroup(np.arange(count), only.shapes, exponents, tuple(flows))]
     finite = np.flatnonzero(np.isfinite(fields).all(axis=(-2, -1)))
-    simple = simple_modes(fields[finite]) if len(finite) > _FEW else []
+    many = len(finite) > _FEW and fields.shape[1] < LARGE
+    simple = simple_modes(fields[finite]) if many else []
     groups = [group._replace(places=finite[group.places]) for group in simple]
     members: dict[tuple[ModeShape, ...], list[tuple[int, NumericModes]]] = {}
     for place in sorted({*range(count)}.difference(*(g.places.tolist() for g in groups))):
@@ -118,8 +122,9 @@ def grouped_modes(fields: np.ndarray) -> list[ModeGroup]:
         members.setdefault(found.shapes, []).append((place, found))
     for shapes, each in members.items():
         exponents = np.stack([modes.exponents for _, modes in each])
-        flows = np.stack([modes.flows for _, modes in each])
-        groups.append(ModeGroup(np.array([place for place, _ in each]), shapes, exponents, flows))
+        arrays = zip(*(arrays_of(modes.flows) for _, modes in each), strict=True)
+        places = np.array([place for place, _ in each])
+        groups.append(ModeGroup(places, shapes, exponents, tuple(map(np.stack, arrays))))
     return groups
 
 
@@ -146,21 +151,24 @@ def no_modes(size: int) -> NumericModes:
 @lru_cache(maxsize=4096)  # configurations share fields, and so do points of a sweep
 def _numeric_modes(content: bytes, size: int) -> NumericModes:
     found = _found(np.frombuffer(content).reshape(size, size + 1))
-    for array in (found.exponents, found.flows):
+    for array in (found.exponents, *arrays_of(found.flows)):
         array.flags.writeable = False
     return found
 
 
 def _found(field: np.ndarray) -> NumericModes:
     """The fast ways first; what they leave is clustered."""
-    for group in simple_modes(field[None]):
-        return NumericModes(group.shapes, group.exponents[0], group.flows[0])
-    if (driven := driven_modes(field, numeric_modes)) is not None:
-        return driven
     size = len(field)
+    if size < LARGE:
+        for group in simple_modes(field[None]):
+            return NumericModes(group.shapes, group.exponents[0], group.flows[0][0])
+        if (driven := driven_modes(field, numeric_modes)) is not None:
+            return driven
     whole = np.vstack([field, np.zeros(size + 1)])
     # a change of units keeps powers of two exact
     scaled, units = (part[0] for part in balanced(whole[None]))
+    if size >= LARGE and (large := large_modes(scaled, units, dependence(whole[None])[0])):
+        return NumericModes(*large)
     shapes, exponents, terms = _modes_of(_decomposed(scaled, units))
     flows = np.where(dependence(whole[None])[0], units[:, None] * terms / units, 0.0)[:, :size]
     return NumericModes(shapes, exponents, flows)
@@ -271,7 +279,8 @@ def _missed(
     angles: tuple[float, ...],
 ) -> float:
     """Largest error of the clusters' sum in the coordinates' own units, relative to the flow."""
-    shapes, exponents, terms = _modes_of(_sorted(clusters))
+    shapes, exponents, flows = _modes_of(_sorted(clusters))
+    terms = matrices_of(flows)
     worst, growth = 0.0, max(exponents[:, 0].max(), 0.0)
     # products with powers of two are exact
     times = [(angle, 2.0 ** round(math.log2(angle / scale))) for angle in angles]

@@ -17,6 +17,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.completion import system_parameters
+from nonsmooth.runtime.model.factored_flows import Flows, arrays_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.modes import NumericModes, grouped_modes, no_modes, numeric_modes
@@ -52,7 +53,7 @@ class PiecewiseLinear:
     resets : array (S, N, N + 1)
     exponents : for each configuration an array (modes, 2)
         Real and imaginary parts.
-    flows : for each configuration an array (functions, N, N + 1)
+    flows : for each configuration an array (functions, N, N + 1), or FactoredFlows
         ``y(t) = sum_f phi_f(t) (B_f y(0) + beta_f)``: B_f, then beta_f.
     """
 
@@ -62,7 +63,7 @@ class PiecewiseLinear:
     rows: np.ndarray
     resets: np.ndarray
     exponents: tuple[np.ndarray, ...]
-    flows: tuple[np.ndarray, ...]
+    flows: tuple[Flows, ...]
 
     @property
     def numbers(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -196,7 +197,8 @@ def numbers_at(
             for place in range(fields.shape[1])
         ]
         arrays = [part[places] for part in parts]
-        arrays += [modes.exponents for modes in own] + [modes.flows for modes in own]
+        arrays += [modes.exponents for modes in own]
+        arrays += [part for modes in own for part in modes.flows]
         flat = np.concatenate([part.reshape(len(places), -1) for part in arrays], axis=1)
         shapes = tuple(modes.shapes for modes in own)
         result.append(PointGroup(structure.with_modes(shapes), places, flat))
@@ -206,8 +208,11 @@ def numbers_at(
 def _unknown(size: int, places: np.ndarray) -> ModeGroup:
     """What stands for the modes of a configuration that are not known."""
     none = no_modes(size)
-    arrays = (np.broadcast_to(a, (len(places), *a.shape)) for a in (none.exponents, none.flows))
-    return ModeGroup(places, none.shapes, *arrays)
+    exponents, *flows = (
+        np.broadcast_to(part, (len(places), *part.shape))
+        for part in (none.exponents, *arrays_of(none.flows))
+    )
+    return ModeGroup(places, none.shapes, exponents, tuple(flows))
 
 
 def _alike(told: np.ndarray, found: Iterable[list[ModeGroup]]) -> list[np.ndarray]:
@@ -228,7 +233,8 @@ def _members(groups: list[ModeGroup], places: np.ndarray) -> ModeGroup:
         row = np.searchsorted(group.places, places[0])
         if row < len(group.places) and group.places[row] == places[0]:
             rows = np.searchsorted(group.places, places)
-            return ModeGroup(places, group.shapes, group.exponents[rows], group.flows[rows])
+            flows = tuple(part[rows] for part in group.flows)
+            return ModeGroup(places, group.shapes, group.exponents[rows], flows)
     raise AssertionError("each point is in a group")  # pragma: no cover
 
 

@@ -14,16 +14,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.model.factored_flows import Flows
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 
 __all__ = ["ModeGroup", "NumericModes", "balanced", "dependence", "is_moderate", "simple_modes"]
 
-EPSILON = float(np.finfo(float).eps)
-APART = 1e-9  # of the largest modulus: eigenvalues that are nearer are not simple
-LARGE = 30.0  # norm of a projector: as much, squared, may be lost of the digits
+_EPSILON = float(np.finfo(float).eps)
+_APART = 1e-9  # of the largest modulus: eigenvalues that are nearer are not simple
+_LARGE = 30.0  # norm of a projector: as much, squared, may be lost of the digits
 # of as many states as there are, times the rounding of one number:
-_UNIT = 8 * EPSILON  # what the projectors' sum may miss
-_MISSED = 16 * EPSILON  # what they may miss their eigenvalues by, of the largest modulus
+_UNIT = 8 * _EPSILON  # what the projectors' sum may miss
+_MISSED = 16 * _EPSILON  # what they may miss their eigenvalues by, of the largest modulus
 _NORM = 2.0  # and norm of a projector
 _MODERATE = 1e3  # term of a state beside which it loses no digits that count while it is small
 _SWEEPS = 40
@@ -38,13 +39,13 @@ class NumericModes(NamedTuple):
         First that of the exponent 0, which has the constants.
     exponents : array (modes, 2)
         Real and imaginary parts.
-    flows : array (functions, N, N + 1)
+    flows : array (functions, N, N + 1), or FactoredFlows
         ``y(t) = sum_f phi_f(t) (B_f y(0) + beta_f)``: B_f, then beta_f.
     """
 
     shapes: tuple[ModeShape, ...]
     exponents: np.ndarray
-    flows: np.ndarray
+    flows: Flows
 
 
 class ModeGroup(NamedTuple):
@@ -58,13 +59,14 @@ class ModeGroup(NamedTuple):
         First that of the exponent 0, which has the constants.
     exponents : array (k, modes, 2)
         Real and imaginary parts.
-    flows : array (k, functions, N, N + 1)
+    flows : tuple of array (k, ...)
+        The arrays of the flows: matrices (k, functions, N, N + 1), or matrices and factors.
     """
 
     places: np.ndarray
     shapes: tuple[ModeShape, ...]
     exponents: np.ndarray
-    flows: np.ndarray
+    flows: tuple[np.ndarray, ...]
 
 
 def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
@@ -86,14 +88,14 @@ def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
         scaled, units = balanced(whole)
         values, right = np.linalg.eig(scaled)
         scale = np.abs(values).max(axis=-1)
-        apart = np.flatnonzero(_smallest_distance(values) > APART * scale)
+        apart = np.flatnonzero(_smallest_distance(values) > _APART * scale)
         values, right = values[apart].astype(complex), right[apart].astype(complex)
         scaled, units, scale = scaled[apart], units[apart], scale[apart]
         try:
             left = np.linalg.inv(right)
         except np.linalg.LinAlgError:  # one is singular: all go the other way
             return []
-        values = _snapped(values, 8 * columns * EPSILON * scale[:, None])
+        values = _snapped(values, 8 * columns * _EPSILON * scale[:, None])
         sound = _sound(scaled, values, right, left, scale)
     result = []
     order = np.lexsort((values.real, values.imag, values != 0), axis=-1)
@@ -117,7 +119,7 @@ def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
         terms[~np.broadcast_to(dependence(whole[places])[:, None, :size], terms.shape)] = 0.0
         shapes = mode_shapes(((1, False),) * count + ((1, True),) * (poles.shape[1] - count))
         exponents = np.stack([poles.real, poles.imag], axis=-1)
-        result.append(ModeGroup(places, shapes, exponents, terms))
+        result.append(ModeGroup(places, shapes, exponents, (terms,)))
     return result
 
 
@@ -160,7 +162,7 @@ def _sound(
     unit = np.abs(right @ left - np.eye(matrix.shape[-1]))
     size = matrix.shape[-1]
     return np.asarray(
-        (norms.max(axis=-1) <= max(LARGE, _NORM * size))
+        (norms.max(axis=-1) <= max(_LARGE, _NORM * size))
         & (unit.max(axis=(-2, -1)) <= _UNIT * size)
         & (missed.max(axis=(-2, -1)) <= _MISSED * size * scale)
     )
@@ -231,7 +233,10 @@ def dependence(matrices: np.ndarray) -> np.ndarray:
 @lru_cache(maxsize=4096)
 def _closure(content: bytes, size: int) -> np.ndarray:
     pattern = np.frombuffer(content, dtype=bool).reshape(size, size)
-    return np.asarray(np.linalg.matrix_power(pattern | np.eye(size, dtype=bool), size))
+    reached = (pattern | np.eye(size, dtype=bool)).astype(np.float32)  # for the products' sake
+    for _ in range(size.bit_length()):
+        reached = (reached @ reached > 0).astype(np.float32)
+    return np.asarray(reached > 0)
 
 
 def _smallest_distance(values: np.ndarray) -> np.ndarray:

@@ -34,7 +34,8 @@ class ModeShape:
     `places` are the functions' places among those of the configuration: for each power k the
     cosine's, then the sine's if there is one. A mode that is `joined` goes on from the one in
     front of it (`functions`): then it has one power. One that is `paired` stands for its
-    exponent and the conjugate one: its second function is the divided difference of both.
+    exponent and the conjugate one: its second function is the divided difference of both. One
+    that is `factored` has factors of its matrices in place of these (`factored_flows`).
     """
 
     length: int
@@ -42,6 +43,7 @@ class ModeShape:
     places: tuple[int, ...]
     joined: bool = False
     paired: bool = False
+    factored: bool = False
 
 
 Modes = tuple[tuple[ModeShape, ...], ...]  # of each configuration
@@ -395,13 +397,15 @@ def _pairs(
 
 
 def mode_shapes(
-    modes: Iterable[tuple[int, bool] | tuple[int, bool, bool, bool]],
+    modes: Iterable[
+        tuple[int, bool] | tuple[int, bool, bool, bool] | tuple[int, bool, bool, bool, bool]
+    ],
 ) -> tuple[ModeShape, ...]:
-    """Modes of a configuration: their lengths, whether they oscillate, are joined, are paired.
+    """Modes of a configuration: lengths, then whether they oscillate, are joined, paired, factored.
 
     Parameters
     ----------
-    modes : iterable of (int, bool) or (int, bool, bool, bool)
+    modes : iterable of (int, bool), (int, bool, bool, bool) or (int, bool, bool, bool, bool)
 
     Returns
     -------

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import FLOATS
+from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.orbits.orbit import DOUBLE
 from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
@@ -135,12 +136,16 @@ def _rounding(
     functions = functions_at(shapes, exponents, time)
     speeds = np.hypot(exponents[..., 0], exponents[..., 1])
     turned = speeds.max(axis=-1) * time / _TURNED  # eigenvalues are known as well as the largest
-    flows, extended = np.abs(numbers.flows[configuration]), np.abs(start)
+    flows, extended = numbers.flows[configuration], np.abs(start)
+    if isinstance(flows, FactoredFlows):
+        sizes = flows.sizes(np.concatenate([extended, np.ones((len(start), 1))], axis=1))
+    else:
+        flows = np.abs(flows)
+        sizes = (flows[..., :-1] @ extended[:, None, :, None])[..., 0] + flows[..., -1]
     total = np.zeros_like(start)
     for shape in shapes:
         for place in shape.places:
-            term = (flows[:, place, :, :-1] * extended[:, None, :]).sum(axis=-1)
-            term = (term + flows[:, place, :, -1]) * np.abs(functions[place])[:, None]
+            term = sizes[:, place] * np.abs(functions[place])[:, None]
             total += (_TERM + turned[:, None]) * _EPSILON * term
     return total
 

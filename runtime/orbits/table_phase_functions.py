@@ -9,6 +9,7 @@ import numpy as np
 
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.events.leading_derivative import derivatives, leading
+from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers
 from nonsmooth.runtime.shooting.variational import Shooting
@@ -186,7 +187,10 @@ def phase_waves(
     modes = cycle.structure.shapes[configuration]
     exponents = numbers.exponents[configuration]
     flow, field = numbers.flows[configuration], numbers.fields[:, configuration]
-    moved = np.einsum("kfij,kj->kfi", flow[..., :-1], start) + flow[..., -1]
+    if isinstance(flow, FactoredFlows):
+        moved = flow.parts(np.concatenate([start, np.ones((len(start), 1))], axis=1))
+    else:
+        moved = np.einsum("kfij,kj->kfi", flow[..., :-1], start) + flow[..., -1]
     rows = numbers.rows[:, [shape.row for shape in shapes]]
     coefficients = []
     for _ in range(3):

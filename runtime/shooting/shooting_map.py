@@ -19,6 +19,13 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.exponential import exponential
+from nonsmooth.runtime.model.factored_flows import (
+    FactoredFlows,
+    Flows,
+    arrays_of,
+    cut_flows,
+    flows_size,
+)
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, TransitionShape
 from nonsmooth.runtime.model.time_functions import functions_at
@@ -253,14 +260,14 @@ class Numbers(NamedTuple):
     resets : array (..., S, N, N + 1)
     exponents : for each configuration an array (..., modes, 2)
         Empty, as the flows, where modes are not asked for.
-    flows : for each configuration an array (..., functions, N, N + 1)
+    flows : for each configuration an array (..., functions, N, N + 1), or FactoredFlows
     """
 
     fields: np.ndarray
     rows: np.ndarray
     resets: np.ndarray
     exponents: tuple[np.ndarray, ...] = ()
-    flows: tuple[np.ndarray, ...] = ()
+    flows: tuple[Flows, ...] = ()
 
 
 def finite_at(cycle: ItineraryShape, flat: np.ndarray) -> np.ndarray:
@@ -279,7 +286,7 @@ def finite_at(cycle: ItineraryShape, flat: np.ndarray) -> np.ndarray:
     numbers = numbers_in(cycle.structure, flat)
     parts = [numbers.fields, numbers.rows, numbers.resets]
     for configuration in {*cycle.configurations}:
-        parts += [numbers.exponents[configuration], numbers.flows[configuration]]
+        parts += [numbers.exponents[configuration], *arrays_of(numbers.flows[configuration])]
     sound = [np.isfinite(part).all(axis=tuple(range(1, part.ndim))) for part in parts]
     return np.asarray(np.all(sound, axis=0))
 
@@ -313,7 +320,7 @@ def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = No
         (system.rows, size + 1),
         (system.resets, size, size + 1),
         *((count, 2) for count in counts),
-        *((count, size, size + 1) for count in system.functions),
+        *((flows_size(modes, size),) for modes in system.shapes),
     ]
     ends = np.cumsum([0, *(int(np.prod(shape)) for shape in shapes)]).tolist()
     parts = [
@@ -322,7 +329,10 @@ def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = No
     ]
     cut = 3 + len(counts)
     fields, rows, resets = parts[:3]
-    return Numbers(fields, rows, resets, tuple(parts[3:cut]), tuple(parts[cut:]))
+    flows = (
+        cut_flows(modes, size, part) for modes, part in zip(system.shapes, parts[cut:], strict=True)
+    )
+    return Numbers(fields, rows, resets, tuple(parts[3:cut]), tuple(flows))
 
 
 def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: Any, lib: Any) -> Any:
@@ -349,6 +359,8 @@ def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: An
         structure.modes[configuration], numbers.exponents[configuration], time, lib
     )
     parts = numbers.flows[configuration]
+    if isinstance(parts, FactoredFlows):
+        return parts.at(np.stack(np.broadcast_arrays(*functions), axis=-1))
     return sum(
         np.asarray(function)[..., None, None] * parts[..., place, :, :]
         for place, function in enumerate(functions)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.model.flows import functions_of
+from nonsmooth.runtime.model.flows import functions_of, parts_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 
 if TYPE_CHECKING:
@@ -193,6 +193,5 @@ def _weights(
     system: PiecewiseLinear, configuration: int, starts: np.ndarray, rows: np.ndarray
 ) -> np.ndarray:
     """Factors (P, functions, K) of the functions of time in affine functions of the state."""
-    extended = np.concatenate([starts, np.ones((len(starts), 1))], axis=1)
-    states = np.einsum("fij,pj->pfi", system.flows[configuration], extended)
-    return np.asarray(states @ rows[configuration, :, :-1].T)
+    parts = parts_of(system, configuration, starts)
+    return np.asarray(parts @ rows[configuration, :, :-1].T)

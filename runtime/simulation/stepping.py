@@ -281,7 +281,10 @@ def run(
                     return ended(Status.UNTIL, until)
                 waited += dwell
                 over = waited * table.slowest >= LONGEST_WAIT * (1 - 1e-9)
-                over = over or not waited * table.fastest < LONGEST_QUIET
+                tired = not waited * table.fastest < LONGEST_QUIET
+                if endless and tired and watches and waited * table.slowest < math.tau:
+                    return ended(Status.OVERFLOW, clock.time)  # what is slow has hardly begun
+                over = over or tired
                 if endless and (event.never or window == math.inf or over):
                     return ended(Status.QUIET, entries[-1][0])
                 if event.never:

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.flows import functions_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.shooting.variational import ARRAYS, Phase, section_map
@@ -159,8 +160,11 @@ def flow_matrix(system: PiecewiseLinear, configuration: int, duration: float) ->
     -------
     array (N, N)
     """
-    functions = functions_of(system, configuration, np.array([duration]))
-    return np.asarray(np.tensordot(functions[0], system.flows[configuration][:, :, :-1], axes=1))
+    functions = functions_of(system, configuration, np.array([duration]))[0]
+    flows = system.flows[configuration]
+    if isinstance(flows, FactoredFlows):
+        return flows.at(functions)[:, :-1]
+    return np.asarray(np.tensordot(functions, flows[:, :, :-1], axes=1))
 
 
 def field_at(system: PiecewiseLinear, configuration: int, states: np.ndarray) -> np.ndarray:

@@ -31,7 +31,7 @@ def harness(tmp_path_factory: pytest.TempPathFactory) -> Path:
     program = tmp_path_factory.mktemp("engine") / "harness"
     sources = [
         CHECKOUT / "runtime" / "engine" / f"{name}.c"
-        for name in ("cell", "chain", "engine", "phase", "search", "tables")
+        for name in ("cell", "chain", "engine", "phase", "search", "tables", "factored")
     ]
     flags = ["-std=c11", "-O1", "-g", "-Wall", "-Wextra", "-Werror", "-Wno-unknown-pragmas"]
     flags += [
@@ -48,11 +48,11 @@ def harness(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def large(name: str) -> tuple[PiecewiseLinear, np.ndarray]:
-    """A chain of 12 masses with a stop and friction, or 40 stops: and starts."""
+    """A chain of 12 masses with a stop and friction, also with factors, or 40 stops: and starts."""
     rng = np.random.default_rng(4)
-    if name == "chain":
+    if name != "stops":
         rest = np.tile([1.0, 0.0], (6, 1))
-        return chain(12, 5), np.hstack(
+        return chain(12, 5, name == "factors"), np.hstack(
             [rng.uniform(-0.2, 0.2, (6, 12)), rng.normal(size=(6, 12)), rest]
         )
     states = np.hstack([np.zeros((3, 20)), rng.uniform(0.9, 1.1, (3, 20))])
@@ -92,7 +92,7 @@ def test_the_engine_is_clean_and_follows_the_reference(
         np.testing.assert_allclose(np.array(end, dtype=float), known.states[-1], atol=1e-6)
 
 
-@pytest.mark.parametrize("name", ["chain", "stops"])
+@pytest.mark.parametrize("name", ["chain", "factors", "stops"])
 def test_the_engine_is_clean_on_large_systems(harness: Path, name: str, tmp_path: Path) -> None:
     system, states = large(name)
     file = written(tmp_path / "motions", system, states, 30)
@@ -119,18 +119,19 @@ def test_where_there_is_no_memory_nothing_is_lost(harness: Path, tmp_path: Path)
             break
         assert (told.returncode, told.stderr) == (3, "no memory\n")
         failed += 1
-    assert failed == 10
+    assert failed == 11
 
 
 def test_numbers_that_no_system_has_are_clean_too(harness: Path, tmp_path: Path) -> None:
     """Infinities, no numbers, the largest and the least, anywhere: an end, and no report."""
     rng = np.random.default_rng(11)
     hostile = np.array([np.inf, -np.inf, np.nan, 1e308, -1e308, 5e-324, 1e150, 1e-150, 0.0])
-    for name in SYSTEMS:
-        system = piecewise(name, SYSTEMS[name])
-        states = rng.normal(size=(4, 4)) * 0.5
+    for name in (*SYSTEMS, "factors"):
+        system = chain(10, 4, True) if name == "factors" else piecewise(name, SYSTEMS[name])
+        size = len(system.structure.states)
+        states = rng.normal(size=(4, size)) * 0.5
         layout, numbers = layout_of(system.structure), numbers_of(system)
-        head = np.array([layout.size, numbers.size, 4, len(states), 5], dtype=np.int64)
+        head = np.array([layout.size, numbers.size, size, len(states), 5], dtype=np.int64)
         # flows and resets alone: what the exponents make of them ends late, if it ends at all
         safe = sum(part.size for part in system.exponents)
         before = system.fields.size + system.rows.size + system.resets.size
@@ -139,7 +140,7 @@ def test_numbers_that_no_system_has_are_clean_too(harness: Path, tmp_path: Path)
             changed = numbers.copy()
             changed[rng.choice(places, 3)] = rng.choice(hostile, 3)
             starts = states.copy()
-            starts[rng.integers(4), rng.integers(4)] = rng.choice(hostile)
+            starts[rng.integers(4), rng.integers(size)] = rng.choice(hostile)
             rows = b"".join(np.array([0]).tobytes() + state.tobytes() for state in starts)
             file = tmp_path / "hostile"
             file.write_bytes(head.tobytes() + layout.tobytes() + changed.tobytes() + rows)

@@ -5,19 +5,23 @@ import pytest
 
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import compiled_engine
+from nonsmooth.runtime.orbits.table_admissible import assess_cycle
+from nonsmooth.runtime.orbits.table_digits import digits_of
+from nonsmooth.runtime.orbits.table_phase_functions import phase_waves
 from nonsmooth.runtime.shooting.newton import CONVERGED
-from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
+from nonsmooth.runtime.shooting.shooting_map import finite_at, itinerary_shape, numbers_in, shoot
 from nonsmooth.runtime.shooting.table_newton import solve_in_python, solve_shape
 from nonsmooth.runtime.simulation.simulate import follow
 from tests.large_systems import OMEGA, chain
 
 
 @pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
+@pytest.mark.parametrize("factored", [False, True])
 @pytest.mark.parametrize(("count", "phases", "periods"), [(8, 5, 2), (10, 2, 1)])
 def test_the_compiled_solver_takes_any_number_of_states(
-    count: int, phases: int, periods: int
+    count: int, phases: int, periods: int, factored: bool
 ) -> None:
-    system = chain(count)
+    system = chain(count, factored=factored)
     start = np.array([*np.zeros(count), *np.random.default_rng(0).normal(size=count), 1, 0])
     motion = follow(system, start, 0, transitions=3000)
     cycle = itinerary_shape(system.structure, [("c0", "stop")] * phases)
@@ -34,3 +38,34 @@ def test_the_compiled_solver_takes_any_number_of_states(
     np.testing.assert_allclose(found.maps, known.maps, rtol=0, atol=1e-11)
     # the simulated motion has come to this orbit
     np.testing.assert_allclose(found.dwell, dwell, rtol=0, atol=1e-5)
+
+
+@pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
+def test_orbits_are_judged_by_factors_as_by_matrices() -> None:
+    """Shooting, digits, admissibility and boundary functions of one orbit, both ways."""
+    count = 10
+    start = np.array([*np.zeros(count), *np.random.default_rng(0).normal(size=count), 1, 0])
+    motion = follow(chain(count), start, 0, transitions=3000)
+    period = np.array([2 * np.pi / OMEGA])
+    told = []
+    for factored in (False, True):
+        system = chain(count, factored=factored)
+        cycle = itinerary_shape(system.structure, [("c0", "stop")] * 2)
+        flat = numbers_of(system)[None]
+        dwell, near = np.diff(motion.times)[-2:][None], motion.states[-3][None]
+        found = solve_shape(cycle, flat, dwell, near, period)
+        assert finite_at(cycle, flat).tolist() == [True]
+        numbers = numbers_in(system)
+        now = shoot(cycle, numbers, found.dwell[0], found.starts[0, 0], np)
+        verdict = assess_cycle(cycle, system, now, found.dwell[0])
+        digits = digits_of(cycle, flat, found, period)
+        many = numbers_in(system.structure, flat)
+        waves = phase_waves(cycle, many, found.starts[:, 1], found.dwell, 1)
+        told.append((now, verdict, digits, waves))
+    (one, motion_is, digits, waves), (other, same, fewer, again) = told
+    for name in ("flows", "ends", "residual", "variational"):
+        np.testing.assert_allclose(getattr(other, name), getattr(one, name), rtol=0, atol=1e-11)
+    assert (motion_is.verdict, same.verdict) == (True, True)
+    assert digits[0] >= 10
+    assert abs(digits[0] - fewer[0]) <= 1
+    np.testing.assert_allclose(again.coefficients, waves.coefficients, rtol=0, atol=1e-12)

@@ -2,6 +2,7 @@
 
 import math
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from tests.places import CHECKOUT
 
 sys.path.append(str(CHECKOUT / "scripts"))
 
+from stressing_chains import against_digits, random_chain
 from stressing_motions import (
     ELASTIC,
     FRICTION,
@@ -94,6 +96,18 @@ def test_random_motions_follow_the_proof(kind: str) -> None:
     for _ in range(3):
         verdict, told = against_proof(random_motion(rng, kind), 20)
         assert not verdict.startswith("wrong"), told
+
+
+@compiled
+@pytest.mark.parametrize("seed", [1, 5, 6])
+def test_random_chains_follow_fifty_digits(seed: int) -> None:
+    system, state = random_chain(np.random.default_rng(seed))
+    assert against_digits(system, state, 20) == ("agree", "")
+    # one that is a little stiffer is another one
+    stiffer = system.exponents[0].copy()
+    stiffer[:, 1] *= 1 + 1e-6
+    wrong = replace(system, exponents=(stiffer, *system.exponents[1:]))
+    assert against_digits(wrong, state, 20)[0].startswith("wrong")
 
 
 @compiled

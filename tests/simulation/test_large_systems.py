@@ -3,6 +3,7 @@
 import math
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,10 +11,12 @@ import sympy as sp
 
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.model.boundary_sets import mask_of, masks_of, members_of, words_of
-from nonsmooth.runtime.model.engine_layout import numbers_of
-from nonsmooth.runtime.model.engine_run import Run
+from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
+from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.kernels import compiled_engine
+from nonsmooth.runtime.model.modes import numeric_modes
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.model.structure import ModeShape
 from nonsmooth.runtime.simulation.engines import run_compiled, run_motions
 from nonsmooth.runtime.simulation.simulate import follow, simulate
 from nonsmooth.runtime.simulation.stepping import run
@@ -29,6 +32,20 @@ def start_of(count: int, seed: int) -> np.ndarray:
     return np.array([*place, *rng.normal(size=count), np.cos(phase), np.sin(phase)])
 
 
+def chain_of(kind: str, count: int, rubbing: int | None) -> PiecewiseLinear:
+    """A chain with modes from eigenvectors found here, or by the package."""
+    system = chain(count, rubbing, kind != "matrices")
+    if kind != "modes of the package":
+        return system
+    modes = [numeric_modes(field) for field in system.fields]
+    return replace(
+        system,
+        structure=replace(system.structure, modes=tuple(m.shapes for m in modes)),
+        exponents=tuple(m.exponents for m in modes),
+        flows=tuple(m.flows for m in modes),
+    )
+
+
 def engines(system: PiecewiseLinear, state: np.ndarray, transitions: int) -> tuple[Run, Run]:
     engine = compiled_engine()
     assert engine is not None
@@ -37,14 +54,23 @@ def engines(system: PiecewiseLinear, state: np.ndarray, transitions: int) -> tup
 
 
 @compiled
+@pytest.mark.parametrize("kind", ["matrices", "factors", "modes of the package"])
 @pytest.mark.parametrize(
     ("count", "rubbing", "transitions"),
-    [(10, None, 20), (12, None, 20), (30, None, 12), (10, 4, 40), (30, 12, 40)],
+    [
+        (10, None, 20),
+        (12, None, 20),
+        (30, None, 12),
+        (10, 4, 40),
+        (30, 12, 40),
+        pytest.param(100, None, 12, marks=pytest.mark.slow),
+        pytest.param(100, 40, 30, marks=pytest.mark.slow),
+    ],
 )
 def test_chains_follow_matrix_exponentials(
-    count: int, rubbing: int | None, transitions: int
+    count: int, rubbing: int | None, transitions: int, kind: str
 ) -> None:
-    system, state = chain(count, rubbing), start_of(count, 3)
+    system, state = chain_of(kind, count, rubbing), start_of(count, 3)
     if rubbing is not None:
         state[count + rubbing] = abs(state[count + rubbing])
     engine = compiled_engine()
@@ -53,14 +79,15 @@ def test_chains_follow_matrix_exponentials(
     times, places, states = integrated(system, state, 0, transitions)
     assert found.configurations.tolist() == places
     assert rubbing is None or set(places) == {0, 1, 2}
-    np.testing.assert_allclose(found.times, times, rtol=0, atol=1e-10)
-    np.testing.assert_allclose(found.states, states, rtol=0, atol=1e-10)
+    np.testing.assert_allclose(found.times, times, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(found.states, states, rtol=0, atol=1e-11)
 
 
 @compiled
+@pytest.mark.parametrize("factored", [False, True])
 @pytest.mark.parametrize(("count", "rubbing"), [(9, None), (20, None), (12, 5)])
-def test_chains_follow_the_other_engine(count: int, rubbing: int | None) -> None:
-    found, known = engines(chain(count, rubbing), start_of(count, 5), 20)
+def test_chains_follow_the_other_engine(count: int, rubbing: int | None, factored: bool) -> None:
+    found, known = engines(chain(count, rubbing, factored), start_of(count, 5), 20)
     assert (found.status, found.sets.tolist()) == (known.status, known.sets.tolist())
     assert found.configurations.tolist() == known.configurations.tolist()
     np.testing.assert_allclose(found.times, known.times, rtol=0, atol=1e-11)
@@ -165,14 +192,68 @@ def test_a_declared_chain() -> None:
     np.testing.assert_allclose(found.states, known.states, rtol=0, atol=1e-11)
 
 
+@compiled
+def test_factors_that_no_mode_has_are_refused() -> None:
+    """A layout that says of a mode that it has factors, and does not count them, or of a chain."""
+    engine = compiled_engine()
+    assert engine is not None
+    system = chain(10)
+    structure = system.structure
+    (shapes,) = structure.shapes
+    longer = ModeShape(2, False, (0, 1), factored=True)
+    joined = replace(shapes[1], joined=True, factored=True)
+    layouts = [
+        layout_of(replace(structure, modes=(modes,)))
+        for modes in ((longer, *shapes[1:]), (shapes[0], joined, *shapes[2:]))
+    ]
+    uncounted = layout_of(structure).copy()
+    flags = 11 + 2 + 4 * len(shapes)  # behind the header, starts, and four numbers of each mode
+    assert not uncounted[flags : flags + len(shapes)].any()
+    uncounted[flags + 1] = 1
+    none, real = np.zeros(0, dtype=np.int32), [np.zeros(0)]
+    for layout in (*layouts, uncounted):
+        with pytest.raises(ValueError, match="cut or foreign"):
+            engine.compose(layout, np.zeros(3, dtype=np.int32), *real * 6, none, none, 0)
+
+
+@compiled
+@pytest.mark.parametrize(("count", "growing"), [(12, False), (20, False), (12, True)])
+def test_rounding_by_factors_is_bounded_as_by_matrices(count: int, growing: bool) -> None:
+    """What a decider is told of an event: never less than by matrices, and not much more."""
+    engine, told = compiled_engine(), []
+    assert engine is not None
+
+    def decide(*what: object) -> tuple[int, int, int]:
+        told.append([np.frombuffer(what[4]), what[5]])  # type: ignore[call-overload]
+        return Status.UNDECLARED, 0, 0
+
+    for factored in (False, True):
+        system = chain(count, factored=factored)
+        if growing:
+            (exponents,) = system.exponents
+            system = replace(system, exponents=(np.abs(exponents),))
+        structure = replace(system.structure, transitions=((),))
+        none, whole = np.zeros(0), np.zeros(1, dtype=np.int32)
+        counts = np.zeros(3, dtype=np.int64)
+        engine.simulate(
+            layout_of(structure), numbers_of(system), whole, start_of(count, 3), whole.copy(),
+            np.array([np.inf]), 5, none, none.astype(np.int32), none, none,
+            none.astype(np.int32), none, counts, decide,
+        )  # fmt: skip
+    (sizes, late), (bounds, later) = told
+    assert (bounds >= sizes * (1 - 1e-12)).all()
+    assert (bounds <= 3 * sizes).all()
+    assert late * (1 - 1e-12) <= later <= 3 * late
+
+
 MEMORY = """
 import resource
 import numpy as np
 from nonsmooth.runtime import _engine
 
 def layout(states, length):
-    header = [states, 1, 1, 1, 1, length, 0, 0, 0, 0]
-    rest = [0, 1, length, 0, 0, 0, 0, length, 0, 0, 0, 0, 0]
+    header = [states, 1, 1, 1, 1, length, 0, 0, 0, 0, 0]
+    rest = [0, 1, length, 0, 0, 0, 0, 0, length, 0, 0, 0, 0, 0, 0, 0]
     return np.array([*header, *rest], dtype=np.int32)
 
 resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))

@@ -20,6 +20,7 @@ from nonsmooth.runtime.explore.finding.stretching import Stretching, stretching
 from nonsmooth.runtime.explore.finding.stroboscope import stroboscopic_returns
 from nonsmooth.runtime.model.boundary_sets import mask_of
 from nonsmooth.runtime.model.engine_run import LARGEST_STATE, Status
+from nonsmooth.runtime.model.flows import parts_of
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -338,8 +339,7 @@ def quiet_outcomes(
     structure = system.structure
     forced = [state for pair in structure.forcing for state in pair]
     own = [state for state in range(states.shape[1]) if state not in forced]
-    extended = np.concatenate([states, np.ones((len(states), 1))], axis=1)
-    parts = np.einsum("fij,nj->nfi", system.flows[configuration], extended)
+    parts = parts_of(system, configuration, states)
     within = np.abs(up_to_shift(parts, translations_of(system))[:, :, own])
     parts = np.abs(parts[:, :, own])
     sizes = np.maximum(parts.max(axis=1), _NOTHING * parts.max(axis=(0, 1)))

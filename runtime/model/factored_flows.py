@@ -1,0 +1,322 @@
+"""Flows of large configurations: factors in place of matrices where a mode is simple.
+
+The matrix of a mode that belongs to one eigenvalue is of rank one, u v with a column u and a row
+v; of a pair of complex ones, with right and left eigenvectors r and l,
+
+    2 Re(e^(mu t) r l) = phi_c (u_0 v_0 + u_1 v_1) + phi_s (u_1 v_0 - u_0 v_1),
+    u_0, u_1 = 2 Re r, -2 Im r,    v_0, v_1 = Re l, Im l.
+
+N states have about N functions of time, so that factors are 2 N^2 numbers, and matrices N^3.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.model.structure import ModeShape
+
+__all__ = [
+    "FactoredFlows",
+    "Flows",
+    "arrays_of",
+    "cut_flows",
+    "factored_functions",
+    "flows_size",
+    "matrices_of",
+]
+
+
+class _Places(NamedTuple):
+    """Places of functions of time: with matrices, and mode by mode those with factors.
+
+    Of each factor `even` is the place of its cosine, or only function, `odd` that of its sine,
+    `other` the factor with which its sine goes, and `sign` how: 0 for a mode without one.
+    """
+
+    dense: np.ndarray
+    even: np.ndarray
+    odd: np.ndarray
+    other: np.ndarray
+    sign: np.ndarray
+    starts: np.ndarray  # first factor of each mode
+    turns: np.ndarray  # whether it has a sine
+
+
+@cache
+def _places(shapes: tuple[ModeShape, ...]) -> _Places:
+    factors: list[tuple[int, int, int, int]] = []
+    starts: list[int] = []
+    modes = [shape for shape in shapes if shape.factored]
+    for shape in modes:
+        first, last = shape.places[0], shape.places[-1]
+        count = len(factors)
+        starts.append(count)
+        if shape.oscillates:
+            factors += [(first, last, count + 1, -1), (first, last, count, 1)]
+        else:
+            factors.append((first, last, count, 0))
+    even, odd, other, sign = np.array(factors, dtype=int).reshape(-1, 4).T
+    return _Places(
+        np.array([p for s in shapes if not s.factored for p in s.places], dtype=int),
+        even,
+        odd,
+        other,
+        sign,
+        np.array(starts, dtype=int),
+        np.array([shape.oscillates for shape in modes], dtype=bool),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class FactoredFlows:
+    """Matrices of a configuration's functions of time; simple modes have factors of them.
+
+    Attributes
+    ----------
+    shapes : tuple of ModeShape
+    matrices : array (..., d, N, N + 1)
+        Of the functions of modes that have no factors.
+    left : array (..., k, N)
+        The columns u of the others, mode by mode.
+    right : array (..., k, N + 1)
+        The rows v.
+    """
+
+    shapes: tuple[ModeShape, ...]
+    matrices: np.ndarray
+    left: np.ndarray
+    right: np.ndarray
+
+    def __getitem__(self, point: int) -> FactoredFlows:
+        """Flows of one of many points."""
+        arrays = (self.matrices[point], self.left[point], self.right[point])
+        return FactoredFlows(self.shapes, *arrays)
+
+    def states(self, functions: np.ndarray, extended: np.ndarray) -> np.ndarray:
+        """States from values of the functions of time.
+
+        Parameters
+        ----------
+        functions : array (..., functions)
+        extended : array (..., N + 1)
+            States at the start, then 1.
+
+        Returns
+        -------
+        array (..., N)
+        """
+        at, projected = _places(self.shapes), _times(self.right, extended)
+        turned = at.sign * functions[..., at.odd] * projected[..., at.other]
+        factors = functions[..., at.even] * projected + turned
+        moved = _times(self.matrices, extended[..., None, :])
+        dense = (functions[..., at.dense, None] * moved).sum(axis=-2)
+        return np.asarray((factors[..., None, :] @ self.left)[..., 0, :] + dense)
+
+    def parts(self, extended: np.ndarray) -> np.ndarray:
+        """What each function of time has as its factor.
+
+        Parameters
+        ----------
+        extended : array (..., N + 1)
+            States at the start, then 1.
+
+        Returns
+        -------
+        array (..., functions, N)
+        """
+        return self._parts(extended, _places(self.shapes).sign)
+
+    def sizes(self, extended: np.ndarray) -> np.ndarray:
+        """Bounds of the sums of absolute values behind `parts`.
+
+        Parameters
+        ----------
+        extended : array (..., N + 1)
+            Absolute values of states at the start, then 1.
+
+        Returns
+        -------
+        array (..., functions, N)
+        """
+        positive = FactoredFlows(self.shapes, *map(abs, (self.matrices, self.left, self.right)))
+        return positive._parts(extended, abs(_places(self.shapes).sign))
+
+    def rows(self, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """A row times the matrices of one point, and bounds of the sums of absolute values.
+
+        Parameters
+        ----------
+        row : array (N,)
+
+        Returns
+        -------
+        values, sizes : array (functions, N + 1)
+        """
+        sign, arrays = _places(self.shapes).sign, (row, self.matrices, self.left, self.right)
+        values, sizes = (
+            self._placed(one @ matrices, (left @ one)[:, None], right, signs)
+            for one, matrices, left, right, signs in (
+                (*arrays, sign),
+                (*map(abs, arrays), abs(sign)),
+            )
+        )
+        return values, sizes
+
+    def all(self) -> np.ndarray:
+        """The matrices of all functions: N / 2 times as many numbers.
+
+        Returns
+        -------
+        array (..., functions, N, N + 1)
+        """
+        found = self._placed(
+            np.moveaxis(self.matrices, -3, 0),
+            np.moveaxis(self.left, -2, 0)[..., None],
+            np.moveaxis(self.right, -2, 0)[..., None, :],
+            _places(self.shapes).sign,
+        )
+        return np.moveaxis(found, 0, -3)
+
+    def at(self, functions: np.ndarray) -> np.ndarray:
+        """The flow at a time: matrix, then constant.
+
+        Parameters
+        ----------
+        functions : array (..., functions)
+
+        Returns
+        -------
+        array (..., N, N + 1)
+        """
+        at = _places(self.shapes)
+        even, odd = functions[..., at.even, None], functions[..., at.odd, None]
+        turned = at.sign[:, None] * odd * self.right[..., at.other, :]
+        dense = (functions[..., at.dense, None, None] * self.matrices).sum(axis=-3)
+        return np.asarray(self.left.swapaxes(-1, -2) @ (even * self.right + turned) + dense)
+
+    def _parts(self, extended: np.ndarray, sign: np.ndarray) -> np.ndarray:
+        found = self._placed(
+            np.moveaxis(_times(self.matrices, extended[..., None, :]), -2, 0),
+            np.moveaxis(np.broadcast_to(self.left, (*extended.shape[:-1], *self.left.shape[-2:])),
+                        -2, 0),
+            np.moveaxis(_times(self.right, extended), -1, 0)[..., None],
+            sign,
+        )  # fmt: skip
+        return np.moveaxis(found, 0, -2)
+
+    def _placed(
+        self, dense: np.ndarray, left: np.ndarray, right: np.ndarray, sign: np.ndarray
+    ) -> np.ndarray:
+        """Products of factors, which come first, added up for cosines and for sines in places."""
+        at = _places(self.shapes)
+        signs = sign.reshape(-1, *[1] * (dense.ndim - 1))
+        sines = np.add.reduceat(left * signs * right[at.other], at.starts)
+        found = np.zeros((len(dense) + len(at.turns) + int(at.turns.sum()), *sines.shape[1:]))
+        found[at.dense] = dense
+        found[at.even[at.starts]] = np.add.reduceat(left * right, at.starts)
+        found[at.odd[at.starts][at.turns]] = sines[at.turns]
+        return found
+
+
+Flows = np.ndarray | FactoredFlows  # (..., functions, N, N + 1), or factors of it
+
+
+def _times(rows: np.ndarray, extended: np.ndarray) -> np.ndarray:
+    """Matrices (..., r, N + 1) times vectors (..., N + 1)."""
+    return np.asarray((rows @ extended[..., None])[..., 0])
+
+
+def factored_functions(shapes: Sequence[ModeShape]) -> int:
+    """Number of functions of time whose matrices have factors.
+
+    Parameters
+    ----------
+    shapes : sequence of ModeShape
+
+    Returns
+    -------
+    int
+    """
+    return sum(len(shape.places) for shape in shapes if shape.factored)
+
+
+def arrays_of(flows: Flows) -> tuple[np.ndarray, ...]:
+    """The arrays that hold flows, in the order in which they are packed.
+
+    Parameters
+    ----------
+    flows : array or FactoredFlows
+
+    Returns
+    -------
+    tuple of array
+    """
+    if isinstance(flows, FactoredFlows):
+        return flows.matrices, flows.left, flows.right
+    return (flows,)
+
+
+def flows_size(shapes: Sequence[ModeShape], states: int) -> int:
+    """How many numbers the flows of a configuration are.
+
+    Parameters
+    ----------
+    shapes : sequence of ModeShape
+    states : int
+        N.
+
+    Returns
+    -------
+    int
+    """
+    factored = factored_functions(shapes)
+    dense = sum(len(shape.places) for shape in shapes) - factored
+    return dense * states * (states + 1) + factored * (2 * states + 1)
+
+
+def cut_flows(shapes: tuple[ModeShape, ...], states: int, flat: np.ndarray) -> Flows:
+    """Flows of a configuration from packed numbers.
+
+    Parameters
+    ----------
+    shapes : tuple of ModeShape
+    states : int
+        N.
+    flat : array (..., size)
+        As many as `flows_size` says.
+
+    Returns
+    -------
+    array or FactoredFlows
+        Views.
+    """
+    lead = flat.shape[:-1]
+    factored = factored_functions(shapes)
+    dense = sum(len(shape.places) for shape in shapes) - factored
+    first = dense * states * (states + 1)
+    matrices = flat[..., :first].reshape(*lead, dense, states, states + 1)
+    if not factored:
+        return matrices
+    second = first + factored * states
+    left = flat[..., first:second].reshape(*lead, factored, states)
+    right = flat[..., second:].reshape(*lead, factored, states + 1)
+    return FactoredFlows(shapes, matrices, left, right)
+
+
+def matrices_of(flows: Flows) -> np.ndarray:
+    """The matrices of all functions, where memory has room for them.
+
+    Parameters
+    ----------
+    flows : array or FactoredFlows
+
+    Returns
+    -------
+    array (..., functions, N, N + 1)
+    """
+    return flows.all() if isinstance(flows, FactoredFlows) else flows
