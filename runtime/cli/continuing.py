@@ -206,7 +206,7 @@ def follow(
     )
     if not stopped:
         return code
-    return kept_of(f"{len(branch)} points are done", save, resumes=not switch)
+    return kept_of(f"{len(branch)} points are done", written.kept(save), resumes=not switch)
 
 
 def _check_picture(
@@ -324,7 +324,7 @@ def _in_the_plane(
         written.draw(lambda: locus_figure(locus), plot)
     code = written.show(lambda: locus_json(locus), lambda: show_locus(locus), as_json=as_json)
     if stopped:
-        return kept_of(f"{len(locus)} points are done", save, resumes=False)
+        return kept_of(f"{len(locus)} points are done", written.kept(save), resumes=False)
     return code
 
 

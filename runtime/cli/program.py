@@ -50,7 +50,7 @@ from nonsmooth.runtime.cli.options import (
     known_orbits,
     known_systems,
 )
-from nonsmooth.runtime.cli.written import show_comparison, show_kept
+from nonsmooth.runtime.cli.written import Written, show_comparison
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 
 __all__ = ["app", "main"]
@@ -372,16 +372,16 @@ def _report(
     told = orbit_json(orbit, digits)
     for parameter, value in assigned.items():  # also those that others stand for
         told["parameters"][parameter] = decimal_string(value.mpf(digits + 5), digits)
-    if save is not None:
-        orbit.save(save)
+    written = Written()
+    written.save(orbit.save, save)
 
     def show() -> None:
         from nonsmooth.runtime.cli.display import show_report
 
         show_report(orbit, told, assigned, trace_first=trace_first)
 
-    show_kept(lambda: told, show, save, as_json=as_json)
-    return _judged(told, require or [])
+    code = written.show_one(lambda: told, show, save, as_json=as_json)
+    return code or _judged(told, require or [])
 
 
 def _judged(told: Mapping[str, Any], require: Iterable[RequiredVerdict]) -> int:
