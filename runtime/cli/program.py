@@ -39,10 +39,14 @@ from nonsmooth.runtime.cli.options import (
     Assignments,
     Digits,
     Format,
+    Frequency,
+    FrequencyIn,
     Given,
     Guess,
     Kind,
     OrbitName,
+    Over,
+    Quantity,
     Require,
     RequiredVerdict,
     Save,
@@ -214,6 +218,7 @@ def verify(
     "nonsmooth plot motion.npz --kind strip\n\n"
     "nonsmooth plot found.json:2\n\n"
     "nonsmooth plot F.zarr --out F.png\n\n"
+    "nonsmooth plot branch.json --quantity amplitude_x,period\n\n"
     "nonsmooth plot orbit.json --kind time --periods 2 --out time.pdf"
 )
 @answering
@@ -232,6 +237,9 @@ def plot(
         int,
         typer.Option("--periods", metavar="N", help="How many of an orbit to draw against time."),
     ] = 1,
+    quantity: Quantity = None,
+    frequency: FrequencyIn = None,
+    over: Over = None,
     out: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="A PNG, SVG or PDF; FILE.png by default."),
@@ -241,7 +249,7 @@ def plot(
     """Draw saved orbits, motions or charts: histories, phase portraits, maps, multipliers."""
     from nonsmooth.runtime.core.files import check_target
     from nonsmooth.runtime.present.pictures.plot import save_figure
-    from nonsmooth.runtime.present.pictures.saved_files import figure_of
+    from nonsmooth.runtime.present.pictures.saved_files import BranchView, figure_of
 
     if not file.name:
         raise InputError(f"{file} is no saved file")
@@ -250,7 +258,9 @@ def plot(
     if os.path.realpath(target) == os.path.realpath(file):
         raise InputError(f"cannot write {target}: it is the saved file")
     check_target(target)
-    drawn, figure = figure_of(file, kind.value, periods)
+    of_branch = BranchView(tuple(split(quantity)), over, (frequency or Frequency.ANGULAR).value)
+    given = quantity or frequency or over
+    drawn, figure = figure_of(file, kind.value, periods, of_branch if given else None)
     save_figure(figure, target)
     if as_json:
         print_json({**drawn, "kind": kind.value, "file": str(target)})
