@@ -166,7 +166,7 @@ def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.Mo
         ("branch.json --quantity nonsense", "unknown quantity 'nonsense'"),
         ("branch.json --over nonsense", "unknown quantity 'nonsense'"),
         ("orbit.json --quantity ta", "quantities are drawn of branches, and orbit.json is none"),
-        ("absent.json --quantity ta", "absent.json: cannot be read: no such file"),
+        ("absent.json --quantity ta", "there is no file absent.json"),
         ("absent.json:2 --over ta", "quantities are drawn of branches"),
     ):
         code, _, err = run("plot", *command.split(), "--out", "never.png")
