@@ -104,7 +104,7 @@ def our_bar(elements: int, modes: int | None) -> tuple[float, list[float], list[
         ns.simulate(system, {}, start, until=END)
         again.append(time.perf_counter() - begin)
     velocities = motion.states[:, len(still) :]
-    energies = [float(v @ (mass @ v)) / 2 for v in velocities[[0, 2]]]
+    energies = [float(v @ (mass @ v)) / 2 for v in velocities[[0, min(2, len(velocities) - 1)]]]
     return first, again, motion.times.tolist(), energies[1] / energies[0]
 
 
@@ -115,7 +115,7 @@ def _bar(quick: bool) -> Iterator[Row]:
     ours = f"bar: ours, {elements} elements reduced to 1 + 10 coordinates"
     wanted: list[tuple[str, int, int | None, float]] = [(ours, elements, 10, 120.0)]
     if not quick:
-        wanted.append((f"bar: ours, {elements + 1} coordinates", elements, None, 300.0))
+        wanted.append((f"bar: ours, {elements + 1} coordinates", elements, None, 60.0))
     for name, count, modes, limit in wanted:
         told(name)
         found = [apart(our_bar, count, modes, limit=limit)]
@@ -124,7 +124,9 @@ def _bar(quick: bool) -> Iterator[Row]:
             continue
         found += [apart(our_bar, count, modes, limit=limit) for _ in range(runs - 1)]
         _, again, times, kept = found[0]
-        answer = _contact(times[1], times[3] - times[1], kept, exact)
+        answer = f"wrong: {len(times) - 1} transitions, not 3"
+        if len(times) == 4:
+            answer = _contact(times[1], times[3] - times[1], kept, exact)
         yield Row(name, [first for first, *_ in found], against=_other(ours, name), found=answer)
         yield Row(f"{name}, again", again, against=ours)
     if (python := python_with_siconos()) is None:
