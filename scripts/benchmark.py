@@ -1,6 +1,7 @@
 """Measure the package against its peers: ratios within one run, medians and spread.
 
-Peers that are not installed are left out; scipy and SymPy's lambdify always take part.
+Peers that are not installed are left out, with a line that says so in the section `peers`; SciPy
+and SymPy's lambdify always take part.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from benchmark_certify import boxed, certified, counted
 from benchmark_chart import chart
 from benchmark_continuation import branch
 from benchmark_declared import declared
+from benchmark_peers import peers
 from benchmark_simulation import composed, many, sequences, simulation
 from benchmark_size import size
 from measuring import Row, machine, timed
@@ -350,16 +352,22 @@ SECTIONS = {
             chart,
             branch,
             size,
+            peers,
         ),
     )
 }
+
+
+def helped() -> str:
+    """Each section in a line."""
+    return "\n".join(f"{name}: {section.__doc__}" for name, section in SECTIONS.items())
 
 
 def main() -> None:
     """Run the sections asked for and print their tables."""
     layout = argparse.RawTextHelpFormatter
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=layout)
-    parser.add_argument("sections", nargs="*", metavar="SECTION", help=", ".join(SECTIONS))
+    parser.add_argument("sections", nargs="*", metavar="SECTION", help=helped())
     parser.add_argument("--quick", action="store_true", help="fewer points and runs")
     parser.add_argument("--save", type=Path, metavar="FILE", help="put the sections into this JSON")
     chosen = parser.parse_args()
@@ -375,7 +383,8 @@ def main() -> None:
             spread = f"{pretty(min(row.seconds))} .. {pretty(max(row.seconds))}"
             must = "" if row.must is None else pretty(row.must)
             ratio = f"{row.median / rows[row.against].median:,.2f}" if row.against else ""
-            table.add_row(row.what, pretty(row.median), spread, must, ratio)
+            what = f"{row.what}\n  {row.found}" if row.found else row.what
+            table.add_row(what, pretty(row.median), spread, must, ratio)
         console.print(table)
         if chosen.save:
             save(chosen.save, name, list(rows.values()))

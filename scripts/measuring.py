@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import platform
 import re
 import statistics
 import subprocess
+import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
+from multiprocessing.connection import Connection
 from pathlib import Path
+from typing import Any
 
-__all__ = ["Row", "interleaved", "machine", "timed"]
+__all__ = ["Row", "apart", "interleaved", "machine", "timed", "told"]
 
 PACKAGES = ("nonsmooth", "numpy", "scipy", "sympy", "python-flint", "casadi", "heyoka")
 
@@ -22,18 +26,25 @@ PACKAGES = ("nonsmooth", "numpy", "scipy", "sympy", "python-flint", "casadi", "h
 class Row:
     """One measured thing: seconds per unit of work, of several runs.
 
-    `must` is the limit it has to meet; a peer names in `against` the row it is compared with.
+    `must` is the limit it has to meet; a peer names in `against` the row it is compared with;
+    `found` says what was computed, and how far off it is.
     """
 
     what: str
     seconds: list[float]
     must: float | None = None
     against: str | None = None
+    found: str = ""
 
     @property
     def median(self) -> float:
         """Median of the runs."""
         return statistics.median(self.seconds)
+
+
+def told(text: str) -> None:
+    """Write a line of progress."""
+    print(f"  {text}", file=sys.stderr, flush=True)
 
 
 def timed(work: Callable[[], object], units: float = 1, runs: int = 7) -> list[float]:
@@ -97,3 +108,22 @@ def installed(name: str) -> str | None:
         return version(name)
     except PackageNotFoundError:
         return None
+
+
+def apart(work: Callable[..., Any], *arguments: object, limit: float = 600.0) -> Any:
+    """What a work gives in a process of its own with one thread; None beyond so many seconds."""
+    os.environ |= {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}  # what children inherit
+    context = multiprocessing.get_context("spawn")
+    receiver, sender = context.Pipe(duplex=False)
+    process = context.Process(target=_send, args=(sender, work, arguments))
+    process.start()
+    sender.close()
+    try:
+        return receiver.recv() if receiver.poll(limit) else None
+    finally:
+        process.terminate()
+        process.join()
+
+
+def _send(sender: Connection, work: Callable[..., Any], arguments: tuple[object, ...]) -> None:
+    sender.send(work(*arguments))

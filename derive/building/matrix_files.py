@@ -91,7 +91,7 @@ def _numeric(entries: dict[str, Any]) -> dict[str, Any]:
         for name, entry in entries.items()
         if getattr(entry, "ndim", 0) == 2
         and getattr(entry, "dtype", None) is not None
-        and entry.dtype.kind in "biuf"
+        and entry.dtype.kind in "biufc"  # what takes them says that complex ones are none
     }
 
 

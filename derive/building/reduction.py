@@ -180,6 +180,8 @@ def reduce_structure(
     if len(names) != size:
         raise DeclarationError(f"there are {len(names)} names for {size} coordinates")
     check_unique(names, "coordinate")
+    if isinstance(keep, str) or not np.iterable(keep):
+        raise DeclarationError(f"keep is {keep!r}, not a row of places or names of coordinates")
     kept = tuple(_place(which, names, "keep") for which in keep)
     check_unique([names[i] for i in kept], "kept coordinate")
     if isinstance(modes, bool) or not isinstance(modes, int | np.integer) or modes < 0:

@@ -46,12 +46,15 @@ def section_lines(part: dict[str, Any], told: str) -> Iterator[str]:
     medians = {row["what"]: median(row["seconds"]) for row in rows}
     yield from (f"## {part['about'].rstrip('.')}", "", told, "")
     yield from (f"Load {part['machine']['load']}.", "")
-    yield from ("| what | median | from – to | peer / ours |", "| --- | --- | --- | --- |")
+    found = any(row.get("found") for row in rows)
+    yield "| what | median | from – to | peer / ours |" + " what was found |" * found
+    yield "| --- | --- | --- | --- |" + " --- |" * found
     for row in rows:
         least, most = min(row["seconds"]), max(row["seconds"])
         ratio = f"{medians[row['what']] / medians[row['against']]:,.2f}" if row["against"] else ""
         spread = f"{duration(least)} – {duration(most)}"
-        yield f"| {row['what']} | {duration(medians[row['what']])} | {spread} | {ratio} |"
+        line = f"| {row['what']} | {duration(medians[row['what']])} | {spread} | {ratio} |"
+        yield line + f" {row.get('found', '')} |" * found
     yield ""
 
 

@@ -25,7 +25,7 @@ from nonsmooth.runtime.cli.certifying_events import certify_events
 from nonsmooth.runtime.cli.counting import Every, count_orbits
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new, say
 from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess, SaveResult, Yes
-from nonsmooth.runtime.cli.written import show_kept
+from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
@@ -184,10 +184,14 @@ def _certify(
     with steps(f"solving {orbit}") as begin:
         found = solve(orbit, values, near)
         certificate = prove(found, bits, begin=begin)
-    if save is not None:
-        certificate.save(save)
-    show_kept(certificate.to_json, lambda: show_certificate(certificate), save, as_json=as_json)
-    return _judged(certificate.claims, require, ANSWERED if certificate.decided else UNANSWERED)
+    written = Written()
+    written.save(certificate.save, save)
+    code = written.show_one(
+        certificate.to_json, lambda: show_certificate(certificate), save, as_json=as_json
+    )
+    return code or _judged(
+        certificate.claims, require, ANSWERED if certificate.decided else UNANSWERED
+    )
 
 
 def _check(path: Path, declared: str | None, require: Proven | None, *, as_json: bool) -> int:

@@ -103,7 +103,7 @@ def certify_over(
                 tiles=tiles,
                 resume=known,
                 progress=progress,
-                keep=None if save is None else lambda state: state.save(save),
+                keep=None if save is None else lambda state: Written().save(state.save, save),
             )
         )
     written = Written()
@@ -116,7 +116,7 @@ def certify_over(
     if not stopped:
         return found, code or (ANSWERED if found.decided >= _ENOUGH else UNANSWERED)
     done = f"{len(found.tiles)} tiles, {float(100 * found.decided):.3g} % of the box decided"
-    return found, kept_of(done, save)
+    return found, kept_of(done, written.kept(save))
 
 
 def _box_json(found: BoxCertificate) -> dict[str, Any]:

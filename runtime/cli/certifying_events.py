@@ -9,7 +9,7 @@ from typing import Any
 from nonsmooth.runtime.cli.application import ANSWERED, UNANSWERED
 from nonsmooth.runtime.cli.certifying_boxes import box_and_values, solved_in
 from nonsmooth.runtime.cli.keeping import kept_of, worked
-from nonsmooth.runtime.cli.written import show_kept
+from nonsmooth.runtime.cli.written import Written
 
 __all__ = ["certify_events"]
 
@@ -78,8 +78,8 @@ def certify_events(
         branch = continue_orbit(orbit, parameter, (float(lower), float(upper)))
     with counted("enclosing events", len(branch.events)) as progress:
         found, stopped = worked(lambda: certify_branch(branch, bits, known, progress))
-    if save is not None:
-        save_events(found, save)
+    written = Written()
+    written.save(lambda path: save_events(found, path), save)
 
     def told() -> dict[str, Any]:
         return {
@@ -95,9 +95,10 @@ def certify_events(
         span = f"{parameter} = {values.min():.6g} ... {values.max():.6g}"
         show_events(f"{shown_name(branch.name)}, {span}", found)
 
-    show_kept(told, show, save, as_json=as_json)
+    code = written.show_one(told, show, save, as_json=as_json)
     claims = events_claim(found)
     if not stopped:
-        return claims, UNANSWERED if "undecided" in claims.values() else ANSWERED
+        decided = "undecided" not in claims.values()
+        return claims, code or (ANSWERED if decided else UNANSWERED)
     done = f"{len(found)} of {len(branch.events)} events are done"
-    return claims, kept_of(done, save)
+    return claims, kept_of(done, written.kept(save))

@@ -34,7 +34,8 @@ MOST_COUNTED = 20_000_000  # points that the summary reads again
     "nonsmooth chart dry-friction/global-stick V=0.8:1.3:5000 chi=0.45 --chunk 1000"
     " --out line.zarr\n\n"
     "nonsmooth chart dry-friction --simulate V=0.2:1.2:20 eta=1:5:20 chi=0.4 us1=0.0127"
-    " ur1=0.0255 us2=0.5 ur2=1 --from x1=0,x2=0,v1=0,v2=0 --out A.zarr"
+    " ur1=0.0255 us2=0.5 ur2=1 --from x1=0,x2=0,v1=0,v2=0 --out A.zarr\n\n"
+    "nonsmooth chart found.json x1=-3:3:400 v2=-1:1:400 --out basins.zarr"
 )
 @answering
 def chart(
@@ -42,7 +43,8 @@ def chart(
         str,
         typer.Argument(
             metavar="ORBIT",
-            help="As for `solve`; with --simulate a SYSTEM, as for `simulate`. A chart F.zarr"
+            help="As for `solve`; with --simulate a SYSTEM, as for `simulate`. A file that"
+            " `find --save` wrote: the basins of all that it holds, over states. A chart F.zarr"
             " that is begun goes on, from what it holds.",
         ),
     ],
@@ -86,7 +88,7 @@ def chart(
     yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
-    """Chart the parameter plane: where an orbit is a motion, which limit fails first."""
+    """Chart the parameter plane: where an orbit is a motion, which limit fails first; or basins."""
     from nonsmooth.runtime.cli.display import counted, steps
     from nonsmooth.runtime.explore.charting.chart import (
         begun_problem,
@@ -172,7 +174,7 @@ def _show(told: dict[str, Any]) -> None:
     size = " x ".join(f"{name} {count}" for name, count in told["dimensions"].items())
     print(f"{shown_name(told['name'])}: {size}")
     for kind, count in (told["points"] or {}).items():
-        print(f"  {_KINDS[kind]:28} {count:>12,}")
+        print(f"  {_KINDS.get(kind, kind):28} {count:>12,}")
     repaired = f", {told['damaged']} of them damaged before" if told["damaged"] else ""
     print(f"{told['computed']} of {told['chunks']} chunks computed{repaired}")
     print(f"{told['file']} written; nonsmooth plot {told['file']} draws it")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -17,7 +16,18 @@ from nonsmooth.runtime.cli.application import (
     split,
 )
 from nonsmooth.runtime.cli.keeping import Overwrite, check_new, heed_interrupts, kept_of, worked
-from nonsmooth.runtime.cli.options import AsJson, OrbitName, Plot, Resume, SaveResult, Yes
+from nonsmooth.runtime.cli.options import (
+    AsJson,
+    Frequency,
+    FrequencyIn,
+    OrbitName,
+    Over,
+    Plot,
+    Quantity,
+    Resume,
+    SaveResult,
+    Yes,
+)
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
@@ -33,13 +43,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["follow"]
-
-
-class Frequency(StrEnum):
-    """How frequencies are drawn."""
-
-    ANGULAR = "angular"
-    CYCLES = "cycles"
 
 
 @app.command(
@@ -107,28 +110,9 @@ def follow(
             " the plane of both ranges; --save and --plot are of that curve.",
         ),
     ] = None,
-    quantity: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--quantity",
-            metavar="NAME,...",
-            help="What --plot draws: period, frequency, energy, trace, amplitude_x of a state x,"
-            " or an unknown. Of a forced system by default the amplitude of each coordinate, else"
-            " the period.",
-        ),
-    ] = None,
-    frequency: Annotated[
-        Frequency | None,
-        typer.Option("--frequency", help="Frequencies in radians (as by default) or cycles."),
-    ] = None,
-    over: Annotated[
-        str | None,
-        typer.Option(
-            "--over",
-            metavar="NAME",
-            help="Over which other quantity, such as energy, in place of the parameter.",
-        ),
-    ] = None,
+    quantity: Quantity = None,
+    frequency: FrequencyIn = None,
+    over: Over = None,
     plot: Plot = None,
     save: SaveResult = None,
     resume: Resume = None,
@@ -206,7 +190,7 @@ def follow(
     )
     if not stopped:
         return code
-    return kept_of(f"{len(branch)} points are done", save, resumes=not switch)
+    return kept_of(f"{len(branch)} points are done", written.kept(save), resumes=not switch)
 
 
 def _check_picture(
@@ -324,7 +308,7 @@ def _in_the_plane(
         written.draw(lambda: locus_figure(locus), plot)
     code = written.show(lambda: locus_json(locus), lambda: show_locus(locus), as_json=as_json)
     if stopped:
-        return kept_of(f"{len(locus)} points are done", save, resumes=False)
+        return kept_of(f"{len(locus)} points are done", written.kept(save), resumes=False)
     return code
 
 

@@ -9,13 +9,12 @@ from typing import Annotated
 import typer
 
 from nonsmooth.runtime.cli.application import (
-    ANSWERED,
     NOT_MET,
     UNANSWERED,
     assignments,
 )
 from nonsmooth.runtime.cli.keeping import kept_of, worked
-from nonsmooth.runtime.cli.written import show_kept
+from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
 
 __all__ = ["Every", "count_orbits", "split_bounds"]
@@ -115,14 +114,14 @@ def count_orbits(
     values = assignments("parameter", texts)
     with steps() as begin:
         census, stopped = worked(lambda: certify_all(orbit, values, bounds, bits=bits, begin=begin))
-    if save is not None:
-        census.save(save)
-    show_kept(census.to_json, lambda: show_census(census), save, as_json=as_json)
+    written = Written()
+    written.save(census.save, save)
+    code = written.show_one(census.to_json, lambda: show_census(census), save, as_json=as_json)
     if stopped:
         boxes = f"{census.looked} boxes are looked at, {census.count} orbits found"
-        return kept_of(boxes, save, resumes=False)
-    if census.decided:
-        return ANSWERED
+        return kept_of(boxes, written.kept(save), resumes=False)
+    if code or census.decided:
+        return code
     if require is not None:
         print(
             f"nonsmooth: required: proved; found: {len(census.undecided)} boxes undecided",

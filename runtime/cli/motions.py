@@ -262,13 +262,15 @@ def find(
         as_json=as_json,
     )
     if not as_json:
-        if save is not None and found.orbits:
+        if written.kept(save) and found.orbits:
             print(f"nonsmooth solve, continue, certify, chart and plot take {save}:1 and so on")
         for name in names:
             print(f"{write}:{name}")
     if stopped:
         count = len(found.orbits) + len(found.equilibria)
-        return kept_of(f"{count} orbits and equilibria are found", save, resumes=False)
+        return kept_of(
+            f"{count} orbits and equilibria are found", written.kept(save), resumes=False
+        )
     return code
 
 
@@ -392,7 +394,7 @@ def sweep(
         written.draw(lambda: draw_sweep(diagram), out)
     code = written.show(lambda: sweep_json(diagram), lambda: show_sweep(diagram), as_json=as_json)
     if stopped:
-        return kept_of(f"{diagram.done} of {count} values are done", save)
+        return kept_of(f"{diagram.done} of {count} values are done", written.kept(save))
     return code
 
 

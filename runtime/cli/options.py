@@ -18,12 +18,16 @@ __all__ = [
     "Assignments",
     "Digits",
     "Format",
+    "Frequency",
+    "FrequencyIn",
     "Given",
     "Guess",
     "Kind",
     "OrbitName",
+    "Over",
     "Physical",
     "Plot",
+    "Quantity",
     "Require",
     "RequiredVerdict",
     "Resume",
@@ -40,6 +44,13 @@ __all__ = [
 
 
 PICTURES = (".png", ".svg", ".pdf")  # endings of files
+
+
+class Frequency(StrEnum):
+    """How frequencies are drawn."""
+
+    ANGULAR = "angular"
+    CYCLES = "cycles"
 
 
 class Format(StrEnum):
@@ -172,6 +183,28 @@ Resume = Annotated[
 ]
 Plot = Annotated[
     Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
+]
+Quantity = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--quantity",
+        metavar="NAME,...",
+        help="What is drawn of a branch: period, frequency, energy, trace, amplitude_x of a state"
+        " x, or an unknown. Of a forced system by default the amplitude of each coordinate, else"
+        " the period.",
+    ),
+]
+FrequencyIn = Annotated[
+    Frequency | None,
+    typer.Option("--frequency", help="Frequencies in radians (as by default) or cycles."),
+]
+Over = Annotated[
+    str | None,
+    typer.Option(
+        "--over",
+        metavar="NAME",
+        help="Over which other quantity, such as energy, in place of the parameter.",
+    ),
 ]
 Start = Annotated[
     list[str] | None,

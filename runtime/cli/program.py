@@ -39,10 +39,14 @@ from nonsmooth.runtime.cli.options import (
     Assignments,
     Digits,
     Format,
+    Frequency,
+    FrequencyIn,
     Given,
     Guess,
     Kind,
     OrbitName,
+    Over,
+    Quantity,
     Require,
     RequiredVerdict,
     Save,
@@ -50,7 +54,7 @@ from nonsmooth.runtime.cli.options import (
     known_orbits,
     known_systems,
 )
-from nonsmooth.runtime.cli.written import show_comparison, show_kept
+from nonsmooth.runtime.cli.written import Written, show_comparison
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 
 __all__ = ["app", "main"]
@@ -214,6 +218,7 @@ def verify(
     "nonsmooth plot motion.npz --kind strip\n\n"
     "nonsmooth plot found.json:2\n\n"
     "nonsmooth plot F.zarr --out F.png\n\n"
+    "nonsmooth plot branch.json --quantity amplitude_x,period\n\n"
     "nonsmooth plot orbit.json --kind time --periods 2 --out time.pdf"
 )
 @answering
@@ -232,6 +237,9 @@ def plot(
         int,
         typer.Option("--periods", metavar="N", help="How many of an orbit to draw against time."),
     ] = 1,
+    quantity: Quantity = None,
+    frequency: FrequencyIn = None,
+    over: Over = None,
     out: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="A PNG, SVG or PDF; FILE.png by default."),
@@ -241,7 +249,7 @@ def plot(
     """Draw saved orbits, motions or charts: histories, phase portraits, maps, multipliers."""
     from nonsmooth.runtime.core.files import check_target
     from nonsmooth.runtime.present.pictures.plot import save_figure
-    from nonsmooth.runtime.present.pictures.saved_files import figure_of
+    from nonsmooth.runtime.present.pictures.saved_files import BranchView, figure_of
 
     if not file.name:
         raise InputError(f"{file} is no saved file")
@@ -250,7 +258,9 @@ def plot(
     if os.path.realpath(target) == os.path.realpath(file):
         raise InputError(f"cannot write {target}: it is the saved file")
     check_target(target)
-    drawn, figure = figure_of(file, kind.value, periods)
+    of_branch = BranchView(tuple(split(quantity)), over, (frequency or Frequency.ANGULAR).value)
+    given = quantity or frequency or over
+    drawn, figure = figure_of(file, kind.value, periods, of_branch if given else None)
     save_figure(figure, target)
     if as_json:
         print_json({**drawn, "kind": kind.value, "file": str(target)})
@@ -372,16 +382,16 @@ def _report(
     told = orbit_json(orbit, digits)
     for parameter, value in assigned.items():  # also those that others stand for
         told["parameters"][parameter] = decimal_string(value.mpf(digits + 5), digits)
-    if save is not None:
-        orbit.save(save)
+    written = Written()
+    written.save(orbit.save, save)
 
     def show() -> None:
         from nonsmooth.runtime.cli.display import show_report
 
         show_report(orbit, told, assigned, trace_first=trace_first)
 
-    show_kept(lambda: told, show, save, as_json=as_json)
-    return _judged(told, require or [])
+    code = written.show_one(lambda: told, show, save, as_json=as_json)
+    return code or _judged(told, require or [])
 
 
 def _judged(told: Mapping[str, Any], require: Iterable[RequiredVerdict]) -> int:

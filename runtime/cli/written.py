@@ -13,19 +13,19 @@ from nonsmooth.runtime.cli.application import (
     print_json,
 )
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, heeding, say
-from nonsmooth.runtime.core.errors import NonsmoothError
+from nonsmooth.runtime.core.errors import InputError, NonsmoothError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Written", "show_comparison", "show_kept"]
+__all__ = ["Written", "show_comparison"]
 
 
 class Written:
     """The files that a command writes, which its answer names.
 
-    A picture that cannot be drawn is told of when all that was computed has been shown; so is
-    one that Ctrl-C ended.
+    A file that cannot be written and a picture that cannot be drawn are told of when all that
+    was computed has been shown; so is a picture that Ctrl-C ended.
 
     Attributes
     ----------
@@ -35,6 +35,7 @@ class Written:
 
     def __init__(self) -> None:
         self.files: list[str] = []
+        self._unsaved: InputError | None = None
         self._problem: NonsmoothError | KeyboardInterrupt | None = None
 
     def save(self, save: Callable[[Path], object], path: Path | None) -> None:
@@ -47,9 +48,28 @@ class Written:
         path : Path or None
             The file that was asked for.
         """
-        if path is not None:
+        if path is None:
+            return
+        try:
             save(path)
+        except InputError as problem:
+            self._unsaved = problem
+        else:
             self.files.append(str(path))
+
+    def kept(self, path: Path | None) -> Path | None:
+        """The file of a result, if it could be written.
+
+        Parameters
+        ----------
+        path : Path or None
+            The file that was asked for.
+
+        Returns
+        -------
+        Path or None
+        """
+        return path if str(path) in self.files else None
 
     def draw(self, figure: Callable[[], Figure], path: Path) -> None:
         """Draw a picture, if it can be drawn.
@@ -96,41 +116,53 @@ class Written:
             show()
             for path in self.files:
                 print(f"{path} written")
-        if self._problem is None:
-            return ANSWERED
+        return self._ended()
+
+    def _ended(self) -> int:
+        """Say what could not be written; gives the exit code."""
+        if self._unsaved is not None:
+            say(f"error: not saved: {self._unsaved}")
         if isinstance(self._problem, KeyboardInterrupt):
             say("interrupted: no picture is drawn")
             return INTERRUPTED
-        say(f"error: no picture: {self._problem}")
-        return WRONG_INPUT
+        if self._problem is not None:
+            say(f"error: no picture: {self._problem}")
+        return ANSWERED if self._problem is None and self._unsaved is None else WRONG_INPUT
 
+    def show_one(
+        self,
+        told: Callable[[], Mapping[str, Any]],
+        show: Callable[[], None],
+        path: Path | None,
+        *,
+        as_json: bool,
+    ) -> int:
+        """Show an answer and the one file that it is kept in, as JSON or for people.
 
-def show_kept(
-    told: Callable[[], Mapping[str, Any]],
-    show: Callable[[], None],
-    save: Path | None,
-    *,
-    as_json: bool,
-) -> None:
-    """Show an answer and the one file that it is kept in, as JSON or for people.
+        Parameters
+        ----------
+        told : callable
+            Gives the answer, ready for JSON.
+        show : callable
+            Shows the answer to people.
+        path : Path or None
+            The file that was asked for.
+        as_json : bool
+            Whether the answer is JSON.
 
-    Parameters
-    ----------
-    told : callable
-        Gives the answer, ready for JSON.
-    show : callable
-        Shows the answer to people.
-    save : Path or None
-        The file that the answer is kept in.
-    as_json : bool
-        Whether the answer is JSON.
-    """
-    if as_json:
-        print_json(told() if save is None else {**told(), "file": str(save)})
-        return
-    show()
-    if save is not None:
-        print(f"\n{save} written")
+        Returns
+        -------
+        int
+            The exit code: 2 if the file could not be written.
+        """
+        kept = self.kept(path)
+        if as_json:
+            print_json(told() if kept is None else {**told(), "file": str(kept)})
+        else:
+            show()
+            if kept is not None:
+                print(f"\n{kept} written")
+        return self._ended()
 
 
 def show_comparison(

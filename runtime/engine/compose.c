@@ -11,6 +11,7 @@
 /* The numbers of nonsmooth.runtime.shooting.table_newton. */
 static const double TOLERANCE = 1e-9; /* of the last step, which Newton's method squares */
 static const double MOST_RESIDUAL = 1e-9;
+static const double NOTHING = 1e-18; /* of the largest state: rounding of rounding is smaller */
 static const double SHORTEST = 1e-6; /* in units of the period: on the way to no time at all */
 enum { MOST_ITERATIONS = 32 };
 
@@ -275,9 +276,12 @@ INLINED void pass(ptrdiff_t n, const cycle *c, const point *at, const double *dw
         result->relative = larger(result->relative, scale > 0.0 ? fabs(gap) / scale : 0.0);
         apply(n, w, at->resets + c->reset[i] * n * columns, ends, block);
     }
+    double largest = 0.0;
+    for (ptrdiff_t j = 0; j < n; ++j)
+        largest = larger(largest, result->size[j]);
     for (ptrdiff_t j = 0; j < n; ++j) {
-        if (result->size[j] == 0.0)
-            result->size[j] = 1.0;
+        /* a state that decays to zero by itself has no size of its own */
+        result->size[j] = largest == 0.0 ? 1.0 : larger(result->size[j], NOTHING * largest);
         const double gap = fabs(block[j * w + n + 1] - starts[j]);
         sum_of_all += gap;
         result->residual = larger(result->residual, gap);

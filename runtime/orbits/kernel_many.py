@@ -173,7 +173,7 @@ class _Results:
             parameters,
             _named(kernels.unknowns, self.unknowns, shape),
             self.trace.reshape(shape),
-            self.period.reshape(shape)[()],
+            self.period.reshape(shape),
             self.residual.reshape(shape),
             self.iterations.reshape(shape),
             self.status.reshape(shape),

@@ -92,7 +92,8 @@ class Orbits(Shown):
             return self
         with np.errstate(invalid="ignore"):  # bounds are NaN where nothing is admissible
             allowed = [values > self.bounds[name] for name, values in opened.items()]
-        return replace(self, admissible=np.logical_and.reduce([self.admissible, *allowed]))
+        together = np.logical_and.reduce([self.admissible, *allowed])
+        return replace(self, admissible=np.asarray(together))  # of one point too
 
     @property
     def dwell_times(self) -> np.ndarray:

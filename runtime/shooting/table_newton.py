@@ -45,6 +45,7 @@ __all__ = [
 
 # the compiled solver's numbers
 MOST_RESIDUAL = 1e-9  # in units of the terms that cancel
+NOTHING = 1e-18  # of the largest state: rounding of rounding is smaller
 SHORTEST = 1e-6  # in units of the period: a dwell time on its way to zero
 
 _MESSAGES = {
@@ -227,12 +228,14 @@ def sizes(now: Shooting, dwell: Any) -> Any:
     Returns
     -------
     array (..., N)
-        1 for a state that stays zero.
+        A state that decays to zero by itself has no size of its own: none is smaller than
+        `NOTHING` times the largest, and 1 if all are zero.
     """
     waits = np.moveaxis(np.asarray(dwell), -1, 0)[..., None]
     found = np.concatenate([np.abs(now.starts), np.abs(now.ends), np.abs(now.velocities * waits)])
-    largest = found.max(axis=0)
-    return np.where(largest == 0, 1, largest)
+    own = found.max(axis=0)
+    largest = own.max(axis=-1, keepdims=True)
+    return np.where(largest == 0, 1, np.maximum(own, NOTHING * largest))
 
 
 def _residuals(

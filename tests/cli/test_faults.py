@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import shlex
@@ -140,6 +141,41 @@ def test_a_lost_scheduler_leaves_nothing(place: Path) -> None:
     assert (code, out) == (2, "")
     assert "no Dask scheduler answers at nowhere" in err
     assert sorted(os.listdir(place)) == before
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        *(WRITERS[name, "--save"] for name in ("solve", "certify", "continue", "simulate")),
+        *(WRITERS[name, "--save"] for name in ("find", "sweep")),
+        f"certify {ORBIT} us1=1 us2=1 --save TARGET",
+        f"certify {ORBIT} V=0.99:1.01 --events --save TARGET",
+        f"certify {ORBIT} --all tau=1.99:2.01 tau1=1.56:1.57 --save TARGET",
+    ],
+    ids=lambda command: command.partition(" --save")[0],
+)
+def test_a_full_disk_does_not_lose_the_answer(
+    command: str, place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fill(_: int) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    asked = shlex.split(command.replace("TARGET", "target"))
+    before = sorted(os.listdir(place))
+    monkeypatch.setattr(os, "fsync", fill)
+    code, out, err = run(*asked, "--json")
+    assert code == 2
+    assert json.loads(out).get("files", []) == []
+    assert "file" not in json.loads(out)
+    last = err.splitlines()[-1]
+    assert last.startswith("nonsmooth: error: not saved: cannot write target"), err
+    assert last.endswith("no space left on device")
+    assert sorted(os.listdir(place)) == before
+    code, out, err = run(*asked)
+    assert code == 2
+    assert out.strip()
+    assert "written" not in out
+    assert "not saved" in err
 
 
 @pytest.mark.slow

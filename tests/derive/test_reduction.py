@@ -172,6 +172,9 @@ def test_directions_of_the_whole_structure_carry_over():
         ({"mass": np.ones((3, 3))}, "mass is not positive definite"),
         ({"mass": np.eye(3)[::-1]}, "mass is not positive definite"),
         ({"keep": [], "modes": 0}, "the reduction keeps nothing: no coordinate and no mode"),
+        ({"keep": 0}, "keep is 0, not a row of places or names of coordinates"),
+        ({"keep": None}, "keep is None, not a row of places or names of coordinates"),
+        ({"keep": "x1"}, "keep is 'x1', not a row of places or names of coordinates"),
         ({"keep": ["z"]}, "keep: unknown coordinate 'z'"),
         ({"keep": [3]}, "keep: there is no coordinate 3 of 3"),
         ({"keep": [-1]}, "keep: there is no coordinate -1 of 3"),
@@ -225,6 +228,10 @@ def test_files_of_matrices(tmp_path):
         np.testing.assert_allclose(dense, wanted, rtol=1e-15)
     assert sorted(read_matrices(tmp_path / "model.mat")) == ["K", "M"]
     assert sorted(read_matrices(tmp_path / "model.npz")) == ["K", "M"]
+    np.savez(tmp_path / "complex.npz", M=np.eye(2), K=(1 + 0.1j) * np.eye(2))
+    damped = read_matrices(tmp_path / "complex.npz")
+    with pytest.raises(DeclarationError, match="stiffness is complex"):
+        reduce_structure(damped["M"], damped["K"], keep=[0], modes=1)
 
 
 def test_bad_files_are_one_line(tmp_path):

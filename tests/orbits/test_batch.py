@@ -434,3 +434,29 @@ def test_wrong_input_is_named_on_one_line(given, named):
 def test_an_unknown_orbit_is_named():
     with pytest.raises(InputError, match="did you mean 'dry-friction/global-stick'"):
         solve_many("dry-friction/global-slick")
+
+
+def test_one_point_gives_arrays_of_no_dimension_whoever_answers() -> None:
+    found = solve_many("dry-friction/global-stick", eta=0.98, us1=1.0, us2=1.0)
+    phases = [
+        ("stick-stick", "first-breaks-forward"),
+        ("slip-stick", "second-breaks-forward"),
+        ("slip-slip", "first-reaches-belt"),
+        ("stick-slip", "second-reaches-belt"),
+    ]
+    data = {
+        "chi": "0.5",
+        "eta": "0.98",
+        "V": 1,
+        "us1": 1,
+        "us2": 1,
+        "ur1": "4.0195",
+        "ur2": "1.4831",
+    }
+    composed = solve_many("dry-friction", data, found.dwell_times, itinerary=phases)
+    for name in ("period", "admissible", "trace", "residual", "iterations", "status"):
+        for one in (found, composed):
+            value = getattr(one, name)
+            assert isinstance(value, np.ndarray), name
+            assert value.shape == (), name
+    assert composed.period == pytest.approx(float(found.period), rel=1e-12)

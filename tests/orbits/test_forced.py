@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, System, oscillator
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import kernels_of, load_system
 from nonsmooth.runtime.model.structure import structure_of
@@ -154,3 +154,34 @@ def test_the_start_of_an_orbit_is_one_of_a_motion() -> None:
         np.testing.assert_allclose(np.diff(motion.times), np.pi, rtol=1e-12)
     with pytest.raises(InputError, match="beyond stop-reaches-stop"):
         ns.simulate(impact(), DATA, [1e-9, *orbit.states[0, 1:]], transitions=3)
+
+
+@pytest.mark.parametrize("backend", ["", "numpy"])
+def test_a_mass_that_nothing_moves_does_not_hide_the_orbit(
+    monkeypatch: pytest.MonkeyPatch, backend: str
+) -> None:
+    """Its state goes to zero by itself: it has no size that a step could be compared with."""
+    monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+
+    def stop(coordinates: list[str]) -> System:
+        still = len(coordinates) - 1
+        return oscillator(
+            f"masses-{len(coordinates)}",
+            coordinates,
+            np.diag([1] * (1 + still)).tolist(),
+            np.diag([1] + [5] * still).tolist(),
+            np.diag([0.1] + [1] * still).tolist(),
+            forcing=[Harmonic("1.3", cosine={coordinates[0]: "0.3"})],
+            elements=[SoftStop(coordinates[0], at=1, stiffness=15, name="stop")],
+        )
+
+    begin = {"x1": -2, "v1": 2}
+    alone = ns.simulate(stop(["x1"]), {}, begin, until=600)
+    both = ns.simulate(stop(["x1", "x2"]), {}, begin | {"x2": 1, "v2": 0}, until=600)
+    one = ns.solve(stop(["x1"]), {}, itinerary=ns.itinerary_of(alone))
+    two = ns.solve(stop(["x1", "x2"]), {}, itinerary=ns.itinerary_of(both))
+    np.testing.assert_allclose(two.dwell_times, one.dwell_times, rtol=1e-12)
+    np.testing.assert_allclose(two.states[:, [1, 3]], 0, atol=1e-20)
+    decay = np.exp(-two.period / 2)
+    assert np.sort(np.abs(two.multipliers))[:2] == pytest.approx(decay, rel=1e-9)
+    assert str(ns.refine(two, 40).period)[:12] == str(one.period)[:12]

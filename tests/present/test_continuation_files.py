@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 
 import nonsmooth
 from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.present.pictures.saved_files import BranchView, figure_of
 
 STICK = "dry-friction/global-stick"
 
@@ -142,6 +143,35 @@ def test_command(tmp_path: Path) -> None:
     code, _, err = run("plot", str(saved), "--kind", "phase")
     assert code != 0
     assert "a branch has one kind of picture" in err
+
+
+def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("matplotlib")
+    monkeypatch.chdir(tmp_path)
+    branch().save("branch.json")
+    nonsmooth.solve(STICK).save("orbit.json")
+    view = BranchView(("ta", "frequency"), "trace", "cycles")
+    drawn, figure = figure_of(Path("branch.json"), "all", 1, view)
+    assert drawn == {"orbit": STICK}
+    upper, lower = figure.axes
+    shown = {tuple(line.get_ydata()) for line in lower.lines}
+    cycles = 1 / branch().period
+    assert any(np.isin(values, cycles).all() for values in map(np.array, shown) if len(values))
+    assert "trace" in lower.get_xlabel()
+    assert "t_{a}" in upper.get_ylabel()
+    wanted = ("--quantity", "ta,frequency", "--over", "trace", "--frequency", "cycles")
+    assert run("plot", "branch.json", *wanted, "--out", "asked.svg")[0] == 0
+    assert Path("asked.svg").read_text() != ""
+    for command, told in (
+        ("branch.json --quantity nonsense", "unknown quantity 'nonsense'"),
+        ("branch.json --over nonsense", "unknown quantity 'nonsense'"),
+        ("orbit.json --quantity ta", "quantities are drawn of branches, and orbit.json is none"),
+        ("absent.json --quantity ta", "there is no file absent.json"),
+        ("absent.json:2 --over ta", "quantities are drawn of branches"),
+    ):
+        code, _, err = run("plot", *command.split(), "--out", "never.png")
+        assert (code, told in err) == (2, True), err
+        assert not Path("never.png").exists()
 
 
 def test_command_as_json() -> None:

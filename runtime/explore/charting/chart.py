@@ -16,6 +16,11 @@ from nonsmooth.runtime.core.errors import InputError, NonsmoothError
 from nonsmooth.runtime.core.files import check_folder, folder_made
 from nonsmooth.runtime.core.workload import BYTES, check_memory
 from nonsmooth.runtime.explore.charting.attractors import attractor_problem, held_attractor_problem
+from nonsmooth.runtime.explore.charting.basins import (
+    basin_problem,
+    held_basin_problem,
+    is_found,
+)
 from nonsmooth.runtime.explore.charting.cluster import connected, run_cluster
 from nonsmooth.runtime.explore.charting.grid import Axis, Grid, axis_of, chunk_shape
 from nonsmooth.runtime.explore.charting.lock import locked
@@ -54,6 +59,11 @@ MOST_THREADS = 1024
 LARGEST_IN_MEMORY = 1 << 24  # points
 
 Progress = Callable[[int, int], None]
+_HELD: dict[str, Callable[..., ChartProblem]] = {
+    "orbit": held_orbit_chart,
+    "attractors": held_attractor_problem,
+    "basins": held_basin_problem,
+}
 
 
 @dataclass(frozen=True)
@@ -104,8 +114,9 @@ def chart(
     Parameters
     ----------
     orbit : str
-        As for `solve_many`; with `simulate` the name of a system. The folder F.zarr of a chart
-        that is begun, alone, goes on with it: it holds its orbit, and no other file is read.
+        As for `solve_many`; with `simulate` the name of a system. A file of found orbits,
+        ``found.json``: their basins over states. The folder F.zarr of a chart that is begun,
+        alone, goes on with it: it holds its orbit, and no other file is read.
     store : path, optional
         A folder F.zarr, begun or gone on with; memory does not grow with the number of
         points. None keeps the chart in memory.
@@ -113,7 +124,8 @@ def chart(
         Where motions settle instead: how many transitions and what time the periodic motion
         takes that is reached from `start`.
     start : mapping of state to number, or sequence
-        Of these motions.
+        Of these motions; of basins the states that are not swept, 0 and the phase 0 of a
+        forcing where they are not named.
     transitions : int
         After which they are looked at.
     scheduler : str, optional
@@ -128,14 +140,15 @@ def chart(
     **parameters : array_like or number
         Rows of values become the dimensions, in their order; numbers are fixed; absent ones
         take the reference point's values. Parameters that the orbit leaves open (us1) may be
-        given too: admissibility is then judged for them.
+        given too: admissibility is then judged for them. Rows of states for basins.
 
     Returns
     -------
     xarray.Dataset
         `status`, `admissible`, `limit` (what fails first), `trace`, `margin` (positive:
         stable), `period`, the unknowns, and what open parameters have to exceed; their
-        attributes say what numbers mean. Read when it is used, if there is a store.
+        attributes say what numbers mean. Of basins the `attractor`, counted from 1. Read when
+        it is used, if there is a store.
 
     Raises
     ------
@@ -254,7 +267,7 @@ def chart_problem(
     Parameters
     ----------
     name : str
-        Of an orbit; of a system where it is to be simulated.
+        Of an orbit; of a system where it is to be simulated; of a file of found orbits.
     parameters : mapping of str to number, array or Axis
         Arrays and axes are swept.
     simulate : bool
@@ -279,7 +292,11 @@ def chart_problem(
     axes = tuple(axis_of(n, v) for n, v in swept.items())
     fixed = {n: v for n, v in parameters.items() if n not in swept}
     problem: ChartProblem
-    if simulate:
+    if is_found(name):
+        if simulate:
+            raise InputError(f"basins are simulated anyway: {name} is charted without --simulate")
+        problem = basin_problem(name, fixed, list(swept), start)
+    elif simulate:
         if start is None:
             raise InputError("the start of the motions is missing")
         problem = attractor_problem(name, fixed, list(swept), start, transitions)
@@ -312,10 +329,9 @@ def begun_problem(path: Path) -> tuple[ChartProblem, tuple[Axis, ...]]:
         If it is no chart, damaged or edited, or its kernels were compiled elsewhere.
     """
     identity, held = read_identity(path)
-    make = held_orbit_chart if identity.get("kind") == "orbit" else held_attractor_problem
     problem: ChartProblem
     try:
-        problem = make(identity, held)
+        problem = _HELD[identity["kind"]](identity, held)
         here = problem.identity()["kernels"]
     except InputError as failure:
         raise InputError(f"{path}: {failure}") from None

@@ -1,4 +1,4 @@
-"""The parts of a chart for people: stable, unstable, what fails, none found; or attractors."""
+"""The parts of a chart for people: stable, unstable, what fails, none found; attractors; basins."""
 
 from __future__ import annotations
 
@@ -70,7 +70,8 @@ def parts_of(chart: Dataset) -> list[Part]:
         If the Dataset is no chart.
     """
     kind = _identity(chart).get("kind")
-    found = list(_motions(chart) if kind == "attractors" else _orbits(chart))
+    cut = {"attractors": _motions, "basins": _basins}.get(str(kind), _orbits)
+    found = list(cut(chart))
     missing = np.asarray(chart.status.values == MISSING)
     return [*found, Part("missing", "not computed yet", missing)]
 
@@ -85,7 +86,7 @@ def counts_of(chart: Dataset) -> dict[str, int]:
     Returns
     -------
     dict of str to int
-        By the kinds of the parts.
+        By the kinds of the parts; of basins by their names.
 
     Raises
     ------
@@ -93,6 +94,7 @@ def counts_of(chart: Dataset) -> dict[str, int]:
         If the Dataset is no chart.
     """
     counts: dict[str, int] = {}
+    by_name = _identity(chart).get("kind") == "basins"
     steps = [max(1, n) for n in chart.sizes.values()]
     while np.prod(steps, dtype=float) > _BLOCK:
         steps[int(np.argmax(steps))] = -(-max(steps) // 2)
@@ -100,7 +102,8 @@ def counts_of(chart: Dataset) -> dict[str, int]:
     for begin in product(*ranges):
         here = {name: slice(b, b + s) for name, b, s in zip(chart.sizes, begin, steps, strict=True)}
         for part in parts_of(chart.isel(here)):
-            counts[part.kind] = counts.get(part.kind, 0) + int(part.where.sum())
+            key = part.name if by_name else part.kind
+            counts[key] = counts.get(key, 0) + int(part.where.sum())
     return counts
 
 
@@ -166,6 +169,17 @@ def _motions(chart: Dataset) -> Iterator[Part]:
         kind = "none" if number == Outcome.ILLEGAL else "rest" if number in rest else "other"
         kind = "periodic" if number == UNINTERRUPTED else kind
         yield Part(kind, text, outcomes == number)
+
+
+def _basins(chart: Dataset) -> Iterator[Part]:
+    attractors, names = chart.attractor.values, _meanings(chart.attractor.attrs)
+    for number, text in sorted((int(n), text) for n, text in names.items()):
+        kind = "none" if number == Outcome.ILLEGAL else "other"
+        if number == Outcome.RESTING or text.startswith("equilibrium"):
+            kind = "rest"
+        elif number > 0:
+            kind = "periodic"
+        yield Part(kind, text, attractors == number)
 
 
 def _most_frequent(numbers: np.ndarray) -> list[int]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,7 +16,14 @@ from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import start_state
 
-__all__ = ["Basins", "basins", "plane_of_starts"]
+__all__ = [
+    "Basins",
+    "attractors_found",
+    "basins",
+    "labels_of_starts",
+    "other_states",
+    "plane_of_starts",
+]
 
 _FIRST_LOOK = 60  # transitions, about
 _KEPT = 65  # entries at the end of a motion that is classified
@@ -65,7 +72,7 @@ def basins(
     found : Found
     x, y : (state, lower, upper, count)
     start : mapping of state to number, optional
-        The other states; 0 for those that are not named.
+        The other states; 0 for those that are not named, the phase 0 of a forcing.
     threads : int, optional
         As many as processors when omitted.
     progress : callable
@@ -93,7 +100,7 @@ def basins(
     """
     kernels = load_system(found.system)
     axes, base = plane_of_starts(kernels, x, y, start)
-    attractors = _attractors(found, kernels)
+    attractors = attractors_found(found, kernels)
     labels = np.full((axes[1].size, axes[0].size), int(Outcome.UNCLASSIFIED))
     plane = Basins(found, x[0], y[0], axes[0], axes[1], labels, base)
     rows = max(1, 20_000 // axes[0].size)
@@ -103,7 +110,8 @@ def basins(
             starts = np.broadcast_to(base, (len(axes[1][here]), axes[0].size, base.size)).copy()
             starts[..., found.names.index(x[0])] = axes[0]
             starts[..., found.names.index(y[0])] = axes[1][here, None]
-            arrived = _arrivals(found, attractors, starts.reshape(-1, base.size), threads)
+            flat = starts.reshape(-1, base.size)
+            arrived = labels_of_starts(kernels, found, attractors, flat, threads)
             labels[here] = arrived.reshape(-1, axes[0].size)
             progress(min(low_row + rows, axes[1].size))
     except KeyboardInterrupt:
@@ -125,7 +133,7 @@ def plane_of_starts(
     x : (state, lower, upper, count)
     y : (state, lower, upper, count)
     start : mapping of str to number, optional
-        The other states; 0 for those that are not named.
+        The other states; 0 for those that are not named, the phase 0 of a forcing.
 
     Returns
     -------
@@ -147,22 +155,81 @@ def plane_of_starts(
         raise InputError(f"both axes are {x[0]}")
     if axes[0].size * axes[1].size > _LARGEST_PLANE:
         raise InputError(f"more than {_LARGEST_PLANE} starts")
-    others: dict[str, object] = {name: 0 for name in structure.states} | dict(start or {})
-    return axes, start_state(structure, others)
+    return axes, other_states(kernels, start)
 
 
-def _attractors(found: Found, kernels: SystemKernels) -> Attractors:
-    """What was found, in the order of its labels."""
+def other_states(
+    kernels: SystemKernels, start: Mapping[str, object] | Sequence[object] | None
+) -> np.ndarray:
+    """The state that holds what a plane of starts does not sweep.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    start : mapping of str to number, or sequence, or None
+        0 for states that are not named, the phase 0 of a forcing.
+
+    Returns
+    -------
+    array (N,)
+
+    Raises
+    ------
+    InputError
+        For wrong names or numbers.
+    """
+    structure = structure_of(kernels)
+    if start is not None and not isinstance(start, Mapping):
+        return start_state(structure, start)
+    turning = {place for pair in structure.forcing for place in pair}
+    zero = {name: 0 for k, name in enumerate(structure.states) if k not in turning}
+    return start_state(structure, zero | dict(start or {}))
+
+
+def attractors_found(found: Found, kernels: SystemKernels) -> Attractors:
+    """What was found, in the order of its labels.
+
+    Parameters
+    ----------
+    found : Found
+    kernels : SystemKernels
+        Of its system.
+
+    Returns
+    -------
+    Attractors
+    """
     point = piecewise(kernels, found.parameters)
     orbits = tuple(entry.orbit for entry in found.orbits)
     equilibria = tuple(entry.equilibrium for entry in found.equilibria)
     return replace(attractors_of(kernels, point, ()), orbits=orbits, equilibria=equilibria)
 
 
-def _arrivals(
-    found: Found, attractors: Attractors, starts: np.ndarray, threads: int | None
+def labels_of_starts(
+    kernels: SystemKernels,
+    found: Found,
+    attractors: Attractors,
+    starts: np.ndarray,
+    threads: int | None = None,
 ) -> np.ndarray:
-    """Labels of starts: followed four times longer as long as they are not classified."""
+    """Labels of starts: followed four times longer as long as they are not classified.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+        Of the system.
+    found : Found
+    attractors : Attractors
+        As `attractors_found` gives them.
+    starts : array (n, N)
+    threads : int, optional
+        As many as processors when omitted.
+
+    Returns
+    -------
+    array (n,) of int
+        As `Found.labels`.
+    """
     values = {name: float(value) for name, value in found.parameters.items()}
     labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
     length = found.transitions
@@ -175,7 +242,7 @@ def _arrivals(
         if not open_.size:
             break
         motions = simulate_many(
-            found.system, values, starts[open_], transitions=length, keep=_KEPT, threads=threads
+            kernels, values, starts[open_], transitions=length, keep=_KEPT, threads=threads
         )
         labels[open_] = attractors.labels(motions)
         if length == found.transitions:

@@ -2,27 +2,28 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, Integers, Table, encode
+from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, Integers, Table, decode, encode
 from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.steady import equilibria
 from nonsmooth.runtime.model.completion import system_parameters
-from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.model.kernels import SystemKernels, known_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 
-__all__ = ["FOUND", "found_json", "load_found", "save_found"]
+__all__ = ["FOUND", "found_held", "found_json", "held_found", "load_found", "save_found"]
 
 _DIGITS_KEPT = 1e-9  # relative change of a dwell time that solving again may make
 
@@ -182,7 +183,55 @@ def load_found(path: str | os.PathLike[str]) -> Found:
     1
     """
     with naming(path) as file:
-        return _found(FOUND.read(file))
+        entries = FOUND.read(file)
+        return _found(entries, system_in(entries.system, entries.tables))
+
+
+def held_found(path: str | os.PathLike[str]) -> str:
+    """What a file of found orbits says of attractors, as text that a store holds.
+
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+
+    Returns
+    -------
+    str
+        JSON, with no more than the first of the starts.
+
+    Raises
+    ------
+    InputError
+        As `load_found`.
+    """
+    with naming(path) as file:
+        entries = FOUND.read(file)
+        found = _found(entries, system_in(entries.system, entries.tables))
+        first = replace(found, starts=found.starts[:1], labels=found.labels[:1])
+        return json.dumps(encode(_entries(first)))
+
+
+def found_held(text: str) -> tuple[SystemKernels, Found]:
+    """The system and what was found of it, of a text.
+
+    Parameters
+    ----------
+    text : str
+        As `held_found` gives it.
+
+    Returns
+    -------
+    tuple of SystemKernels, Found
+
+    Raises
+    ------
+    InputError
+        If the data are not in order; the message is one line.
+    """
+    entries = decode(FoundEntries, json.loads(text))
+    kernels = system_in(entries.system, entries.tables)
+    return kernels, _found(entries, kernels)
 
 
 def _summary(found: Found) -> FoundSummary:
@@ -272,8 +321,7 @@ def _mirror_of(mirror: int | None, place: int, before: int) -> int | None:
     return None if mirror in (None, place) else mirror + before + 1
 
 
-def _found(entries: FoundEntries) -> Found:
-    kernels = system_in(entries.system, entries.tables)
+def _found(entries: FoundEntries, kernels: SystemKernels) -> Found:
     parameters = system_parameters(kernels, entries.parameters)
     orbits: list[FoundOrbit] = []
     for entry in entries.orbits:

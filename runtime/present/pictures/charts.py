@@ -160,7 +160,7 @@ def _label(axes: Axes, x: np.ndarray, y: np.ndarray, part: Part, color: str) -> 
         return
     name = part.name.partition(": ")[0]
     if part.kind == "periodic":
-        name = name.partition(" transitions")[0]
+        name = name.partition(" transitions")[0].partition(",")[0]
     dark = sum(int(color[k : k + 2], 16) for k in (1, 3, 5)) < 384
     ink, halo = ("white", "black") if dark else ("black", "white")
     place: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": "small", "color": ink}
@@ -177,7 +177,7 @@ def _label(axes: Axes, x: np.ndarray, y: np.ndarray, part: Part, color: str) -> 
 def _draw_line(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) -> None:
     (name,) = map(str, chart.sizes)
     x = chart[name].values
-    shown = "trace" if "trace" in chart else "period"
+    shown = next(name for name in ("trace", "period", "attractor") if name in chart)
     y = chart[shown].values
     for part, color in zip(parts, colors, strict=True):
         edge = color if color != "#FFFFFF" else "0.2"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import format_in
@@ -13,12 +13,29 @@ from nonsmooth.runtime.model.kernels import is_saved
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["figure_of"]
+__all__ = ["BranchView", "figure_of"]
+
+_BRANCH = "nonsmooth branch"
 
 Drawn = tuple[dict[str, str], "Figure"]  # what was drawn: the name of the orbit or the system
 
 
-def figure_of(path: Path, kind: str, periods: int) -> Drawn:
+class BranchView(NamedTuple):
+    """What is drawn of a branch, as `branch_figure` takes it.
+
+    Attributes
+    ----------
+    quantities : tuple of str
+    over : str or None
+    frequency : {"angular", "cycles"}
+    """
+
+    quantities: tuple[str, ...]
+    over: str | None
+    frequency: str
+
+
+def figure_of(path: Path, kind: str, periods: int, view: BranchView | None = None) -> Drawn:
     """Read a file and draw what is in it.
 
     Parameters
@@ -31,6 +48,8 @@ def figure_of(path: Path, kind: str, periods: int) -> Drawn:
         and what is drawn in one way only "all".
     periods : int
         How many periods of an orbit to draw against time.
+    view : BranchView, optional
+        What is drawn of a branch; for what is usual, and for other files, None.
 
     Returns
     -------
@@ -41,8 +60,13 @@ def figure_of(path: Path, kind: str, periods: int) -> Drawn:
     Raises
     ------
     InputError
-        If the file cannot be read or is cut, edited or foreign, or for a kind that it has not.
+        If the file cannot be read or is cut, edited or foreign, or for a kind or a quantity that
+        it has not.
     """
+    if view is not None and (path.exists() or ":" in path.name):
+        if path.is_dir() or format_in(path) != _BRANCH:
+            raise InputError(f"quantities are drawn of branches, and {path} is none")
+        return _in_one_way("a branch", kind, lambda file: _branch(file, *view), path)
     if path.is_dir():
         return _in_one_way("a chart", kind, _chart, path)
     if path.suffix.lower() in (".npz", ".csv"):
@@ -85,12 +109,12 @@ def _chart(path: Path) -> Drawn:
         return {"chart": title_of(chart)}, chart_figure(chart)
 
 
-def _branch(path: Path) -> Drawn:
+def _branch(path: Path, *view: Any) -> Drawn:
     from nonsmooth.runtime.present.files.branches import load_branch
     from nonsmooth.runtime.present.pictures.branches import branch_figure
 
     branch = load_branch(path)
-    return {"orbit": branch.name}, branch_figure(branch)
+    return {"orbit": branch.name}, branch_figure(branch, *view)
 
 
 def _locus(path: Path) -> Drawn:
@@ -118,7 +142,7 @@ def _sweep(path: Path) -> Drawn:
 
 
 _IN_ONE_WAY: dict[str | None, tuple[str, Callable[[Path], Drawn]]] = {
-    "nonsmooth branch": ("a branch", _branch),
+    _BRANCH: ("a branch", _branch),
     "nonsmooth locus": ("a curve of events", _locus),
     "nonsmooth box certificate": ("a proven map", _proven_map),
     "nonsmooth sweep": ("a sweep", _sweep),

@@ -1,0 +1,137 @@
+"""Basins as charts: the labels of planes in memory, whatever the chunks, and resumed."""
+
+import os
+import signal
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, SoftStop, System, oscillator
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.charting.chart import begun_problem, work_on
+from nonsmooth.runtime.explore.charting.classes import counts_of
+from nonsmooth.runtime.explore.finding.basins import basins
+from nonsmooth.runtime.present.pictures.charts import chart_figure
+from tests.explore.test_chart_cluster import contents
+
+STARTS: dict[str, Any] = {"x1": np.linspace(-1.5, 1.5, 11), "v1": np.linspace(-1, 1, 7)}
+DATA = {"Omega": "1.3", "F": "0.3"}
+
+
+def two_attractors() -> System:
+    """Two forced masses behind a gap: with and without contact."""
+    Omega, F = sp.symbols("Omega F")
+    return oscillator(
+        "two-attractors",
+        ["x1", "x2"],
+        [[1, 0], [0, 1]],
+        [[1, 0], [0, 5]],
+        [["0.1", 0], [0, 1]],
+        forcing=[Harmonic(Omega, cosine={"x1": F})],
+        elements=[SoftStop("x1", at=1, stiffness=15, name="stop")],
+    )
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    file = tmp_path_factory.mktemp("found") / "found.json"
+    box = {"x1": (-1.5, 1.5), "v1": (-1, 1)}
+    ns.find_orbits(two_attractors(), DATA, 40, transitions=200, box=box).save(file)
+    return file
+
+
+def test_a_chart_has_the_labels_of_single_planes(found: Path) -> None:
+    plane = ns.chart(str(found), **STARTS, start={"x2": "1/2"})
+    x, v = (("x1", -1.5, 1.5, 11), ("v1", -1.0, 1.0, 7))
+    expected = basins(ns.load_found(found), x, v, {"x2": "1/2"}).labels.T
+    np.testing.assert_array_equal(plane.attractor, expected + (expected >= 0))
+    assert len(np.unique(plane.attractor)) >= 2
+    assert (plane.status == 0).all()
+    names = plane.attractor.attrs["meanings"]
+    assert names["1"].startswith("orbit 1, period ")
+    counts = counts_of(plane)
+    assert sum(counts.values()) == plane.attractor.size
+    assert counts[names["1"]] == int((plane.attractor == 1).sum())
+    told = chart_figure(plane).axes[0].get_legend()
+    assert told is not None
+    assert names["1"] in "".join(text.get_text() for text in told.get_texts())
+    chart_figure(plane.isel(v1=2))
+
+
+def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(
+    found: Path, tmp_path: Path
+) -> None:
+    whole = ns.chart(str(found), **STARTS)
+    store = tmp_path / "basins.zarr"
+
+    def stop(done: int, total: int) -> None:
+        if done > total // 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        ns.chart(str(found), store=store, chunk=6, threads=2, progress=stop, **STARTS)
+    moved = found.with_name("moved.json")
+    found.rename(moved)  # the store holds the attractors
+    work = work_on(store, *begun_problem(store), None, None, 1)
+    moved.rename(found)
+    assert 0 < work.computed < work.chunks
+    again = ns.load_chart(store)
+    assert again.attractor.values.tobytes() == whole.attractor.values.tobytes()
+    with pytest.raises(InputError, match="holds another chart: start"):
+        ns.chart(str(found), store=store, start={"x2": 1}, **STARTS)
+
+
+@pytest.mark.parametrize(
+    ("options", "match"),
+    [
+        ({"Omega": [1.0, 2.0]}, "unknown state 'Omega'.*charted over states.*:1 is its first"),
+        ({"x1": [0.0, 1.0], "v1": 1.0}, "v1 has one value.*--from gives the other states"),
+        ({"x1": [0.0, 1.0], "start": {"q": 1}}, "unknown state 'q'"),
+        ({"x1": [0.0, 1.0], "start": {"c1": 0}}, r"c1\^2 \+ s1\^2 is 0, not 1"),
+        ({"x1": [0.0, 1.0], "start": {"x1": 0}, "simulate": True}, "without --simulate"),
+        ({}, "nothing to chart"),
+    ],
+)
+def test_wrong_planes(found: Path, options: dict[str, Any], match: str) -> None:
+    with pytest.raises(InputError, match=match):
+        ns.chart(str(found), **options)
+
+
+def test_a_file_without_attractors(found: Path, tmp_path: Path) -> None:
+    file, known = tmp_path / "none.json", ns.load_found(found)
+    replace(known, orbits=(), equilibria=(), labels=np.full_like(known.labels, -1)).save(file)
+    with pytest.raises(InputError, match=r"none\.json holds no orbit or equilibrium"):
+        ns.chart(str(file), x1=[0.0, 0.1])
+
+
+@pytest.fixture(scope="module")
+def cluster() -> Iterator[Any]:
+    """Two worker processes."""
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
+    ) as made:
+        yield made
+
+
+@pytest.mark.slow
+def test_killed_worker_costs_only_its_chunk(cluster: Any, found: Path, tmp_path: Path) -> None:
+    killed: list[int] = []
+
+    def progress(done: int, total: int) -> None:
+        if done >= total // 4 and not killed:
+            killed.append(cluster.workers[0].pid)
+            os.kill(killed[0], signal.SIGKILL)
+
+    stores = tmp_path / "cluster.zarr", tmp_path / "threads.zarr"
+    address = cluster.scheduler_address
+    ns.chart(str(found), store=stores[0], scheduler=address, chunk=4, progress=progress, **STARTS)
+    assert killed
+    ns.chart(str(found), store=stores[1], chunk=4, **STARTS)
+    assert contents(stores[0]) == contents(stores[1])
