@@ -14,6 +14,7 @@ from nonsmooth.derive.building.coupling import contact_law
 from nonsmooth.derive.building.element_parts import part_of, states_of
 from nonsmooth.derive.building.elements import Element, Harmonic
 from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, velocity_name
+from nonsmooth.derive.building.growing import GrowingSystem, is_large
 from nonsmooth.derive.building.parts import FrictionPart
 from nonsmooth.derive.building.transitions import transitions_from
 from nonsmooth.derive.declaration.algebra import frozen, is_surely_positive_definite
@@ -97,15 +98,20 @@ def oscillator(
         coordinates, mass, stiffness, damping, load, forcing, elements, parameters,
         simultaneous_impacts,
     )  # fmt: skip
-    products, plural = assembly.products, "" if len(coordinates) == 1 else "s"
+    plural = "" if len(coordinates) == 1 else "s"
+    description = description or f"oscillator with {len(coordinates)} coordinate{plural}"
+    constraints = constraints_of(assembly.frame, elements, assembly.parts)
+    if is_large(assembly):
+        return GrowingSystem(name, description, assembly, constraints)
+    products = assembly.products
     return System(
         name=name,
-        description=description or f"oscillator with {len(coordinates)} coordinate{plural}",
+        description=description,
         states=assembly.frame.states,
         parameters=assembly.frame.parameters,
         configurations=tuple(assembly.configuration(regimes) for regimes in products),
         transitions=tuple(t for regimes in products for t in transitions_from(assembly, regimes)),
-        constraints=constraints_of(assembly.frame, elements, assembly.parts),
+        constraints=constraints,
         contacts=assembly.contacts(products),
         forcing=assembly.phases,
         law=contact_law(assembly, products),

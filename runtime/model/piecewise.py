@@ -19,7 +19,7 @@ from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
-from nonsmooth.runtime.model.modes import NumericModes, no_modes, numeric_modes
+from nonsmooth.runtime.model.modes import NumericModes, no_modes, numeric_modes, standing_modes
 from nonsmooth.runtime.model.structure import Modes, Structure, structure_of
 
 __all__ = [
@@ -209,7 +209,11 @@ def _numeric(
     if not np.isfinite(fields).all():
         raise InputError(f"the vector fields of {structure.name} are not finite")
     return [
-        numeric_modes(field) if visited is None or place in visited else no_modes(size)
+        standing_modes(size)
+        if place in structure.unvisited
+        else numeric_modes(field)
+        if visited is None or place in visited
+        else no_modes(size)
         for place, field in enumerate(fields.reshape(-1, size, size + 1))
     ]
 

@@ -11,6 +11,7 @@ from nonsmooth.runtime.model.contacts.law import Law, law_of
 from nonsmooth.runtime.model.contacts.stages import Path
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.loading.growing import NOT_VISITED
 
 __all__ = [
     "FORCING_PHASE",
@@ -156,6 +157,20 @@ class Structure:
         if name not in self.configurations:
             raise unknown_name("configuration", str(name), self.configurations)
         return self.configurations.index(name)
+
+    @cached_property
+    def unvisited(self) -> frozenset[int]:
+        """Configurations that others lead to and of which nothing more is known."""
+        return frozenset(
+            place
+            for place, found in enumerate(self.boundaries)
+            if found and found[0].name == NOT_VISITED
+        )
+
+    @cached_property
+    def visited(self) -> tuple[int, ...]:
+        """All other configurations: of a system that is listed whole, all."""
+        return tuple(c for c in range(len(self.configurations)) if c not in self.unvisited)
 
     def listed(self, source: int, boundaries: frozenset[int]) -> tuple[TransitionShape, ...]:
         """Transitions that are listed for exactly these boundaries.

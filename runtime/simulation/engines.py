@@ -123,7 +123,8 @@ def run_compiled(
         raise InputError("the system or the state is not finite")
     most = np.iinfo(np.int64).max if transitions is None else transitions
     options: list[tuple[tuple[int, ...], int]] = []
-    decide = batch_decider(structure, numbers[None], options)
+    missing: list[tuple[int, int]] = []
+    decide = batch_decider(structure, numbers[None], options, missing)
     # unknown counts: once more with room for twice as many
     entries, touches = min(most + 1, _FIRST_ENTRIES), _GRAZINGS
     while True:
@@ -170,6 +171,7 @@ def run_compiled(
         Status(status),
         float(ends[0]),
         *(options[-1] if status == Status.AMBIGUOUS else ()),
+        missing=missing[-1][1] if missing and status == Status.UNDECLARED else 0,
     )
 
 
@@ -259,6 +261,7 @@ def run_motions(
     until: np.ndarray,
     transitions: int | None,
     kept: int = 0,
+    missing: list[tuple[int, int]] | None = None,
 ) -> MotionEnds:
     """Follow many motions in the compiled engine, one after the other, without the GIL.
 
@@ -276,6 +279,9 @@ def run_motions(
     transitions : int or None
     kept : int
         How many of the last entries to keep of each motion.
+    missing : list, optional
+        Gets the configurations in which motions end where nothing is declared, each with a mask
+        of the boundaries that are reached together.
 
     Returns
     -------
@@ -301,7 +307,7 @@ def run_motions(
         sets,
         np.empty((count, 0, 4)),
         counts,
-        batch_decider(structure, numbers, []),
+        batch_decider(structure, numbers, [], [] if missing is None else missing),
     )
     return ends._replace(
         kept_sets=masks_of(structure, sets),

@@ -1,0 +1,387 @@
+"""Systems whose configurations are made when they are first visited, as modules that grow.
+
+A declaration with too many configurations to list hands out pieces: one configuration with its
+boundaries and what follows them, or what follows several boundaries that are reached at one
+instant. Their tables joined are a module of tables and kernels as any other. Nothing that is in
+it changes its place when a piece is added, so that indices of configurations stay as they are.
+A configuration that pieces only lead to has the boundary `NOT_VISITED`, which is passed already.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import islice, product
+from threading import RLock
+from types import ModuleType
+from typing import Any, Protocol, runtime_checkable
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.loading.caching import cached, stored
+from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.loading.modules import module_of_text
+
+__all__ = [
+    "NOT_VISITED",
+    "GrowingDeclaration",
+    "Growth",
+    "Visit",
+    "growth_for",
+    "growth_of",
+    "recalled",
+]
+
+NOT_VISITED = "not-visited"
+Visit = tuple[str, tuple[str, ...]]  # a configuration, and boundaries reached together, or none
+_MOST_TRIED = 4096  # combinations of regimes
+_KINDS = ("fields", "rows", "resets")
+
+
+@runtime_checkable
+class GrowingDeclaration(DeclaredSystem, Protocol):
+    """A declared system that hands out pieces: see `nonsmooth.derive.building.growing`."""
+
+    @property
+    def regimes(self) -> Sequence[tuple[str, tuple[str, ...]]]:
+        """Name of each part, and its regimes: a configuration is named by one of each."""
+        ...
+
+    def has(self, name: str) -> bool:
+        """Whether there is a configuration of a name.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        bool
+        """
+        ...
+
+    def piece(self, name: str, boundaries: Collection[str] = ()) -> str:
+        """What follows the boundaries of a configuration, as Python text.
+
+        Parameters
+        ----------
+        name : str
+        boundaries : collection of str
+
+        Returns
+        -------
+        str
+        """
+        ...
+
+    def composed(self, orbit: Any) -> dict[str, Any]:
+        """The table of an orbit that is composed of the system's own.
+
+        Parameters
+        ----------
+        orbit : Itinerary
+
+        Returns
+        -------
+        dict
+        """
+        ...
+
+
+@dataclass(eq=False)
+class Growth:
+    """What was made of a declaration so far.
+
+    Attributes
+    ----------
+    declared : GrowingDeclaration
+    key : str
+        Hash of the declaration.
+    """
+
+    declared: GrowingDeclaration
+    key: str
+    _pieces: dict[Visit, tuple[str, ModuleType]] = field(default_factory=dict)
+    _joined: tuple[str, ModuleType] | None = None
+    _lock: Any = field(default_factory=RLock)
+
+    def joined(
+        self, visits: Iterable[Visit] = (), orbits: Sequence[Any] = ()
+    ) -> tuple[str, ModuleType]:
+        """Make pieces that are not there yet, and join all.
+
+        Parameters
+        ----------
+        visits : iterable of Visit
+        orbits : sequence of Itinerary
+            Of the system; their phases are visited, and they stand in the tables.
+
+        Returns
+        -------
+        key : str
+            What the module is kept under.
+        module : module
+            The same one where nothing was added.
+
+        Raises
+        ------
+        InputError
+            If there is no such configuration, or no piece of it.
+        """
+        phases = [
+            (str(p.configuration), tuple(sorted(str(p.boundary).split("+"))))
+            for orbit in orbits
+            for p in orbit.phases
+        ]
+        wanted = [(self._first, ()), *visits, *phases]
+        with self._lock:
+            before = len(self._pieces)
+            for name, boundaries in dict.fromkeys(wanted):
+                self._add((name, ()))
+                if len(boundaries) > 1:
+                    self._add((name, tuple(sorted(boundaries))))
+            if self._joined is None or len(self._pieces) > before:
+                self._joined = self._join({})
+            if not orbits:
+                return self._joined
+            return self._join({orbit.name: self.declared.composed(orbit) for orbit in orbits})
+
+    @property
+    def starts(self) -> list[dict[str, tuple[list[int], list[int]]]]:
+        """For each part and regime the rows that are not positive in it, and those that vanish."""
+        first: list[dict[str, tuple[list[int], list[int]]]] = self._pieces[self._first, ()][
+            1
+        ].STARTS
+        return first
+
+    def first_of(self, regimes: Sequence[Sequence[str]]) -> str | None:
+        """The first configuration of some regimes of each part.
+
+        Parameters
+        ----------
+        regimes : for each part some of its regimes
+
+        Returns
+        -------
+        str or None
+            None where none go together, or too many would have to be tried.
+        """
+        names = islice(_names(regimes), _MOST_TRIED)
+        return next((name for name in names if self.declared.has(name)), None)
+
+    @property
+    def _first(self) -> str:
+        """The configuration of every part's first regime that goes together."""
+        if self._pieces:
+            return next(iter(self._pieces))[0]
+        found = self.first_of([names for _, names in self.declared.regimes])
+        if found is None:
+            raise InputError(f"{self.declared.name} has no configuration to begin with")
+        return found
+
+    def _add(self, visit: Visit) -> None:
+        if visit in self._pieces:
+            return
+        name, boundaries = visit
+        key = hashlib.sha256(repr((self.key, *visit)).encode()).hexdigest()[:16]
+        try:
+            text = cached(key, lambda: self.declared.piece(name, boundaries))
+        except InputError:
+            raise
+        except ValueError as problem:
+            raise InputError(" ".join(str(problem).split())) from problem
+        self._pieces[visit] = key, module_of_text(text, f"<{self.declared.name}@{key}>")
+
+    def _join(self, orbits: dict[str, Any]) -> tuple[str, ModuleType]:
+        keys = tuple(key for key, _ in self._pieces.values())
+        own = hashlib.sha256(repr((keys, orbits)).encode()).hexdigest()[:16]
+        text = (
+            "from nonsmooth.runtime.model.loading.growing import recalled\n\n"
+            f"globals().update(recalled({keys!r}, {orbits!r}))\n"
+        )
+        cached(own, lambda: text)
+        module = ModuleType("nonsmooth_emitted")
+        module.__file__ = f"<{self.declared.name}@{own}>"
+        vars(module).update(_contents([piece for _, piece in self._pieces.values()], orbits))
+        _GROWTHS[module] = self
+        return own, module
+
+
+_GROWTHS: dict[ModuleType, Growth] = {}  # of every module that was joined
+_DECLARED: dict[str, Growth] = {}
+
+
+def growth_of(module: ModuleType) -> Growth | None:
+    """What a module was joined by; None for all other modules, also those that were stored.
+
+    Parameters
+    ----------
+    module : module
+        Tables and kernels.
+
+    Returns
+    -------
+    Growth or None
+    """
+    return _GROWTHS.get(module)
+
+
+def growth_for(declared: GrowingDeclaration) -> Growth:
+    """What was made of a declaration, one for equal ones.
+
+    Parameters
+    ----------
+    declared : GrowingDeclaration
+
+    Returns
+    -------
+    Growth
+    """
+    key = declared.fingerprint()
+    return _DECLARED.setdefault(key, Growth(declared, key))
+
+
+def recalled(keys: Sequence[str], orbits: dict[str, Any]) -> dict[str, Any]:
+    """Contents of a module that another process joined, of stored pieces.
+
+    Parameters
+    ----------
+    keys : sequence of str
+        What the pieces are kept under.
+    orbits : dict
+        Tables of orbits.
+
+    Returns
+    -------
+    dict
+
+    Raises
+    ------
+    InputError
+        If a piece is no longer there.
+    """
+    pieces = []
+    for key in keys:
+        text = stored(key)
+        if text is None:
+            raise InputError("a part of a stored system is gone: hand over the System itself again")
+        pieces.append(module_of_text(text, f"<{key}>"))
+    return _contents(pieces, orbits)
+
+
+def _names(regimes: Sequence[Sequence[str]]) -> Iterable[str]:
+    return ("-".join(each) for each in product(*regimes))
+
+
+class _Places:
+    """Places of what pieces have, once each: those of a piece's own by their names."""
+
+    def __init__(self) -> None:
+        self.origins: list[tuple[int, int]] = []
+        self._known: dict[str, int] = {}
+
+    def added(self, piece: int, names: Sequence[str]) -> list[int]:
+        """Places of a piece's own."""
+        for own, name in enumerate(names):
+            if name not in self._known:
+                self._known[name] = len(self.origins)
+                self.origins.append((piece, own))
+        return [self._known[name] for name in names]
+
+
+def _contents(pieces: Sequence[ModuleType], orbits: dict[str, Any]) -> dict[str, Any]:
+    """Contents of the module that joins pieces: their tables in one, and their kernels."""
+    first = pieces[0].SYSTEM
+    names = ("configurations", "held", "constraint_rows", "boundary_rows")
+    tables: dict[str, dict[str, Any]] = {name: {} for name in names}
+    contacts = {name: {**found, "forces": {}} for name, found in first["contacts"].items()}
+    transitions: list[dict[str, Any]] = []
+    fields: dict[str, tuple[int, int]] = {}
+    rows, resets = _Places(), _Places()
+    for place, piece in enumerate(pieces):
+        table = piece.SYSTEM
+        row, reset = rows.added(place, piece.ROWS), resets.added(place, piece.RESETS)
+        if place == 0:
+            assert row == list(range(len(row)))  # what the first one says of rows holds for all
+        for own, name in enumerate(table["configurations"]):
+            if own == 0 or name not in fields:
+                fields[name] = place, own
+                tables["configurations"][name] = table["configurations"][name]
+                tables["held"][name] = table["held"][name]
+                for kind in ("constraint_rows", "boundary_rows"):
+                    tables[kind][name] = [row[r] for r in table[kind][name]]
+        for name, found in table["contacts"].items():
+            for configuration, r in found["forces"].items():
+                contacts[name]["forces"].setdefault(configuration, row[r])
+        transitions += [
+            {
+                **entry,
+                "conditions": [(row[r], along, holds) for r, along, holds in entry["conditions"]],
+                "reset": reset[entry["reset"]],
+            }
+            for entry in table["transitions"]
+        ]
+    order = list(fields)
+    for contact in contacts.values():
+        forces = contact["forces"]
+        contact["forces"] = {name: forces[name] for name in order if name in forces}
+    origins = {
+        "fields": list(fields.values()),
+        "rows": rows.origins,
+        "resets": resets.origins,
+    }
+    size, points = len(first["states"]), len(first["parameters"])
+    heights = {"fields": size, "rows": 1, "resets": size}
+    kernels = {
+        kind: ([(points,)], [(len(origins[kind]) * heights[kind], size + 1)]) for kind in _KINDS
+    }
+    parts = [{kind: _by_row(piece, kind) for kind in _KINDS} for piece in pieces]
+    derivation = hashlib.sha256(repr([piece.DERIVATION for piece in pieces]).encode())
+    return {
+        "DERIVATION": derivation.hexdigest()[:16],
+        "SYSTEM": {**first, **tables, "transitions": transitions, "contacts": contacts},
+        "ORBITS": orbits,
+        "KERNELS": kernels,
+        **{kind: _kernel(pieces, parts, kind, origins[kind], heights[kind]) for kind in _KINDS},
+    }
+
+
+_RowEntries = tuple[list[tuple[int, int, int]], list[tuple[int, int]]]
+
+
+def _by_row(piece: ModuleType, kind: str) -> Mapping[int, _RowEntries]:
+    """Of each row of a matrix of a piece its numbers (column, p, q) and entries (column, place)."""
+    found: dict[int, _RowEntries] = {}
+    for row, column, p, q in piece.NUMBERS[kind]:
+        found.setdefault(row, ([], []))[0].append((column, p, q))
+    for place, (row, column) in enumerate(piece.PLACES[kind]):
+        found.setdefault(row, ([], []))[1].append((column, place))
+    return found
+
+
+def _kernel(
+    pieces: Sequence[ModuleType],
+    parts: Sequence[Mapping[str, Mapping[int, _RowEntries]]],
+    kind: str,
+    origins: Sequence[tuple[int, int]],
+    height: int,
+) -> Callable[..., Any]:
+    """A kernel of the joined system, over any arithmetic."""
+    width = pieces[0].SHAPES[kind][1]
+
+    def joined(parameters: Sequence[Any], *, lib: Any) -> list[list[Any]]:
+        entries = [getattr(piece, f"{kind}_entries")(parameters, lib=lib) for piece in pieces]
+        found = []
+        for piece, own in origins:
+            known = parts[piece][kind]
+            for row in range(own * height, (own + 1) * height):
+                numbers, places = known.get(row, ((), ()))
+                made: list[Any] = [0] * width
+                for column, p, q in numbers:
+                    made[column] = p if q == 1 else lib.rational(p, q)
+                for column, place in places:
+                    made[column] = entries[piece][place]
+                found.append(made)
+        return found
+
+    return joined
