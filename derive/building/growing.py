@@ -130,17 +130,17 @@ class GrowingSystem(System):
         return _Identity(self.name, self.description, self.assembly, self.constraints)
 
     @property
-    def configurations(self) -> tuple[Configuration, ...]:  # type: ignore[override]
+    def configurations(self) -> tuple[Configuration, ...]:
         """All configurations."""
         return self._whole.configurations
 
     @property
-    def transitions(self) -> tuple[Transition, ...]:  # type: ignore[override]
+    def transitions(self) -> tuple[Transition, ...]:
         """All transitions."""
         return self._whole.transitions
 
     @property
-    def contacts(self) -> tuple[Contact, ...]:  # type: ignore[override]
+    def contacts(self) -> tuple[Contact, ...]:
         """Forces of the surroundings, in all configurations."""
         return self._whole.contacts
 

@@ -40,7 +40,8 @@ def transitions_at(
     assembly: Assembly, regimes: Regimes, boundaries: Collection[str]
 ) -> Iterator[Transition]:
     """The transitions of one set of boundaries that parts reach at one instant."""
-    reached, left = {}, frozenset(boundaries)
+    reached: dict[int, frozenset[str]] = {}
+    left = frozenset(boundaries)
     for i in range(len(assembly.parts)):
         for names in _reachable(assembly, i, regimes):
             if names <= left and len(names) > len(reached.get(i, ())):

@@ -194,9 +194,7 @@ class SimulationForm:
         """Positions and their velocities: x' = v, in some configurations perhaps x' = 0."""
         states = self.system.states
         forced = {state for pair in self.system.forcing for state in pair}
-        velocities = [
-            _rates(*c.dynamics.field(states), states) for c in self.system.configurations
-        ]
+        velocities = [_rates(*c.dynamics.field(states), states) for c in self.system.configurations]
         found = []
         for place, state in enumerate(states):
             rates = {velocity[place] for velocity in velocities}
@@ -271,9 +269,7 @@ class SimulationForm:
         return sp.Matrix(flow.matrices[place]).row_join(sp.Matrix(flow.offsets[place]))
 
 
-def _rates(
-    matrix: sp.Matrix, offset: sp.Matrix, states: Sequence[sp.Symbol]
-) -> list[sp.Expr]:
+def _rates(matrix: sp.Matrix, offset: sp.Matrix, states: Sequence[sp.Symbol]) -> list[sp.Expr]:
     """Rates of the states in a vector field."""
     terms: list[list[sp.Expr]] = [[entry] for entry in offset]
     for (i, j), entry in matrix.todok().items():

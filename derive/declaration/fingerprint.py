@@ -48,8 +48,8 @@ def _text(value: Any) -> str:
         # SymPy's own mappings have no order of their own
         return f"{{{', '.join(sorted(entries) if isinstance(value, sp.Dict) else entries)}}}"
     if isinstance(value, sp.MatrixBase):
-        entries = (f"{place}: {sp.srepr(entry)}" for place, entry in sorted(value.todok().items()))
-        return f"{type(value).__name__}({value.shape}, {{{', '.join(entries)}}})"
+        placed = (f"{place}: {sp.srepr(entry)}" for place, entry in sorted(value.todok().items()))
+        return f"{type(value).__name__}({value.shape}, {{{', '.join(placed)}}})"
     if isinstance(value, sp.Basic):
         return str(sp.srepr(value))
     if isinstance(value, frozenset):

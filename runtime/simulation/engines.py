@@ -170,8 +170,8 @@ def run_compiled(
         ),
         Status(status),
         float(ends[0]),
-        *(options[-1] if status == Status.AMBIGUOUS else ()),
-        missing=missing[-1][1] if missing and status == Status.UNDECLARED else 0,
+        *(options[-1] if status == Status.AMBIGUOUS else ((), 0)),
+        missing[-1][1] if missing and status == Status.UNDECLARED else 0,
     )
 
 

@@ -238,7 +238,11 @@ def run(
     waited = 0.0  # since the last transition
 
     def ended(
-        status: Status, end: float, options: tuple[int, ...] = (), open_at: int = 0, missing: int = 0
+        status: Status,
+        end: float,
+        options: tuple[int, ...] = (),
+        open_at: int = 0,
+        missing: int = 0,
     ) -> Run:
         times, configurations, before, states, sets = zip(*entries, strict=True)
         return Run(

@@ -110,7 +110,7 @@ def _with_starts(
         for part in growth.starts
     ]
     # what holds comes first: a configuration with more constraints takes the state
-    order = [sorted(part, key=lambda r, p=part: -len(p[r][1])) for part in growth.starts]
+    order = [_holding_first(part) for part in growth.starts]
     options = {
         tuple(
             tuple(r for r in regimes if found[r][k])
@@ -126,6 +126,10 @@ def _with_starts(
     return kernels
 
 
+def _holding_first(part: dict[str, tuple[list[int], list[int]]]) -> list[str]:
+    return sorted(part, key=lambda regime: -len(part[regime][1]))
+
+
 def _at_rest(
     kernels: SystemKernels,
     growth: Growth,
@@ -133,8 +137,10 @@ def _at_rest(
     extended: np.ndarray,
     regimes: Sequence[Sequence[str]],
 ) -> SystemKernels:
-    """Configurations of a start at rest, one after the other as their boundaries lead, till it
-    stays in one."""
+    """A system with the configurations of a start at rest.
+
+    One after the other is made, as their boundaries lead, till the start stays in one.
+    """
     first = growth.first_of(regimes)
     level = [] if first is None else [first]
     tried: set[str] = set()

@@ -24,7 +24,13 @@ from nonsmooth.runtime.model.loading.declared import (
     declaration_in,
 )
 from nonsmooth.runtime.model.loading.extensions import extension_in, load_extension
-from nonsmooth.runtime.model.loading.growing import GrowingDeclaration, Growth, Visit, growth_for, growth_of
+from nonsmooth.runtime.model.loading.growing import (
+    GrowingDeclaration,
+    Growth,
+    Visit,
+    growth_for,
+    growth_of,
+)
 from nonsmooth.runtime.model.loading.modules import module_of_text
 
 __all__ = [
