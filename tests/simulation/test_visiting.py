@@ -68,7 +68,8 @@ def test_motions_are_those_of_the_listed_system(make, seed, monkeypatch) -> None
     whole, data = make(seed)
     monkeypatch.setattr(growing, "_LARGEST", 0)
     made, _ = make(seed)
-    assert isinstance(made, GrowingSystem) and not isinstance(whole, GrowingSystem)
+    assert isinstance(made, GrowingSystem)
+    assert not isinstance(whole, GrowingSystem)
     rng = np.random.default_rng(seed)
     for _ in range(3):
         start = rng.uniform(-1, 1, 6) * 0.4
