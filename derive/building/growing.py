@@ -3,9 +3,9 @@
 Contacts multiply their configurations: four have up to 81, ten friction contacts 59,049, and every
 set of them that may be reached together adds transitions. An oscillator with too many to list is
 a `GrowingSystem`. It hands out *pieces*: a configuration with its boundaries and what follows each
-of them, or what follows several that are reached at one instant. A configuration that a piece
-only leads to has one boundary in it, which is passed already, so that a motion stops where it
-enters it. The runtime puts pieces together as motions and itineraries ask for them.
+of them, or what follows several that are reached at one instant. Of others a piece has the field
+where a condition asks for it, and else the name. The runtime puts pieces together as motions and
+itineraries ask for them.
 """
 
 from __future__ import annotations
@@ -27,16 +27,15 @@ from nonsmooth.derive.building.transitions import (
     transitions_at,
     transitions_from,
 )
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
+from nonsmooth.derive.declaration.configuration import Configuration, Contact
 from nonsmooth.derive.declaration.fingerprint import fingerprint
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.registry import registered
 
-__all__ = ["NOT_VISITED", "GrowingSystem", "is_large"]
+__all__ = ["GrowingSystem", "is_large"]
 
-NOT_VISITED = "not-visited"  # the boundary of a configuration that is only led to
 _LARGEST = 10_000  # coordinates times sets of boundaries, of what is listed at once
 _MOST = 4096  # configurations that are listed when they are asked for
 _MOST_TOGETHER = 7  # parts with friction at rest whose boundaries are reached at one instant
@@ -252,7 +251,8 @@ class GrowingSystem(System):
         Returns
         -------
         str
-            Tables and kernels: the configuration comes first, then those that it leads to.
+            Tables and kernels of the configuration, and what has to be known of those that it
+            leads to.
 
         Raises
         ------
@@ -265,23 +265,19 @@ class GrowingSystem(System):
             found = tuple(transitions_at(assembly, regimes, boundaries))
         else:
             found = tuple(transitions_alone(assembly, regimes))
-        led = (n for t in found for n in (t.target, *(c.along for c in t.conditions)))
-        names = dict.fromkeys((name, *led))
-        products = [self._regimes(each) for each in names]
-        made = [assembly.configuration(each) for each in products]
-        ended = Boundary(NOT_VISITED, sp.S.One)
-        others = (
-            Configuration(each.name, each.dynamics, (ended,), each.constraints) for each in made[1:]
-        )
+        own = assembly.configuration(regimes)
+        along = dict.fromkeys(c.along for t in found for c in t.conditions if c.along != name)
+        fields = {each: assembly.dynamics(self._regimes(each)) for each in along}
+        led = dict.fromkeys(t.target for t in found if t.target not in {name, *along})
         system = _Piece(
-            self.name, self.description, self.states, self.parameters, (made[0], *others), found,
-            self.constraints, assembly.contacts(products), self.forcing,
+            self.name, self.description, self.states, self.parameters, (own,), found,
+            self.constraints, assembly.contacts([regimes]), self.forcing,
         )  # fmt: skip
         conditions = [
             {regime: _conditions(part, regime) for regime in part.regimes}
             for part in assembly.parts
         ]
-        source: str = registered("emit_piece")(system, conditions)
+        source: str = registered("emit_piece")(system, fields, list(led), conditions)
         return source
 
     def composed(self, orbit: Any) -> dict[str, Any]:
@@ -338,7 +334,7 @@ class GrowingSystem(System):
 
 
 class _Piece(System):
-    """A part of a system: what leads to no transition is told by the boundary itself."""
+    """One configuration of a system, and what follows its boundaries."""
 
     def __post_init__(self) -> None:
         """Nothing is checked: the elements were, when the system was declared."""

@@ -2,7 +2,9 @@
 
 Numbers are data. What depends on parameters is computed by the functions `fields_entries`,
 `rows_entries` and `resets_entries`, over any arithmetic; each result has its place in a matrix.
-The names of rows and resets tell which of several pieces are the same.
+The names of rows and resets tell which of several pieces are the same. `STARTS` has the rows of
+every regime of every part that are not positive in it, and those that vanish; `ONE` the row that
+is 1.
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ from nonsmooth.derive.codegen.python_file import text_hash
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.codegen.tables import composed_table, system_table
 from nonsmooth.derive.declaration.algebra import affine_terms
+from nonsmooth.derive.declaration.dynamics import Dynamics
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.program import Argument, Kernel, Output
@@ -29,13 +32,21 @@ _Entries = dict[tuple[int, int], sp.Expr]
 _Conditions = Mapping[str, tuple[Sequence[sp.Expr], Sequence[sp.Expr]]]
 
 
-def emit_piece(system: System, conditions: Sequence[_Conditions]) -> str:
+def emit_piece(
+    system: System,
+    others: Mapping[str, Dynamics],
+    led: Sequence[str],
+    conditions: Sequence[_Conditions],
+) -> str:
     """Derive a piece of a system and give its Python file.
 
     Parameters
     ----------
     system : System
-        The configuration that is visited, then those that it leads to.
+        With the one configuration that is visited.
+    others : mapping of configuration to dynamics
+        Along which conditions are judged.
+    led : names of further configurations that transitions lead to
     conditions : for each part a mapping of regime to two rows of functions
         Those that are not positive in it, and those that vanish.
 
@@ -44,7 +55,7 @@ def emit_piece(system: System, conditions: Sequence[_Conditions]) -> str:
     str
     """
     told = [f for part in conditions for both in part.values() for group in both for f in group]
-    form = SimulationForm(system, beside=tuple(told))
+    form = SimulationForm(system, beside=(*told, sp.S.One))
     starts = [
         {
             regime: tuple([form.row(f) for f in group] for group in both)
@@ -52,9 +63,10 @@ def emit_piece(system: System, conditions: Sequence[_Conditions]) -> str:
         }
         for part in conditions
     ]
-    size = len(system.states)
+    size, (visited,) = len(system.states), system.configurations
+    dynamics = {visited.name: visited.dynamics, **others}
     matrices = {
-        "fields": (len(system.configurations) * size, _fields(form)),
+        "fields": (len(dynamics) * size, _fields(system, dynamics.values())),
         "rows": (len(form.rows), _rows(system, form.rows)),
         "resets": (
             len(form.resets) * size,
@@ -76,6 +88,9 @@ def emit_piece(system: System, conditions: Sequence[_Conditions]) -> str:
         f"{name} = {value!r}"
         for name, value in (
             ("SYSTEM", system_table(form)),
+            ("FIELDS", list(dynamics)),
+            ("LED", list(led)),
+            ("ONE", form.row(sp.S.One)),
             ("STARTS", starts),
             ("SHAPES", shapes),
             ("NUMBERS", numbers),
@@ -94,10 +109,10 @@ def table_of_composed(orbit: Itinerary, reason: str) -> dict[str, Any]:
     return composed_table(Underived(orbit, reason))
 
 
-def _fields(form: SimulationForm) -> _Entries:
-    states, found = form.system.states, dict[tuple[int, int], sp.Expr]()
-    for place, configuration in enumerate(form.system.configurations):
-        matrix, offset = configuration.dynamics.field(states)
+def _fields(system: System, dynamics: Iterable[Dynamics]) -> _Entries:
+    states, found = system.states, dict[tuple[int, int], sp.Expr]()
+    for place, each in enumerate(dynamics):
+        matrix, offset = each.field(states)
         first = place * len(states)
         found |= {(first + i, j): entry for (i, j), entry in matrix.todok().items()}
         found |= {(first + i, len(states)): entry for (i, _), entry in offset.todok().items()}

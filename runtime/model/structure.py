@@ -359,18 +359,16 @@ def _structure(kernels: SystemKernels) -> Structure:
         for name, found in table["configurations"].items()
     )
     transitions: list[list[TransitionShape]] = [[] for _ in configurations]
+    places = {name: place for place, name in enumerate(configurations)}
     for entry in table["transitions"]:
-        source = configurations.index(entry["source"])
+        source = places[entry["source"]]
         names = [b.name for b in boundaries[source]]
         transitions[source].append(
             TransitionShape(
                 frozenset(names.index(name) for name in entry["boundaries"]),
-                tuple(
-                    (row, configurations.index(along), holds)
-                    for row, along, holds in entry["conditions"]
-                ),
+                tuple((row, places[along], holds) for row, along, holds in entry["conditions"]),
                 entry["reset"],
-                configurations.index(entry["target"]),
+                places[entry["target"]],
                 entry.get("order", 0),
                 entry.get("path"),
             )
@@ -387,7 +385,7 @@ def _structure(kernels: SystemKernels) -> Structure:
         tuple(
             ContactShape(
                 name,
-                {configurations.index(c): row for c, row in found["forces"].items()},
+                {places[c]: row for c, row in found["forces"].items()},
                 found["velocity"],
                 found["surface"],
             )

@@ -102,6 +102,7 @@ class Growth:
     declared: GrowingDeclaration
     key: str
     _pieces: dict[Visit, tuple[str, ModuleType]] = field(default_factory=dict)
+    _union: _Union = field(default_factory=lambda: _Union())
     _joined: tuple[str, ModuleType] | None = None
     _lock: Any = field(default_factory=RLock)
 
@@ -190,7 +191,9 @@ class Growth:
             raise
         except ValueError as problem:
             raise InputError(" ".join(str(problem).split())) from problem
-        self._pieces[visit] = key, module_of_text(text, f"<{self.declared.name}@{key}>")
+        module = module_of_text(text, f"<{self.declared.name}@{key}>")
+        self._union.add(module)
+        self._pieces[visit] = key, module
 
     def _join(self, orbits: dict[str, Any]) -> tuple[str, ModuleType]:
         keys = tuple(key for key, _ in self._pieces.values())
@@ -202,7 +205,7 @@ class Growth:
         cached(own, lambda: text)
         module = ModuleType("nonsmooth_emitted")
         module.__file__ = f"<{self.declared.name}@{own}>"
-        vars(module).update(_contents([piece for _, piece in self._pieces.values()], orbits))
+        vars(module).update(self._union.contents(orbits))
         _GROWTHS[module] = self
         return own, module
 
@@ -260,13 +263,13 @@ def recalled(keys: Sequence[str], orbits: dict[str, Any]) -> dict[str, Any]:
     InputError
         If a piece is no longer there.
     """
-    pieces = []
+    union = _Union()
     for key in keys:
         text = stored(key)
         if text is None:
             raise InputError("a part of a stored system is gone: hand over the System itself again")
-        pieces.append(module_of_text(text, f"<{key}>"))
-    return _contents(pieces, orbits)
+        union.add(module_of_text(text, f"<{key}>"))
+    return union.contents(orbits)
 
 
 def _names(regimes: Sequence[Sequence[str]]) -> Iterable[str]:
@@ -289,31 +292,50 @@ class _Places:
         return [self._known[name] for name in names]
 
 
-def _contents(pieces: Sequence[ModuleType], orbits: dict[str, Any]) -> dict[str, Any]:
-    """Contents of the module that joins pieces: their tables in one, and their kernels."""
-    first = pieces[0].SYSTEM
-    names = ("configurations", "held", "constraint_rows", "boundary_rows")
-    tables: dict[str, dict[str, Any]] = {name: {} for name in names}
-    contacts = {name: {**found, "forces": {}} for name, found in first["contacts"].items()}
-    transitions: list[dict[str, Any]] = []
-    fields: dict[str, tuple[int, int]] = {}
-    rows, resets = _Places(), _Places()
-    for place, piece in enumerate(pieces):
-        table = piece.SYSTEM
-        row, reset = rows.added(place, piece.ROWS), resets.added(place, piece.RESETS)
-        if place == 0:
-            assert row == list(range(len(row)))  # what the first one says of rows holds for all
-        for own, name in enumerate(table["configurations"]):
-            if own == 0 or name not in fields:
-                fields[name] = place, own
-                tables["configurations"][name] = table["configurations"][name]
-                tables["held"][name] = table["held"][name]
-                for kind in ("constraint_rows", "boundary_rows"):
-                    tables[kind][name] = [row[r] for r in table[kind][name]]
-        for name, found in table["contacts"].items():
-            for configuration, r in found["forces"].items():
-                contacts[name]["forces"].setdefault(configuration, row[r])
-        transitions += [
+_RowEntries = tuple[list[tuple[int, int, int]], list[tuple[int, int]]]
+_Parts = Mapping[str, Mapping[int, _RowEntries]]
+
+
+class _Union:
+    """Tables and kernels of pieces, joined one after the other; what is there keeps its place."""
+
+    def __init__(self) -> None:
+        self.pieces: list[ModuleType] = []
+        self.parts: list[_Parts] = []
+        self.rows, self.resets = _Places(), _Places()
+        self.fields: dict[str, tuple[int, int] | None] = {}
+        self.tables: dict[str, dict[str, Any]] = {
+            name: {} for name in ("configurations", "held", "constraint_rows", "boundary_rows")
+        }
+        self.transitions: list[dict[str, Any]] = []
+        self.forces: dict[str, dict[str, int]] = {}
+
+    def add(self, piece: ModuleType) -> None:
+        """Join one more piece."""
+        place, table = len(self.pieces), piece.SYSTEM
+        row, reset = self.rows.added(place, piece.ROWS), self.resets.added(place, piece.RESETS)
+        # what the first one says of rows holds for all
+        assert place or row == list(range(len(row)))
+        for name in (*piece.FIELDS, *piece.LED):
+            if name not in self.fields:
+                self.fields[name] = None
+                self.tables["configurations"][name] = [
+                    {"name": NOT_VISITED, "acts_when": "exceeded"}
+                ]
+                self.tables["boundary_rows"][name] = [row[piece.ONE]]
+                self.tables["held"][name] = self.tables["constraint_rows"][name] = []
+        for own, name in enumerate(piece.FIELDS):
+            if own == 0 or self.fields[name] is None:
+                self.fields[name] = place, own
+        ((name, boundaries),) = table["configurations"].items()
+        self.tables["configurations"][name] = boundaries
+        self.tables["held"][name] = table["held"][name]
+        for kind in ("constraint_rows", "boundary_rows"):
+            self.tables[kind][name] = [row[r] for r in table[kind][name]]
+        for contact, found in table["contacts"].items():
+            forces = self.forces.setdefault(contact, {})
+            forces |= {c: row[r] for c, r in found["forces"].items()}
+        self.transitions += [
             {
                 **entry,
                 "conditions": [(row[r], along, holds) for r, along, holds in entry["conditions"]],
@@ -321,32 +343,40 @@ def _contents(pieces: Sequence[ModuleType], orbits: dict[str, Any]) -> dict[str,
             }
             for entry in table["transitions"]
         ]
-    order = list(fields)
-    for contact in contacts.values():
-        forces = contact["forces"]
-        contact["forces"] = {name: forces[name] for name in order if name in forces}
-    origins = {
-        "fields": list(fields.values()),
-        "rows": rows.origins,
-        "resets": resets.origins,
-    }
-    size, points = len(first["states"]), len(first["parameters"])
-    heights = {"fields": size, "rows": 1, "resets": size}
-    kernels = {
-        kind: ([(points,)], [(len(origins[kind]) * heights[kind], size + 1)]) for kind in _KINDS
-    }
-    parts = [{kind: _by_row(piece, kind) for kind in _KINDS} for piece in pieces]
-    derivation = hashlib.sha256(repr([piece.DERIVATION for piece in pieces]).encode())
-    return {
-        "DERIVATION": derivation.hexdigest()[:16],
-        "SYSTEM": {**first, **tables, "transitions": transitions, "contacts": contacts},
-        "ORBITS": orbits,
-        "KERNELS": kernels,
-        **{kind: _kernel(pieces, parts, kind, origins[kind], heights[kind]) for kind in _KINDS},
-    }
+        self.pieces.append(piece)
+        self.parts.append({kind: _by_row(piece, kind) for kind in _KINDS})
 
-
-_RowEntries = tuple[list[tuple[int, int, int]], list[tuple[int, int]]]
+    def contents(self, orbits: dict[str, Any]) -> dict[str, Any]:
+        """Contents of a module of all that was joined until now."""
+        first = self.pieces[0].SYSTEM
+        size, points = len(first["states"]), len(first["parameters"])
+        contacts = {
+            name: {**found, "forces": dict(self.forces[name])}
+            for name, found in first["contacts"].items()
+        }
+        origins: dict[str, list[tuple[int, int] | None]] = {
+            "fields": list(self.fields.values()),
+            "rows": list(self.rows.origins),
+            "resets": list(self.resets.origins),
+        }
+        heights = {"fields": size, "rows": 1, "resets": size}
+        pieces, parts = tuple(self.pieces), tuple(self.parts)
+        derivation = hashlib.sha256(repr([piece.DERIVATION for piece in pieces]).encode())
+        return {
+            "DERIVATION": derivation.hexdigest()[:16],
+            "SYSTEM": {
+                **first,
+                **{name: dict(table) for name, table in self.tables.items()},
+                "transitions": list(self.transitions),
+                "contacts": contacts,
+            },
+            "ORBITS": orbits,
+            "KERNELS": {
+                kind: ([(points,)], [(len(origins[kind]) * heights[kind], size + 1)])
+                for kind in _KINDS
+            },
+            **{kind: _kernel(pieces, parts, kind, origins[kind], heights[kind]) for kind in _KINDS},
+        }
 
 
 def _by_row(piece: ModuleType, kind: str) -> Mapping[int, _RowEntries]:
@@ -361,19 +391,20 @@ def _by_row(piece: ModuleType, kind: str) -> Mapping[int, _RowEntries]:
 
 def _kernel(
     pieces: Sequence[ModuleType],
-    parts: Sequence[Mapping[str, Mapping[int, _RowEntries]]],
+    parts: Sequence[_Parts],
     kind: str,
-    origins: Sequence[tuple[int, int]],
+    origins: Sequence[tuple[int, int] | None],
     height: int,
 ) -> Callable[..., Any]:
-    """A kernel of the joined system, over any arithmetic."""
+    """A kernel of the joined system, over any arithmetic; what has no origin is zero."""
     width = pieces[0].SHAPES[kind][1]
 
     def joined(parameters: Sequence[Any], *, lib: Any) -> list[list[Any]]:
         entries = [getattr(piece, f"{kind}_entries")(parameters, lib=lib) for piece in pieces]
-        found = []
-        for piece, own in origins:
-            known = parts[piece][kind]
+        found: list[list[Any]] = []
+        for origin in origins:
+            piece, own = (0, 0) if origin is None else origin
+            known = {} if origin is None else parts[piece][kind]
             for row in range(own * height, (own + 1) * height):
                 numbers, places = known.get(row, ((), ()))
                 made: list[Any] = [0] * width
