@@ -1,4 +1,4 @@
-"""A piece of a large system as Python: tables, and only those numbers that are not zero.
+"""A piece of a large system as Python: tables as JSON, of numbers those that are not zero.
 
 Numbers are data. What depends on parameters is computed by the functions `fields_entries`,
 `rows_entries` and `resets_entries`, over any arithmetic; each result has its place in a matrix.
@@ -10,6 +10,7 @@ is 1.
 from __future__ import annotations
 
 import hashlib
+import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -84,24 +85,27 @@ def emit_piece(
         others = {place: e for place, e in entries.items() if not e.is_Rational}
         places[name] = list(others)
         functions.append(_function(name, system, tuple(others.values())))
-    tables = "\n\n".join(
-        f"{name} = {value!r}"
-        for name, value in (
-            ("SYSTEM", system_table(form)),
-            ("FIELDS", list(dynamics)),
-            ("LED", list(led)),
-            ("ONE", form.row(sp.S.One)),
-            ("STARTS", starts),
-            ("SHAPES", shapes),
-            ("NUMBERS", numbers),
-            ("PLACES", places),
-            ("ROWS", [_digest([row]) for row in form.rows]),
-            ("RESETS", [_digest(column) for column in form.resets]),
-        )
+    tables = json.dumps(
+        {
+            "SYSTEM": system_table(form),
+            "FIELDS": list(dynamics),
+            "LED": list(led),
+            "ONE": form.row(sp.S.One),
+            "STARTS": starts,
+            "SHAPES": shapes,
+            "NUMBERS": numbers,
+            "PLACES": places,
+            "ROWS": [_digest([row]) for row in form.rows],
+            "RESETS": [_digest(column) for column in form.resets],
+        }
     )
     body = "\n\n\n".join(functions)
     derivation = text_hash(tables, body)
-    return f'DERIVATION = "{derivation}"\n\n{tables}\n\n\n{body}\n'
+    return (
+        "import json\n\n"
+        f'DERIVATION = "{derivation}"\n\n'
+        f"globals().update(json.loads({tables!r}))\n\n\n{body}\n"
+    )
 
 
 def table_of_composed(orbit: Itinerary, reason: str) -> dict[str, Any]:

@@ -5,15 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import unknown_name
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.core.vectorised import vectorised, with_entries
+from nonsmooth.runtime.model.loading.growing import JoinedKernel
 
 __all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
 
@@ -204,7 +206,10 @@ class SystemKernels:
         inputs, outputs = self.module.KERNELS[kernel]
         if compiled is not None:
             return with_entries(compiled, inputs)
-        return vectorised(self.source(kernel), inputs, outputs)
+        source = self.source(kernel)
+        if isinstance(source, JoinedKernel):
+            return partial(source.evaluated, lib=FLOATS)
+        return vectorised(source, inputs, outputs)
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,12 +10,15 @@ A configuration that pieces only lead to has the boundary `NOT_VISITED`, which i
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import islice, product
 from threading import RLock
 from types import ModuleType
 from typing import Any, Protocol, runtime_checkable
+
+import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.loading.caching import cached, stored
@@ -26,6 +29,7 @@ __all__ = [
     "NOT_VISITED",
     "GrowingDeclaration",
     "Growth",
+    "JoinedKernel",
     "Visit",
     "growth_for",
     "growth_of",
@@ -292,16 +296,12 @@ class _Places:
         return [self._known[name] for name in names]
 
 
-_RowEntries = tuple[list[tuple[int, int, int]], list[tuple[int, int]]]
-_Parts = Mapping[str, Mapping[int, _RowEntries]]
-
-
 class _Union:
     """Tables and kernels of pieces, joined one after the other; what is there keeps its place."""
 
     def __init__(self) -> None:
         self.pieces: list[ModuleType] = []
-        self.parts: list[_Parts] = []
+        self.parts: list[dict[str, _Part]] = []
         self.rows, self.resets = _Places(), _Places()
         self.fields: dict[str, tuple[int, int] | None] = {}
         self.tables: dict[str, dict[str, Any]] = {
@@ -344,7 +344,7 @@ class _Union:
             for entry in table["transitions"]
         ]
         self.pieces.append(piece)
-        self.parts.append({kind: _by_row(piece, kind) for kind in _KINDS})
+        self.parts.append({kind: _part(piece, kind) for kind in _KINDS})
 
     def contents(self, orbits: dict[str, Any]) -> dict[str, Any]:
         """Contents of a module of all that was joined until now."""
@@ -360,8 +360,7 @@ class _Union:
             "resets": list(self.resets.origins),
         }
         heights = {"fields": size, "rows": 1, "resets": size}
-        pieces, parts = tuple(self.pieces), tuple(self.parts)
-        derivation = hashlib.sha256(repr([piece.DERIVATION for piece in pieces]).encode())
+        derivation = hashlib.sha256(repr([piece.DERIVATION for piece in self.pieces]).encode())
         return {
             "DERIVATION": derivation.hexdigest()[:16],
             "SYSTEM": {
@@ -375,44 +374,123 @@ class _Union:
                 kind: ([(points,)], [(len(origins[kind]) * heights[kind], size + 1)])
                 for kind in _KINDS
             },
-            **{kind: _kernel(pieces, parts, kind, origins[kind], heights[kind]) for kind in _KINDS},
+            **{
+                kind: JoinedKernel(
+                    [part[kind] for part in self.parts],
+                    [piece.SHAPES[kind][0] // heights[kind] for piece in self.pieces],
+                    origins[kind],
+                    heights[kind],
+                    size + 1,
+                )
+                for kind in _KINDS
+            },
         }
 
 
-def _by_row(piece: ModuleType, kind: str) -> Mapping[int, _RowEntries]:
-    """Of each row of a matrix of a piece its numbers (column, p, q) and entries (column, place)."""
-    found: dict[int, _RowEntries] = {}
-    for row, column, p, q in piece.NUMBERS[kind]:
-        found.setdefault(row, ([], []))[0].append((column, p, q))
-    for place, (row, column) in enumerate(piece.PLACES[kind]):
-        found.setdefault(row, ([], []))[1].append((column, place))
-    return found
+@dataclass(frozen=True)
+class _Part:
+    """What a piece has of a matrix, entry by entry.
+
+    Attributes
+    ----------
+    numbers : array (n, 4) of object
+        Row, column, and the fraction p / q.
+    places : array (m, 2) of int
+        Row and column of what depends on parameters.
+    entries : callable
+        It gives these.
+    """
+
+    numbers: np.ndarray
+    places: np.ndarray
+    entries: Callable[..., Sequence[Any]]
 
 
-def _kernel(
-    pieces: Sequence[ModuleType],
-    parts: Sequence[_Parts],
-    kind: str,
-    origins: Sequence[tuple[int, int] | None],
-    height: int,
-) -> Callable[..., Any]:
-    """A kernel of the joined system, over any arithmetic; what has no origin is zero."""
-    width = pieces[0].SHAPES[kind][1]
+def _part(piece: ModuleType, kind: str) -> _Part:
+    return _Part(
+        np.array(piece.NUMBERS[kind], dtype=object).reshape(-1, 4),
+        np.array(piece.PLACES[kind], dtype=int).reshape(-1, 2),
+        getattr(piece, f"{kind}_entries"),
+    )
 
-    def joined(parameters: Sequence[Any], *, lib: Any) -> list[list[Any]]:
-        entries = [getattr(piece, f"{kind}_entries")(parameters, lib=lib) for piece in pieces]
-        found: list[list[Any]] = []
-        for origin in origins:
-            piece, own = (0, 0) if origin is None else origin
-            known = {} if origin is None else parts[piece][kind]
-            for row in range(own * height, (own + 1) * height):
-                numbers, places = known.get(row, ((), ()))
-                made: list[Any] = [0] * width
-                for column, p, q in numbers:
-                    made[column] = p if q == 1 else lib.rational(p, q)
-                for column, place in places:
-                    made[column] = entries[piece][place]
-                found.append(made)
+
+class JoinedKernel:
+    """A matrix of a joined system over any arithmetic; what no piece has is zero.
+
+    Parameters
+    ----------
+    parts : for each piece what it has of the matrix
+    counts : for each piece how many blocks of rows it has
+    origins : for each block of rows its piece, and its place there
+    height, width : int
+        Of a block.
+    """
+
+    def __init__(
+        self,
+        parts: Sequence[_Part],
+        counts: Sequence[int],
+        origins: Sequence[tuple[int, int] | None],
+        height: int,
+        width: int,
+    ) -> None:
+        self._shape = len(origins) * height, width
+        blocks = [np.full(count, -1) for count in counts]
+        for place, origin in enumerate(origins):
+            if origin is not None:
+                blocks[origin[0]][origin[1]] = place
+        self._known: list[np.ndarray] = []
+        self._open: list[tuple[Callable[..., Sequence[Any]], np.ndarray, np.ndarray]] = []
+        for part, block in zip(parts, blocks, strict=True):
+            rows = part.numbers[:, 0].astype(int)
+            found = block[rows // height]
+            kept, moved = found >= 0, part.numbers.copy()
+            moved[:, 0] = found * height + rows % height
+            self._known.append(moved[kept])
+            found = block[part.places[:, 0] // height]
+            kept, places = found >= 0, part.places.copy()
+            places[:, 0] = found * height + places[:, 0] % height
+            if kept.any():
+                self._open.append((part.entries, np.flatnonzero(kept), places[kept]))
+
+    def __call__(self, parameters: Sequence[Any], *, lib: Any) -> list[list[Any]]:
+        """The matrix, row after row."""
+        found: list[list[Any]] = [[0] * self._shape[1] for _ in range(self._shape[0])]
+        for known in self._known:
+            for row, column, p, q in known:
+                found[row][column] = p if q == 1 else lib.rational(p, q)
+        for entries, which, places in self._open:
+            made = entries(parameters, lib=lib)
+            for k, (row, column) in zip(which, places, strict=True):
+                found[row][column] = made[k]
         return found
 
-    return joined
+    @cached_property
+    def _constant(self) -> np.ndarray:
+        found = np.zeros(self._shape)
+        for known in self._known:
+            values = [p / q for p, q in known[:, 2:]]
+            found[known[:, 0].astype(int), known[:, 1].astype(int)] = values
+        found.flags.writeable = False
+        return found
+
+    def evaluated(self, parameters: Any, lib: Any) -> np.ndarray:
+        """The matrix at many points, in double precision.
+
+        Parameters
+        ----------
+        parameters : array (..., p)
+        lib : Floats
+
+        Returns
+        -------
+        array (..., rows, columns)
+        """
+        points = np.asarray(parameters, dtype=float)
+        found = np.broadcast_to(self._constant, (*points.shape[:-1], *self._shape)).copy()
+        each = np.moveaxis(points, -1, 0)
+        for entries, which, places in self._open:
+            made = entries(each, lib=lib)
+            for k, (row, column) in zip(which, places, strict=True):
+                found[..., row, column] = made[k]
+        return found
