@@ -82,9 +82,9 @@ def emit_piece(
         numbers[name] = [
             (i, j, int(e.p), int(e.q)) for (i, j), e in entries.items() if e.is_Rational
         ]
-        others = {place: e for place, e in entries.items() if not e.is_Rational}
-        places[name] = list(others)
-        functions.append(_function(name, system, tuple(others.values())))
+        symbolic = {place: e for place, e in entries.items() if not e.is_Rational}
+        places[name] = list(symbolic)
+        functions.append(_function(name, system, tuple(symbolic.values())))
     tables = json.dumps(
         {
             "SYSTEM": system_table(form),
