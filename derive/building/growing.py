@@ -70,7 +70,9 @@ def _exits(part: Any, regime: str) -> int:
         return len(part.exits[regime])
     if isinstance(part, StopPart):
         return 1
-    return len(part.losses(regime)) + (len(part.names(regime)) if regime in part.outcomes else 0)
+    if regime == "stick":
+        return len(part.names(regime))
+    return len(part.losses(regime)) + (regime in part.outcomes)
 
 
 class GrowingSystem(System):

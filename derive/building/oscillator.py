@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import chain, combinations
+from math import prod
 from typing import Any
 
 import sympy as sp
@@ -99,14 +100,16 @@ def oscillator(
         simultaneous_impacts,
     )  # fmt: skip
     plural = "" if len(coordinates) == 1 else "s"
-    description = description or f"oscillator with {len(coordinates)} coordinate{plural}"
+    described = f"oscillator with {len(coordinates)} coordinate{plural}"
     constraints = constraints_of(assembly.frame, elements, assembly.parts)
     if is_large(assembly):
-        return GrowingSystem(name, description, assembly, constraints)
+        most = prod(len(part.regimes) for part in assembly.parts)
+        described += f", its configurations (up to {most:,}) made when they are visited"
+        return GrowingSystem(name, description or described, assembly, constraints)
     products = assembly.products
     return System(
         name=name,
-        description=description,
+        description=description or described,
         states=assembly.frame.states,
         parameters=assembly.frame.parameters,
         configurations=tuple(assembly.configuration(regimes) for regimes in products),
