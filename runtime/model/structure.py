@@ -172,6 +172,25 @@ class Structure:
         """All other configurations: of a system that is listed whole, all."""
         return tuple(c for c in range(len(self.configurations)) if c not in self.unvisited)
 
+    def check_listed(self, what: str) -> None:
+        """Refuse what compares the configurations of a whole system, where they are not listed.
+
+        Parameters
+        ----------
+        what : str
+            Who asks, for the message.
+
+        Raises
+        ------
+        InputError
+            If there are configurations that are made when they are visited.
+        """
+        if self.unvisited:
+            raise InputError(
+                f"{what} needs all configurations of {self.name}, which has too many to list:"
+                " simulate, find_orbits, solve and charts of an orbit make those that they visit"
+            )
+
     def listed(self, source: int, boundaries: frozenset[int]) -> tuple[TransitionShape, ...]:
         """Transitions that are listed for exactly these boundaries.
 

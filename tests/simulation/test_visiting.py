@@ -1,14 +1,27 @@
 """Systems whose configurations are made when they are first visited: the same motions."""
 
+import pickle
+
 import numpy as np
 import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Friction, Harmonic, RigidStop, Slider, SoftStop, oscillator
+from nonsmooth.derive import (
+    DeclarationError,
+    Friction,
+    Harmonic,
+    Itinerary,
+    RigidStop,
+    Slider,
+    SoftStop,
+    oscillator,
+)
 from nonsmooth.derive.building import chain_matrices, growing
 from nonsmooth.derive.building.growing import GrowingSystem
 from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.document.describe import describe_system
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import Status
 
 
@@ -124,3 +137,57 @@ def test_many_motions_are_those_of_the_listed_system(monkeypatch) -> None:
     # indices of an earlier result stay good where more was visited
     again = ns.simulate_many(made, data, found.states, found.configurations, until=1.0, threads=2)
     assert (again.status == Status.UNTIL).all()
+
+
+def belt_of_ten() -> System:
+    """Ten masses in a row on one belt; the last one rubs most."""
+    mass, stiffness, damping = chain_matrices(
+        [1, 2, "3/2", 1, 2, 3, "5/4", 1, "7/4", 2], [3, 2, 4, 1, 5, 2, 3, 4, 1, 2], ["0.2"] * 10
+    )
+    names = [f"x{k}" for k in range(1, 11)]
+    kinetic = [sp.Rational(3 + k % 3, 10) for k in range(10)]
+    elements = [
+        Friction(x, force, force * (5 if x == "x10" else sp.Rational(11, 10)), sp.Rational(3, 10))
+        for x, force in zip(names, kinetic, strict=True)
+    ]
+    return oscillator("belt-of-ten", names, mass, stiffness, damping, elements=elements)
+
+
+@pytest.mark.slow
+def test_ten_contacts_have_an_orbit_that_solves_saves_and_loads(tmp_path) -> None:
+    system = belt_of_ten()
+    assert isinstance(pickle.loads(pickle.dumps(system)), GrowingSystem)
+    assert pickle.loads(pickle.dumps(system)) == system
+    motion = ns.simulate(system, {}, [0.1 * k for k in range(10)] + [0.0] * 10, until=300)
+    assert motion.status == Status.UNTIL
+    cycle = ns.itinerary_of(motion)
+    orbit = ns.solve(system, {}, itinerary=cycle)
+    assert orbit.converged
+    assert (orbit.stability.verdict, orbit.admissibility.verdict) == ("stable", True)
+    declared = ns.solve(Itinerary.from_trajectory(motion, system, "cycle"))
+    np.testing.assert_allclose(float(declared.period), float(orbit.period), rtol=1e-12)
+    orbit.save(tmp_path / "orbit.json")
+    again = ns.load(tmp_path / "orbit.json")
+    assert again.period == orbit.period
+    assert again.stability.verdict == "stable"
+
+
+def test_what_needs_all_configurations_says_how_many_there_are() -> None:
+    system = belt_of_ten()
+    for ask in (lambda: system.configurations, lambda: describe_system(system)):
+        with pytest.raises(DeclarationError, match="59,049 configurations") as refusal:
+            ask()
+        assert "\n" not in str(refusal.value)
+    with pytest.raises(InputError, match="needs all configurations of belt-of-ten"):
+        ns.sweep(system, {}, "V", [0.1], [0.0] * 20, state="x1", configuration="slip")
+
+
+def test_names_of_configurations_are_regimes_that_go_together() -> None:
+    system = belt_of_ten()
+    name = "-".join(["slip", "stick"] * 5)
+    assert system.configuration(name).name == name
+    for wrong in ("slip", f"{name}-slip", name.replace("stick", "stack", 1)):
+        with pytest.raises(DeclarationError, match="has no configuration"):
+            system.configuration(wrong)
+    with pytest.raises(DeclarationError, match="no transition leads"):
+        system.transition(name, "x1-reaches-belt", name.replace("slip", "stick"))
