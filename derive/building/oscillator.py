@@ -44,9 +44,10 @@ def oscillator(
 
     Each element multiplies the configurations by its regimes: a configuration bears their
     names in the order of the elements, ``slip-free``; without elements it is ``free``. All
-    boundaries that different elements can reach at one instant have transitions. What the laws
-    of the elements need of the parameters (static friction not below kinetic, a load that is
-    not negative), and their domains leave open, becomes a constraint of the system.
+    boundaries that different elements can reach at one instant have transitions. Where these are
+    too many to list, as those of ten contacts, they are made when a motion or an itinerary visits
+    them. What the laws of the elements need of the parameters (static friction not below kinetic,
+    a load that is not negative), and their domains leave open, becomes a constraint of the system.
 
     Parameters
     ----------

@@ -1,9 +1,9 @@
 """A piece of a large system as Python: tables as JSON, of numbers those that are not zero.
 
-Numbers are data. What depends on parameters is computed by the functions `fields_entries`,
-`rows_entries` and `resets_entries`, over any arithmetic; each result has its place in a matrix.
-The names of rows and resets tell which of several pieces are the same. `STARTS` has the rows of
-every regime of every part that are not positive in it, and those that vanish; `ONE` the row that
+Numbers are data. What depends on parameters is computed by one function for fields, for rows and
+for resets, over any arithmetic; each result has its place in a matrix.
+The names of rows and resets tell which of several pieces are the same. STARTS has the rows of
+every regime of every part that are not positive in it, and those that vanish; ONE the row that
 is 1.
 """
 

@@ -191,3 +191,20 @@ def test_names_of_configurations_are_regimes_that_go_together() -> None:
             system.configuration(wrong)
     with pytest.raises(DeclarationError, match="no transition leads"):
         system.transition(name, "x1-reaches-belt", name.replace("slip", "stick"))
+
+
+def test_boundaries_reached_together_follow_as_in_the_listed_system(monkeypatch) -> None:
+    def make() -> System:
+        elements = [RigidStop(x, at=1, restitution="0.5", name=f"s{x}") for x in ("x1", "x2", "x3")]
+        return oscillator("alike", ["x1", "x2", "x3"], *([np.eye(3)] * 2), elements=elements)
+
+    whole = make()
+    monkeypatch.setattr(growing, "_LARGEST", 0)
+    start = [0.0, 0.0, 0.0, 4.0, 4.0, 4.0]
+    expected = ns.simulate(whole, {}, start, until=20)
+    found = ns.simulate(make(), {}, start, until=20)
+    assert len(expected.boundaries[1]) == 3
+    assert found.boundaries == expected.boundaries
+    np.testing.assert_allclose(found.states, expected.states, atol=1e-12)
+    many = ns.simulate_many(make(), {}, [start, start], until=20)
+    np.testing.assert_allclose(many.states[0], expected([20.0])[0], atol=1e-11)
