@@ -486,8 +486,10 @@ class JoinedKernel:
         -------
         array (..., rows, columns)
         """
-        points = np.asarray(parameters, dtype=float)
-        found = np.broadcast_to(self._constant, (*points.shape[:-1], *self._shape)).copy()
+        points = np.asarray(parameters)
+        points = points if np.iscomplexobj(points) else points.astype(float)
+        shape = *points.shape[:-1], *self._shape
+        found = np.broadcast_to(self._constant, shape).astype(points.dtype)
         each = np.moveaxis(points, -1, 0)
         for entries, which, places in self._open:
             made = entries(each, lib=lib)
