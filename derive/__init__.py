@@ -124,6 +124,7 @@ _HOMES = {
     ),
     # what systems and equations ask for, though it stands above them
     "codegen.emit": ("emit_library", "emit_many_points"),
+    "codegen.piece": ("emit_piece", "table_of_composed"),
     "codegen.python_file": ("emit_python",),
     "document.equation_table": ("equation_html", "equation_latex", "equation_lines"),
 }

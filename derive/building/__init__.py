@@ -11,6 +11,7 @@
 `frame`               coordinates, states and parameters by name
 `parts`               the elements as local regimes
 `assembly`            motion, reactions and boundaries of the products of regimes
+`growing`             systems whose configurations are made when they are visited
 `constraints`         what the elements need of the parameters
 `impacts`             Newton's law of impact for any mass matrix
 `resting`             contacts at rest: the small complementarity problem

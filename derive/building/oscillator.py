@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import chain, combinations
+from math import prod
 from typing import Any
 
 import sympy as sp
@@ -14,6 +15,7 @@ from nonsmooth.derive.building.coupling import contact_law
 from nonsmooth.derive.building.element_parts import part_of, states_of
 from nonsmooth.derive.building.elements import Element, Harmonic
 from nonsmooth.derive.building.frame import Frame, inferred_parameters, square, velocity_name
+from nonsmooth.derive.building.growing import GrowingSystem, is_large
 from nonsmooth.derive.building.parts import FrictionPart
 from nonsmooth.derive.building.transitions import transitions_from
 from nonsmooth.derive.declaration.algebra import frozen, is_surely_positive_definite
@@ -42,9 +44,10 @@ def oscillator(
 
     Each element multiplies the configurations by its regimes: a configuration bears their
     names in the order of the elements, ``slip-free``; without elements it is ``free``. All
-    boundaries that different elements can reach at one instant have transitions. What the laws
-    of the elements need of the parameters (static friction not below kinetic, a load that is
-    not negative), and their domains leave open, becomes a constraint of the system.
+    boundaries that different elements can reach at one instant have transitions. Where these are
+    too many to list, as those of ten contacts, they are made when a motion or an itinerary visits
+    them. What the laws of the elements need of the parameters (static friction not below kinetic,
+    a load that is not negative), and their domains leave open, becomes a constraint of the system.
 
     Parameters
     ----------
@@ -97,15 +100,22 @@ def oscillator(
         coordinates, mass, stiffness, damping, load, forcing, elements, parameters,
         simultaneous_impacts,
     )  # fmt: skip
-    products, plural = assembly.products, "" if len(coordinates) == 1 else "s"
+    plural = "" if len(coordinates) == 1 else "s"
+    described = f"oscillator with {len(coordinates)} coordinate{plural}"
+    constraints = constraints_of(assembly.frame, elements, assembly.parts)
+    if is_large(assembly):
+        most = prod(len(part.regimes) for part in assembly.parts)
+        described += f", its configurations (up to {most:,}) made when they are visited"
+        return GrowingSystem(name, description or described, assembly, constraints)
+    products = assembly.products
     return System(
         name=name,
-        description=description or f"oscillator with {len(coordinates)} coordinate{plural}",
+        description=description or described,
         states=assembly.frame.states,
         parameters=assembly.frame.parameters,
         configurations=tuple(assembly.configuration(regimes) for regimes in products),
         transitions=tuple(t for regimes in products for t in transitions_from(assembly, regimes)),
-        constraints=constraints_of(assembly.frame, elements, assembly.parts),
+        constraints=constraints,
         contacts=assembly.contacts(products),
         forcing=assembly.phases,
         law=contact_law(assembly, products),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import product
 
 import sympy as sp
@@ -16,7 +16,7 @@ from nonsmooth.derive.building.pins import pins
 from nonsmooth.derive.building.resting import at_rest, changed, unsettled
 from nonsmooth.derive.declaration.transition import Condition, Transition
 
-__all__ = ["transitions_from"]
+__all__ = ["transitions_alone", "transitions_at", "transitions_from"]
 
 
 def transitions_from(assembly: Assembly, regimes: Regimes) -> Iterator[Transition]:
@@ -26,6 +26,30 @@ def transitions_from(assembly: Assembly, regimes: Regimes) -> Iterator[Transitio
         reached = {i: names for i, names in enumerate(sets) if names is not None}
         if reached and not _exclusive(assembly, regimes, reached):
             yield from _event(assembly, regimes, reached)
+
+
+def transitions_alone(assembly: Assembly, regimes: Regimes) -> Iterator[Transition]:
+    """Every set of boundaries of one part that a configuration can reach without other parts'."""
+    for i in range(len(assembly.parts)):
+        for names in _reachable(assembly, i, regimes):
+            if not _exclusive(assembly, regimes, {i: names}):
+                yield from _event(assembly, regimes, {i: names})
+
+
+def transitions_at(
+    assembly: Assembly, regimes: Regimes, boundaries: Collection[str]
+) -> Iterator[Transition]:
+    """The transitions of one set of boundaries that parts reach at one instant."""
+    reached: dict[int, frozenset[str]] = {}
+    left = frozenset(boundaries)
+    for i in range(len(assembly.parts)):
+        for names in _reachable(assembly, i, regimes):
+            if names <= left and len(names) > len(reached.get(i, ())):
+                reached[i] = names
+    if frozenset[str]().union(*reached.values()) == left and not _exclusive(
+        assembly, regimes, reached
+    ):
+        yield from _event(assembly, regimes, reached)
 
 
 def _reachable(assembly: Assembly, index: int, regimes: Regimes) -> list[frozenset[str]]:

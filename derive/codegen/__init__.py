@@ -9,6 +9,7 @@ gufunc          NumPy generalized ufuncs around the C functions
 admissibility   the compiled admissibility test
 tables          names and domains as literals beside the kernels
 python_file     the Python file of one system, for a first answer at once
+piece           one configuration of a system that has too many to list
 emit            the files of one system, and of the package
 regenerate      write them, or check them against the derivation
 """

@@ -15,7 +15,7 @@ t^k e^(st) cos(wt), and t^k e^(st) sin(wt) where it oscillates, for k = 0, ..., 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import chain
@@ -41,11 +41,13 @@ class SimulationForm:
     """A system, its spectrum and its flows, seen as rows and tables.
 
     Without flows, where no closed form is known, the runtime finds the modes from the fields.
+    What is `beside` are functions that have rows although nothing else names them.
     """
 
     system: System
     spectrum: Spectrum = field(default_factory=lambda: Spectrum(()))
     flows: Mapping[str, Flow] | None = None
+    beside: tuple[sp.Expr, ...] = ()
 
     @cached_property
     def rows(self) -> tuple[sp.Expr, ...]:
@@ -63,6 +65,7 @@ class SimulationForm:
             named += [f for contact in system.law.contacts for f in contact.functions]
             named += [*system.law.coupling, *chain.from_iterable(system.law.free.values())]
         named += [sine for _, sine in system.forcing[:1]]  # zero where its phase begins anew
+        named += self.beside
         return tuple(dict.fromkeys(map(sp.expand, named)))
 
     @cached_property
@@ -151,21 +154,21 @@ class SimulationForm:
                 for name, found in modes.items()
             },
             "forcing": [(str(c), str(s)) for c, s in system.forcing],
-            **({"forcing_row": self._row(system.forcing[0][1])} if system.forcing else {}),
+            **({"forcing_row": self.row(system.forcing[0][1])} if system.forcing else {}),
             "coordinates": [(str(x), str(v)) for x, v in self._coordinates()],
             "held": {c.name: self._held(c.dynamics) for c in system.configurations},
             "constraint_rows": {
-                c.name: [self._row(function) for function in self._constraints(c)]
+                c.name: [self.row(function) for function in self._constraints(c)]
                 for c in system.configurations
             },
             "boundary_rows": {
-                c.name: [self._row(b.function) for b in c.boundaries] for c in system.configurations
+                c.name: [self.row(b.function) for b in c.boundaries] for c in system.configurations
             },
             "transitions": [
                 {
                     "source": t.source,
                     "boundaries": sorted(t.boundaries),
-                    "conditions": [(self._row(c.function), c.along, c.holds) for c in t.conditions],
+                    "conditions": [(self.row(c.function), c.along, c.holds) for c in t.conditions],
                     "reset": self.resets.index(self._reset(t.reset)),
                     "target": t.target,
                     **({"order": t.order} if t.order else {}),
@@ -175,12 +178,12 @@ class SimulationForm:
             "contacts": {
                 contact.name: {
                     "forces": {
-                        name: self._row(contact.forces[name])
+                        name: self.row(contact.forces[name])
                         for name in configurations
                         if name in contact.forces
                     },
-                    "velocity": self._row(contact.velocity),
-                    "surface": self._row(contact.surface),
+                    "velocity": self.row(contact.velocity),
+                    "surface": self.row(contact.surface),
                 }
                 for contact in system.contacts
             },
@@ -191,8 +194,7 @@ class SimulationForm:
         """Positions and their velocities: x' = v, in some configurations perhaps x' = 0."""
         states = self.system.states
         forced = {state for pair in self.system.forcing for state in pair}
-        fields = [c.dynamics.field(states) for c in self.system.configurations]
-        velocities = [matrix * sp.Matrix(states) + offset for matrix, offset in fields]
+        velocities = [_rates(*c.dynamics.field(states), states) for c in self.system.configurations]
         found = []
         for place, state in enumerate(states):
             rates = {velocity[place] for velocity in velocities}
@@ -207,14 +209,14 @@ class SimulationForm:
         return {
             "contacts": [
                 {"name": contact.name, "friction": contact.friction}
-                | dict(zip(columns, map(self._row, contact.functions), strict=True))
+                | dict(zip(columns, map(self.row, contact.functions), strict=True))
                 for contact in law.contacts
             ],
-            "coupling": [[self._row(entry) for entry in row] for row in law.coupling.tolist()],
+            "coupling": [[self.row(entry) for entry in row] for row in law.coupling.tolist()],
             "couples": [[bool(entry != 0) for entry in row] for row in law.coupling.tolist()],
             "regimes": dict(law.regimes),
             "others": dict(law.others),
-            "free": {others: list(map(self._row, found)) for others, found in law.free.items()},
+            "free": {others: list(map(self.row, found)) for others, found in law.free.items()},
             "arrivals": law.arrivals,
             "limits": law.limits,
             "switches": {others: dict(found) for others, found in law.switches.items()},
@@ -228,7 +230,8 @@ class SimulationForm:
     def _reset(self, reset: Mapping[sp.Symbol, sp.Expr]) -> sp.Matrix:
         return sp.ImmutableMatrix([sp.expand(reset.get(s, s)) for s in self.system.states])
 
-    def _row(self, function: sp.Expr) -> int:
+    def row(self, function: sp.Expr) -> int:
+        """Place of a function among the rows."""
         return self._places[sp.expand(function)]
 
     @cached_property
@@ -264,6 +267,14 @@ class SimulationForm:
             return sp.zeros(len(self.system.states), len(self.system.states) + 1)
         place = flow.basis.index(term)
         return sp.Matrix(flow.matrices[place]).row_join(sp.Matrix(flow.offsets[place]))
+
+
+def _rates(matrix: sp.Matrix, offset: sp.Matrix, states: Sequence[sp.Symbol]) -> list[sp.Expr]:
+    """Rates of the states in a vector field."""
+    terms: list[list[sp.Expr]] = [[entry] for entry in offset]
+    for (i, j), entry in matrix.todok().items():
+        terms[i].append(entry * states[j])
+    return [sp.Add(*each) for each in terms]
 
 
 def _vector(name: str, symbols: Iterable[sp.Symbol]) -> Argument:

@@ -99,21 +99,23 @@ class SecondOrder:
         size = self.mass.rows
         held = self.held_at(states)
         free = [i for i in range(size) if i not in held]
-        matrix, offset = sp.zeros(2 * size, 2 * size), sp.zeros(2 * size, 1)
-        for i in range(size):
-            matrix[i, size + i] = 1
+        matrix = {(i, size + i): sp.S.One for i in range(size)}
+        offset: dict[tuple[int, int], sp.Expr] = {}
         if free:
             spread = inverse(self.mass.extract(free, free))
-            rows = [size + i for i in free]
             columns = list(range(size))
-            stiffness = spread * self.stiffness.extract(free, columns)
-            damping = spread * self.damping.extract(free, columns)
+            for given, first in ((self.stiffness, 0), (self.damping, size)):
+                product = spread * given.extract(free, columns)
+                matrix |= {
+                    (size + free[k], first + j): -entry for (k, j), entry in product.todok().items()
+                }
             load = spread * self.load.extract(free, [0])
-            for k, row in enumerate(rows):
-                matrix[row, :size] = -stiffness[k, :]
-                matrix[row, size:] = -damping[k, :]
-                offset[row, 0] = load[k]
-        return sp.ImmutableMatrix(matrix), sp.ImmutableMatrix(offset)
+            offset = {(size + free[k], 0): entry for (k, _), entry in load.todok().items()}
+        whole = 2 * size
+        return (
+            frozen(sp.Matrix.from_dok(whole, whole, matrix)),
+            frozen(sp.Matrix.from_dok(whole, 1, offset)),
+        )
 
     def shifted(self, origin: sp.Matrix) -> SecondOrder:
         """Write the same motion in coordinates ``z = x - origin``.

@@ -40,13 +40,17 @@ def fingerprint(*declarations: Any) -> str:
 def _text(value: Any) -> str:
     """Text that tells a value from every other, all parts of it included."""
     if is_dataclass(value) and not isinstance(value, type):
+        value = getattr(value, "identity", value)  # of a system that is not listed
         inside = ", ".join(f"{f.name}={_text(getattr(value, f.name))}" for f in fields(value))
         return f"{type(value).__name__}({inside})"
     if isinstance(value, Mapping | sp.Dict):
         entries = [f"{_text(key)}: {_text(entry)}" for key, entry in value.items()]
         # SymPy's own mappings have no order of their own
         return f"{{{', '.join(sorted(entries) if isinstance(value, sp.Dict) else entries)}}}"
-    if isinstance(value, sp.Basic | sp.MatrixBase):
+    if isinstance(value, sp.MatrixBase):
+        placed = (f"{place}: {sp.srepr(entry)}" for place, entry in sorted(value.todok().items()))
+        return f"{type(value).__name__}({value.shape}, {{{', '.join(placed)}}})"
+    if isinstance(value, sp.Basic):
         return str(sp.srepr(value))
     if isinstance(value, frozenset):
         return f"{{{', '.join(sorted(map(_text, value)))}}}"

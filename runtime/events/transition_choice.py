@@ -352,9 +352,12 @@ class _AtEvent(NamedTuple):
 
 
 def batch_decider(
-    structure: Structure, numbers: np.ndarray, options: list[tuple[tuple[int, ...], int]]
+    structure: Structure,
+    numbers: np.ndarray,
+    options: list[tuple[tuple[int, ...], int]],
+    missing: list[tuple[int, int]],
 ) -> Callable[..., tuple[int, int, int]] | None:
-    """What the compiled engine calls where it finds no transition; None without laws.
+    """What the compiled engine calls where it finds no transition; None where nothing is to tell.
 
     Parameters
     ----------
@@ -363,6 +366,8 @@ def batch_decider(
         Fields, rows and resets come first.
     options : list
         Gets the options of events that are ambiguous, and a mask of their boundaries.
+    missing : list
+        Gets the configurations of undeclared events, and a mask of their boundaries.
 
     Returns
     -------
@@ -370,7 +375,8 @@ def batch_decider(
         From a point, configuration, boundaries, state, sizes and error to a status, target and
         reset.
     """
-    if structure.law is None and not any(t.order for found in structure.transitions for t in found):
+    ordered = any(t.order for found in structure.transitions for t in found)
+    if structure.law is None and not ordered and not structure.unvisited:
         return None
     size, count = len(structure.states), len(structure.configurations)
     cut = count * size * (size + 1)
@@ -395,6 +401,7 @@ def batch_decider(
             if found.verdict == "ambiguous":
                 options.append((found.options, mask_of(reached)))
                 return Status.AMBIGUOUS, -1, -1
+            missing.append((source, mask_of(reached)))
             return Status.UNDECLARED, -1, -1
         return -1, found.transition.target, found.transition.reset
 

@@ -43,6 +43,7 @@ def layout_of(structure: Structure) -> np.ndarray:
     transitions = list(chain(*listed))
     conditions = [condition for t in transitions for condition in t.conditions]
     pairs = list(dict.fromkeys((row, along) for row, along, _ in conditions))
+    place_of = {pair: place for place, pair in enumerate(pairs)}
     header = [
         len(structure.states),
         len(structure.configurations),
@@ -74,7 +75,7 @@ def layout_of(structure: Structure) -> np.ndarray:
         [t.target for t in transitions],
         [t.reset for t in transitions],
         np.cumsum([0, *(len(t.conditions) for t in transitions)]).tolist(),
-        [pairs.index((row, along)) for row, along, _ in conditions],
+        [place_of[row, along] for row, along, _ in conditions],
         [int(holds) for _, _, holds in conditions],
         [row for row, _ in pairs],
         [along for _, along in pairs],

@@ -97,6 +97,8 @@ class Run:
         Configurations that may follow, where the laws of contact leave it open.
     open_at : int
         Boundaries that are reached together there, as a mask.
+    missing : int
+        Boundaries that are reached together and for which no transition is declared, as a mask.
     """
 
     times: np.ndarray
@@ -109,3 +111,4 @@ class Run:
     end: float
     options: tuple[int, ...] = ()
     open_at: int = 0
+    missing: int = 0

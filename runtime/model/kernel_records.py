@@ -5,15 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.arithmetic import FLOATS
 from nonsmooth.runtime.core.errors import unknown_name
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.core.vectorised import vectorised, with_entries
+from nonsmooth.runtime.model.loading.growing import JoinedKernel
 
 __all__ = ["Boundary", "OrbitKernels", "ParameterTable", "SavedTable", "SystemKernels"]
 
@@ -209,7 +211,10 @@ class SystemKernels:
 
     @cache  # noqa: B019 - as `function`
     def _on_numpy(self, kernel: str) -> Callable[..., Any]:
-        return vectorised(self.source(kernel), *self.module.KERNELS[kernel])
+        source = self.source(kernel)
+        if isinstance(source, JoinedKernel):
+            return partial(source.evaluated, lib=FLOATS)
+        return vectorised(source, *self.module.KERNELS[kernel])
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,6 +10,7 @@ import hashlib
 import json
 import math
 import os
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
@@ -27,10 +28,12 @@ from nonsmooth.runtime.model.kernel_records import (
     SystemKernels,
 )
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
+from nonsmooth.runtime.model.loading.growing import Visit
 from nonsmooth.runtime.model.loading.load import (
     Loaded,
     library_of,
     load_declared,
+    load_grown,
     load_many_points,
     load_named,
     load_path,
@@ -46,6 +49,7 @@ __all__ = [
     "SystemKernels",
     "backend",
     "compiled_for",
+    "grown",
     "is_saved",
     "kernels_of",
     "kernels_of_many",
@@ -377,6 +381,32 @@ def kernels_of(system: str | SystemKernels | DeclaredSystem) -> SystemKernels:
     SystemKernels
     """
     return system if isinstance(system, SystemKernels) else load_system(system)
+
+
+def grown(kernels: SystemKernels, visits: Iterable[Visit] = ()) -> SystemKernels:
+    """A system with all configurations that were visited so far, and some more.
+
+    Indices of what is there stay as they are.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    visits : iterable of (str, tuple of str)
+        Configurations, and boundaries that are reached together in them, or none.
+
+    Returns
+    -------
+    SystemKernels
+        The same where nothing is added, as of every system that is listed whole.
+
+    Raises
+    ------
+    InputError
+        If there is no such configuration.
+    """
+    before = Loaded(kernels.name, kernels.module, kernels.compiled)
+    found = load_grown(before, visits)
+    return kernels if found.module is kernels.module else _kernels(found)
 
 
 def _text(name: Any, kind: str) -> str:

@@ -47,7 +47,7 @@ from nonsmooth.runtime.model.simple_modes import (
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 from nonsmooth.runtime.model.time_functions import functions_at
 
-__all__ = ["NumericModes", "grouped_modes", "no_modes", "numeric_modes"]
+__all__ = ["NumericModes", "grouped_modes", "no_modes", "numeric_modes", "standing_modes"]
 
 _FEW = 4  # for fewer fields it pays to remember their modes
 _FAR = 0.05  # of the largest modulus: no digits are lost
@@ -143,6 +143,26 @@ def no_modes(size: int) -> NumericModes:
         One mode, and NaN.
     """
     exponents, flows = np.full((1, 2), np.nan), np.full((1, size, size + 1), np.nan)
+    for array in (exponents, flows):
+        array.flags.writeable = False
+    return NumericModes(mode_shapes([(1, False)]), exponents, flows)
+
+
+@cache
+def standing_modes(size: int) -> NumericModes:
+    """What stands for the modes of a configuration in which a motion ends at once.
+
+    Parameters
+    ----------
+    size : int
+        Number of states.
+
+    Returns
+    -------
+    NumericModes
+        One mode, which keeps the state.
+    """
+    exponents, flows = np.zeros((1, 2)), np.eye(size, size + 1)[None]
     for array in (exponents, flows):
         array.flags.writeable = False
     return NumericModes(mode_shapes([(1, False)]), exponents, flows)

@@ -20,7 +20,13 @@ from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.factored_flows import Flows, arrays_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
-from nonsmooth.runtime.model.modes import NumericModes, grouped_modes, no_modes, numeric_modes
+from nonsmooth.runtime.model.modes import (
+    NumericModes,
+    grouped_modes,
+    no_modes,
+    numeric_modes,
+    standing_modes,
+)
 from nonsmooth.runtime.model.simple_modes import ModeGroup
 from nonsmooth.runtime.model.structure import Structure, structure_of
 
@@ -186,6 +192,9 @@ def numbers_at(
     told = np.isfinite(fields).all(axis=(1, 2, 3))
     found: dict[int, list[ModeGroup]] = {}
     for place in range(fields.shape[1]) if visited is None else sorted({*visited}):
+        if place in structure.unvisited:
+            found[place] = [_everywhere(standing_modes(size), np.arange(count))]
+            continue
         found[place] = grouped_modes(np.where(told[:, None, None], fields[:, place], np.nan))
         for group in found[place]:
             told[group.places] &= np.isfinite(group.exponents).all(axis=(1, 2))
@@ -193,7 +202,9 @@ def numbers_at(
     for places in _alike(told, found.values()):
         visible = found if told[places[0]] else {}
         own = [
-            _members(visible[place], places) if place in visible else _unknown(size, places)
+            _members(visible[place], places)
+            if place in visible
+            else _everywhere(no_modes(size), places)
             for place in range(fields.shape[1])
         ]
         arrays = [part[places] for part in parts]
@@ -205,14 +216,13 @@ def numbers_at(
     return result
 
 
-def _unknown(size: int, places: np.ndarray) -> ModeGroup:
-    """What stands for the modes of a configuration that are not known."""
-    none = no_modes(size)
+def _everywhere(modes: NumericModes, places: np.ndarray) -> ModeGroup:
+    """The same modes at some points."""
     exponents, *flows = (
         np.broadcast_to(part, (len(places), *part.shape))
-        for part in (none.exponents, *arrays_of(none.flows))
+        for part in (modes.exponents, *arrays_of(modes.flows))
     )
-    return ModeGroup(places, none.shapes, exponents, tuple(flows))
+    return ModeGroup(places, modes.shapes, exponents, tuple(flows))
 
 
 def _alike(told: np.ndarray, found: Iterable[list[ModeGroup]]) -> list[np.ndarray]:
@@ -250,7 +260,11 @@ def _numeric(
     if not np.isfinite(fields).all():
         raise InputError(f"the vector fields of {structure.name} are not finite")
     return [
-        numeric_modes(field) if visited is None or place in visited else no_modes(size)
+        standing_modes(size)
+        if place in structure.unvisited
+        else numeric_modes(field)
+        if visited is None or place in visited
+        else no_modes(size)
         for place, field in enumerate(fields.reshape(-1, size, size + 1))
     ]
 

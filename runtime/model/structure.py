@@ -11,6 +11,7 @@ from nonsmooth.runtime.model.contacts.law import Law, law_of
 from nonsmooth.runtime.model.contacts.stages import Path
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.loading.growing import NOT_VISITED
 
 __all__ = [
     "FORCING_PHASE",
@@ -158,6 +159,39 @@ class Structure:
         if name not in self.configurations:
             raise unknown_name("configuration", str(name), self.configurations)
         return self.configurations.index(name)
+
+    @cached_property
+    def unvisited(self) -> frozenset[int]:
+        """Configurations that others lead to and of which nothing more is known."""
+        return frozenset(
+            place
+            for place, found in enumerate(self.boundaries)
+            if found and found[0].name == NOT_VISITED
+        )
+
+    @cached_property
+    def visited(self) -> tuple[int, ...]:
+        """All other configurations: of a system that is listed whole, all."""
+        return tuple(c for c in range(len(self.configurations)) if c not in self.unvisited)
+
+    def check_listed(self, what: str) -> None:
+        """Refuse what compares the configurations of a whole system, where they are not listed.
+
+        Parameters
+        ----------
+        what : str
+            Who asks, for the message.
+
+        Raises
+        ------
+        InputError
+            If there are configurations that are made when they are visited.
+        """
+        if self.unvisited:
+            raise InputError(
+                f"{what} needs all configurations of {self.name}, which has too many to list:"
+                " simulate, find_orbits, solve and charts of an orbit make those that they visit"
+            )
 
     def listed(self, source: int, boundaries: frozenset[int]) -> tuple[TransitionShape, ...]:
         """Transitions that are listed for exactly these boundaries.
@@ -346,18 +380,16 @@ def _structure(kernels: SystemKernels) -> Structure:
         for name, found in table["configurations"].items()
     )
     transitions: list[list[TransitionShape]] = [[] for _ in configurations]
+    places = {name: place for place, name in enumerate(configurations)}
     for entry in table["transitions"]:
-        source = configurations.index(entry["source"])
+        source = places[entry["source"]]
         names = [b.name for b in boundaries[source]]
         transitions[source].append(
             TransitionShape(
                 frozenset(names.index(name) for name in entry["boundaries"]),
-                tuple(
-                    (row, configurations.index(along), holds)
-                    for row, along, holds in entry["conditions"]
-                ),
+                tuple((row, places[along], holds) for row, along, holds in entry["conditions"]),
                 entry["reset"],
-                configurations.index(entry["target"]),
+                places[entry["target"]],
                 entry.get("order", 0),
                 entry.get("path"),
             )
@@ -374,7 +406,7 @@ def _structure(kernels: SystemKernels) -> Structure:
         tuple(
             ContactShape(
                 name,
-                {configurations.index(c): row for c, row in found["forces"].items()},
+                {places[c]: row for c, row in found["forces"].items()},
                 found["velocity"],
                 found["surface"],
             )

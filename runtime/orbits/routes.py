@@ -1,4 +1,8 @@
-"""Itineraries through coupled contacts: the routes of the law between their phases are listed.
+"""Itineraries whose transitions are not all listed yet.
+
+Of a system whose configurations are made when they are visited, those of the itinerary are made.
+
+Through coupled contacts the routes of the law between the phases of an itinerary are listed.
 
 Which steps the law takes from one phase to the next depends on the state there. Before an orbit
 is known the shortest route stands for them: all have the same reset. Behind it comes the route
@@ -17,6 +21,7 @@ from nonsmooth.runtime.model.contacts.stages import Path, Stage
 from nonsmooth.runtime.model.contacts.unfolding import Route, unfolded
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernel_records import SystemKernels
+from nonsmooth.runtime.model.kernels import grown
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure, structure_of
 
@@ -26,7 +31,7 @@ Itinerary = Sequence[tuple[str, str | Sequence[str]]]
 
 
 def with_routes(kernels: SystemKernels, itinerary: Itinerary) -> SystemKernels:
-    """Kernels in which every transition of an itinerary is listed that the law may take.
+    """Kernels in which every transition of an itinerary is listed, also those of the law.
 
     Parameters
     ----------
@@ -39,10 +44,28 @@ def with_routes(kernels: SystemKernels, itinerary: Itinerary) -> SystemKernels:
         The same kernels where nothing is missing.
     """
     structure = structure_of(kernels)
+    if structure.unvisited:
+        return _visited(kernels, structure, itinerary)
     if structure.law is None or not _missing(structure, itinerary):
         return kernels
     law = structure.law
     return _listed(kernels, itinerary, lambda place, event, target: _shortest(law, event, target))
+
+
+def _visited(kernels: SystemKernels, structure: Structure, itinerary: Itinerary) -> SystemKernels:
+    """Kernels with the configurations of an itinerary, as far as it is one."""
+    known = {structure.configurations[c] for c in structure.visited}
+    wanted = [
+        (source, names)
+        for source, names, _ in _steps(itinerary)
+        if source not in known or (len(names) > 1 and not _is_listed(structure, source, names))
+    ]
+    return grown(kernels, wanted) if wanted else kernels
+
+
+def _is_listed(structure: Structure, source: str, names: tuple[str, ...]) -> bool:
+    here = structure.configuration(source)
+    return bool(structure.listed(here, frozenset(structure.boundary(here, n) for n in names)))
 
 
 def with_routes_at(

@@ -18,6 +18,7 @@ from nonsmooth.runtime.model.kernels import (
     system_names,
 )
 from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.declared_solve import unknowns_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.named_entries import saved_names
@@ -149,10 +150,10 @@ def systems_json(names: Sequence[str] = ()) -> dict[str, Any]:
                 "name": shown_name(system.name) if is_saved(name) else system.name,
                 "description": system.table["description"],
                 "states": list(system.table["states"]),
-                "configurations": list(system.configurations),
+                "configurations": list(visited := _visited(system)),
                 "boundaries": {
                     configuration: [dict(boundary) for boundary in boundaries]
-                    for configuration, boundaries in system.table["configurations"].items()
+                    for configuration, boundaries in visited.items()
                 },
                 "transitions": _transitions_json(system),
                 "parameters": [_parameter_json(p) for p in system.parameters],
@@ -161,6 +162,13 @@ def systems_json(names: Sequence[str] = ()) -> dict[str, Any]:
             for name, (system, orbits) in systems.items()
         ]
     }
+
+
+def _visited(system: SystemKernels) -> dict[str, Any]:
+    """Configurations with their boundaries, without those that are only led to."""
+    structure, every = structure_of(system), system.table["configurations"]
+    return {structure.configurations[c]: every[structure.configurations[c]]
+            for c in structure.visited}  # fmt: skip
 
 
 def _transitions_json(system: SystemKernels) -> list[dict[str, Any]]:

@@ -148,6 +148,11 @@ def symmetry_of(system: PiecewiseLinear, given: Any, error: float = _SAME) -> Sy
         if image not in pairs:
             told = " and ".join(structure.states[state] for state in pair)
             raise InputError(f"symmetry: it takes the forcing {told} apart")
+    if structure.unvisited:
+        raise InputError(
+            f"symmetry: {structure.name} has too many configurations to be compared with their"
+            " images: give the itinerary of the whole orbit"
+        )
     images = _Images(system, matrix, error)
     found = next(images.bijections({}), None)
     if found is None:

@@ -4,6 +4,7 @@
 `simulate`         `simulate`, `simulate_many`: one motion, or many in threads
 `trajectory`       `Trajectory`: the transitions of a motion, and its state at any time
 `starting`         a start by names, and the configuration that it belongs to
+`visiting`         configurations that are made when motions visit them
 `engines`          the engine in C where it is built, else the one in Python
 `stepping`         the engine in Python: the fallback, and the judge of the one in C
 `extremes`         guaranteed extremes of affine functions of the state along a motion

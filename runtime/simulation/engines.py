@@ -104,7 +104,8 @@ def run_compiled(
         raise InputError("the system or the state is not finite")
     most = np.iinfo(np.int64).max if transitions is None else transitions
     options: list[tuple[tuple[int, ...], int]] = []
-    decide = batch_decider(structure, numbers[None], options)
+    missing: list[tuple[int, int]] = []
+    decide = batch_decider(structure, numbers[None], options, missing)
     # unknown counts: once more with room for twice as many
     entries, touches = min(most + 1, _FIRST_ENTRIES), _GRAZINGS
     while True:
@@ -150,7 +151,8 @@ def run_compiled(
         ),
         Status(status),
         float(ends[0]),
-        *(options[-1] if status == Status.AMBIGUOUS else ()),
+        *(options[-1] if status == Status.AMBIGUOUS else ((), 0)),
+        missing[-1][1] if missing and status == Status.UNDECLARED else 0,
     )
 
 
@@ -240,6 +242,7 @@ def run_motions(
     until: np.ndarray,
     transitions: int | None,
     kept: int = 0,
+    missing: list[tuple[int, int]] | None = None,
 ) -> MotionEnds:
     """Follow many motions in the compiled engine, one after the other, without the GIL.
 
@@ -257,6 +260,9 @@ def run_motions(
     transitions : int or None
     kept : int
         How many of the last entries to keep of each motion.
+    missing : list, optional
+        Gets the configurations in which motions end where nothing is declared, each with a mask
+        of the boundaries that are reached together.
 
     Returns
     -------
@@ -282,7 +288,7 @@ def run_motions(
         sets,
         np.empty((count, 0, 4)),
         counts,
-        batch_decider(structure, numbers, []),
+        batch_decider(structure, numbers, [], [] if missing is None else missing),
     )
     return ends._replace(
         kept_sets=masks_of(structure, sets),

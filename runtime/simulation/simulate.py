@@ -15,8 +15,8 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.threads import thread_pool
 from nonsmooth.runtime.core.workload import check_memory
-from nonsmooth.runtime.model.engine_run import Run
-from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, kernels_of
+from nonsmooth.runtime.model.engine_run import Run, Status
+from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine, grown, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import (
@@ -43,6 +43,7 @@ from nonsmooth.runtime.simulation.starting import (
     start_state,
 )
 from nonsmooth.runtime.simulation.trajectory import Trajectory
+from nonsmooth.runtime.simulation.visiting import visits_behind, with_starts
 
 __all__ = ["LARGEST_COUNT", "Trajectories", "checked_count", "follow", "simulate", "simulate_many"]
 
@@ -97,7 +98,8 @@ def simulate(
     >>> motion.boundaries[1:]
     (('first-reaches-stop',), ('first-reaches-stop',))
     """
-    pieces = piecewise(system, parameters)
+    kernels = kernels_of(system)
+    pieces = piecewise(kernels, parameters)
     start = start_state(pieces.structure, state)
     check_phases(pieces, start)
     end = _real("until", until)
@@ -106,8 +108,22 @@ def simulate(
     most = _most_transitions(end, transitions)
     if most is not None and math.isinf(end):
         check_memory(f"{most} transitions", most * entry_size(len(start)))
+    if configuration is None:
+        point = np.array([[float(value) for value in pieces.parameters.values()]])
+        visited = with_starts(kernels, point, np.zeros(1, dtype=int), start[None])
+    else:
+        visited = grown(kernels, [(configuration, ())])
+    if visited is not kernels:
+        kernels, pieces = visited, piecewise(visited, parameters)
     chosen = configuration_of(pieces, start, configuration)
-    return Trajectory(pieces, follow(pieces, start, chosen, float(end), most))
+    while True:
+        run = follow(pieces, start, chosen, float(end), most)
+        structure, last = pieces.structure, int(run.configurations[-1])
+        missing = [(last, run.missing)] if run.missing else []
+        visited = grown(kernels, visits_behind(structure, [last], missing))
+        if visited is kernels:
+            return Trajectory(pieces, run)
+        kernels, pieces = visited, piecewise(visited, parameters)
 
 
 def follow(
@@ -268,7 +284,7 @@ def simulate_many(
     >>> ends.states.shape
     (2, 4)
     """
-    kernels = kernels_of(system)
+    kernels = grown(kernels_of(system))
     structure = structure_of(kernels)
     points, shape = parameter_points(kernels, parameters)
     starts = _real("states", states)
@@ -298,27 +314,39 @@ def simulate_many(
     check_memory(f"{len(flat)} motions of {kept} entries", len(flat) * size_of_one)
     engine = compiled_engine()
     chunk = min(max(len(flat) // (8 * workers), _LEAST_CHUNK), _LARGEST_CHUNK)
+    if wanted is not None:
+        kernels = grown(kernels, [(wanted, ())])
+    elif given is None:
+        kernels = with_starts(kernels, points, which, flat)
 
     def part(begin: int) -> MotionEnds:
         here = slice(begin, begin + chunk)
         used, places = np.unique(which[here], return_inverse=True)
         states, limits = flat[here], until_each[here]
-        ends = no_ends(structure, len(states), kept)
-        for group in numbers_at(kernels, points[used]):
-            row_of = np.full(len(used), -1)
-            row_of[group.places] = np.arange(len(group.places))
-            members = np.flatnonzero(row_of[places] >= 0)
-            rows_of = row_of[places[members]]
-            if given is not None:
-                found = given[here][members]
-            else:
-                found = _configurations(group, rows_of, states[members], wanted)
-            sound = found >= 0
-            members = members[sound]
-            _follow_many(
-                engine, kernels, group, points[used[group.places]], rows_of[sound], members,
-                states, found[sound], limits, most, ends,
-            )  # fmt: skip
+        ends, now, left = no_ends(structure, len(states), kept), kernels, np.arange(len(states))
+        while True:
+            missing: list[tuple[int, int]] = []
+            for group in numbers_at(now, points[used]):
+                row_of = np.full(len(used), -1)
+                row_of[group.places] = np.arange(len(group.places))
+                members = left[row_of[places[left]] >= 0]
+                rows_of = row_of[places[members]]
+                if given is not None:
+                    found = given[here][members]
+                else:
+                    found = _configurations(group, rows_of, states[members], wanted)
+                sound = found >= 0
+                members = members[sound]
+                _follow_many(
+                    engine, now, group, points[used[group.places]], rows_of[sound], members,
+                    states, found[sound], limits, most, ends, missing,
+                )  # fmt: skip
+            left = left[ends.status[left] == Status.UNDECLARED]
+            entered = ends.configurations[left].tolist()
+            larger = grown(now, visits_behind(structure_of(now), entered, missing))
+            if larger is now:
+                break
+            now = larger
         return ends
 
     begins = range(0, len(flat), chunk)
@@ -329,7 +357,7 @@ def simulate_many(
     joined = _ordered(MotionEnds(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True))))
     shaped = MotionEnds(*(array.reshape((*common, *array.shape[1:])) for array in joined))
     return Trajectories(
-        structure,
+        structure_of(grown(kernels)),
         times=shaped.times,
         states=shaped.states,
         configurations=shaped.configurations,
@@ -372,12 +400,16 @@ def _follow_many(
     until: np.ndarray,
     most: int | None,
     ends: MotionEnds,
+    missing: list[tuple[int, int]],
 ) -> None:
-    """Follow the motions `members` of a chunk, each by the numbers in its row of a group."""
+    """Follow the motions `members` of a chunk, each by the numbers in its row of a group.
+
+    What is reached together where nothing is declared is added to `missing`.
+    """
     if engine is not None:
         found = run_motions(
             engine, group.structure, group.flat, rows_of, states[members], configurations,
-            until[members], most, ends.kept_times.shape[1],
+            until[members], most, ends.kept_times.shape[1], missing,
         )  # fmt: skip
         for whole, piece in zip(ends, found, strict=True):
             whole[members] = piece
@@ -390,6 +422,8 @@ def _follow_many(
             systems[row] = piecewise_at(kernels, points[row])
         run = follow(systems[row], states[i], int(configuration), float(until[i]), most)
         store_end(ends, i, systems[row], run)
+        if run.missing:
+            missing.append((int(run.configurations[-1]), run.missing))
 
 
 def _ordered(ends: MotionEnds) -> MotionEnds:

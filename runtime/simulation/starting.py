@@ -22,6 +22,7 @@ __all__ = [
     "configuration_of",
     "configurations_of",
     "on_circles",
+    "orders_along",
     "start_state",
 ]
 
@@ -212,7 +213,7 @@ def configuration_of(system: PiecewiseLinear, state: np.ndarray, wanted: str | N
         )
     problems = {
         structure.configurations[c]: _violated(system, c, state)
-        for c in range(len(structure.configurations))
+        for c in structure.visited
         if not structure.constraints[c]
     }
     told = "; ".join(f"{name}: {problem}" for name, problem in problems.items())
@@ -242,8 +243,7 @@ def configurations_of(
     array (n,) of int
         Indices of configurations.
     """
-    every = range(len(structure.configurations))
-    order = sorted(every, key=lambda c: -len(structure.constraints[c]))
+    order = sorted(structure.visited, key=lambda c: -len(structure.constraints[c]))
     if wanted is not None:
         order = [structure.configuration(wanted)]
     staying = np.full(len(states), -1, dtype=np.int32)
@@ -253,11 +253,11 @@ def configurations_of(
         for c in order:
             inside = np.isfinite(extended).all(axis=1)
             for row in structure.constraints[c]:
-                value, error = next(_orders(fields[:, c], rows[:, row], extended))
+                value, error = next(orders_along(fields[:, c], rows[:, row], extended))
                 inside &= np.abs(value) <= error
             stays = inside.copy()
             for boundary in structure.boundaries[c]:
-                orders = _orders(fields[:, c], rows[:, boundary.row], extended)
+                orders = orders_along(fields[:, c], rows[:, boundary.row], extended)
                 value, error = first = next(orders)
                 inside &= value <= error
                 stays &= leading_signs(chain([first], orders)) <= 0
@@ -282,7 +282,7 @@ def _resting(
     for place, contact in enumerate(law.contacts):
         for row in (contact.relative, contact.gap):
             # constraints err alike in all configurations: by the fields of the first
-            value, error = next(_orders(fields[:, 0], rows[:, row], extended))
+            value, error = next(orders_along(fields[:, 0], rows[:, row], extended))
             rests[place] &= np.abs(value) <= error
     for place in np.flatnonzero(rests.sum(axis=0) > 1).tolist():
         yield place, rests[:, place]
@@ -292,7 +292,7 @@ def _left_open(system: PiecewiseLinear, state: np.ndarray) -> tuple[str, ...]:
     """Configurations that the law leaves open for a start."""
     structure, law = system.structure, system.structure.law
     extended = np.append(state, 1.0)[None]
-    inside = [c for c in range(len(structure.configurations)) if not _violated(system, c, state)]
+    inside = [c for c in structure.visited if not _violated(system, c, state)]
     if law is None or not inside:
         return ()
     order = sorted(inside, key=lambda c: -len(structure.constraints[c]))
@@ -313,7 +313,7 @@ def _number(name: str, given: object) -> float:
     return value
 
 
-def _orders(
+def orders_along(
     field: np.ndarray, row: np.ndarray, extended: np.ndarray
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Values and errors of a row and of its derivatives of order 1 to N along a flow.
@@ -321,7 +321,16 @@ def _orders(
     Each errs by its own rounding, and by that of the time at which the state was computed: a
     position at zero has no size of its own.
 
-    Field (n or 1, N, N + 1), row (n or 1, N + 1), extended (n, N + 1): states and 1.
+    Parameters
+    ----------
+    field : array (n or 1, N, N + 1)
+    row : array (n or 1, N + 1)
+    extended : array (n, N + 1)
+        States and 1.
+
+    Yields
+    ------
+    value, error : array (n,)
     """
     sizes, lengths = np.abs(extended), np.abs(field)
     speed = lengths[:, :, :-1].sum(axis=2).max(axis=1)
@@ -346,7 +355,7 @@ def _violated(system: PiecewiseLinear, c: int, state: np.ndarray) -> str:
     structure, extended = system.structure, np.append(state, 1.0)[None]
 
     def excess(row: int) -> tuple[float, float]:
-        value, error = next(_orders(system.fields[c][None], system.rows[row][None], extended))
+        value, error = next(orders_along(system.fields[c][None], system.rows[row][None], extended))
         return float(value[0]), float(error[0])
 
     for row in structure.constraints[c]:

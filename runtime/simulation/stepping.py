@@ -237,7 +237,13 @@ def run(
     error, immediate, left_out = 0.0, 0, frozenset[int]()
     waited = 0.0  # since the last transition
 
-    def ended(status: Status, end: float, options: tuple[int, ...] = (), open_at: int = 0) -> Run:
+    def ended(
+        status: Status,
+        end: float,
+        options: tuple[int, ...] = (),
+        open_at: int = 0,
+        missing: int = 0,
+    ) -> Run:
         times, configurations, before, states, sets = zip(*entries, strict=True)
         return Run(
             np.array(times),
@@ -250,6 +256,7 @@ def run(
             end,
             options,
             open_at,
+            missing,
         )
 
     while True:
@@ -311,7 +318,7 @@ def run(
         if transition is None:
             if choice.verdict == "ambiguous":
                 return ended(Status.AMBIGUOUS, clock.time, choice.options, mask)
-            return ended(Status.UNDECLARED, clock.time)
+            return ended(Status.UNDECLARED, clock.time, missing=mask)
         shapes = system.structure.boundaries[configuration]
         located = {shapes[b].row for b in event.located} | (zero if dwell == 0 else frozenset())
         zero = stepper.kept(transition, located)

@@ -243,6 +243,7 @@ def attractor_problem(
         )
     fixed = fixed_values(kernels.parameters, given, swept, {}, kernels.name)
     begin = start_state(structure_of(kernels), start)
+    structure_of(kernels).check_listed("a chart of motions")
     return AttractorProblem(kernels.name, fixed, tuple(begin.tolist()), most)
 
 

@@ -145,6 +145,7 @@ def plane_of_starts(
         For wrong names or numbers.
     """
     structure, axes = structure_of(kernels), []
+    structure.check_listed("a picture of basins")
     for name, low, high, count in (x, y):
         if name not in structure.states:
             raise unknown_name("state", name, structure.states)

@@ -27,7 +27,7 @@ from nonsmooth.runtime.explore.finding.primitive import (
     primitive_orbit,
     same_orbit,
 )
-from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.model.kernels import SystemKernels, grown, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -121,6 +121,9 @@ def find_orbits(
 
     progress(f"following {count} starts")
     starts, motions = _legal_starts(follow, point, limits, count, seed, length)
+    if motions.structure is not point.structure:
+        kernels = grown(kernels)
+        point = piecewise(kernels, parameters)
     attractors = attractors_of(kernels, point, ())
     labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))
     orbits: list[Orbit] = []

@@ -115,6 +115,8 @@ class Attractors:
         """
         labels = _arrivals(motions, self.orbits)
         quiet = motions.status == Status.QUIET
+        known = len(self.responses)  # one that was visited since stays unclassified
+        quiet &= motions.configurations < known
         for configuration in np.unique(motions.configurations[quiet]).tolist():
             here = quiet & (motions.configurations == configuration)
             labels[here] = quiet_outcomes(

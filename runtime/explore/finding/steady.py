@@ -82,7 +82,8 @@ def equilibria(system: PiecewiseLinear) -> list[Equilibrium]:
     if structure.forcing:
         return []
     found: list[Equilibrium] = []
-    for configuration, name in enumerate(structure.configurations):
+    for configuration in structure.visited:
+        name = structure.configurations[configuration]
         field = system.fields[configuration]
         constraints = system.rows[list(structure.constraints[configuration])]
         state = _root(np.concatenate([field, constraints]))
@@ -136,7 +137,7 @@ def responses(kernels: SystemKernels, system: PiecewiseLinear) -> list[Orbit | N
     Returns
     -------
     list of Orbit or None
-        One for each configuration.
+        One for each configuration; None for one that was not visited.
     """
     structure, turns = system.structure, forcing_turns(system)
     if not turns:
@@ -145,10 +146,12 @@ def responses(kernels: SystemKernels, system: PiecewiseLinear) -> list[Orbit | N
     period = 2 * np.pi * turns[0] / abs(float(system.fields[0, sine, cosine]))
     start = on_circles(system, np.zeros((1, len(structure.states))), np.zeros(1))[0]
     return [
-        solve_itinerary(
+        None
+        if place in structure.unvisited
+        else solve_itinerary(
             kernels, system.parameters, [(name, FORCING_PHASE)], [period], start.tolist()
         )
-        for name in structure.configurations
+        for place, name in enumerate(structure.configurations)
     ]
 
 

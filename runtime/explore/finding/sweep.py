@@ -174,6 +174,7 @@ def sweep(
     """
     kernels = kernels_of(system)
     structure = structure_of(kernels)
+    structure.check_listed("a sweep")
     if state not in structure.states:
         raise unknown_name("state", state, structure.states)
     if (configuration is None) == (phase is None):

@@ -149,7 +149,8 @@ def _declared(path: Path, module: ModuleType) -> Declared:
         if not _derivable("Itinerary", orbit):
             raise InputError(f"{path}: `orbits` holds a {type(orbit).__name__}, not an Itinerary")
     for made in (system, *orbits):
-        if not all(hasattr(made, field.name) for field in fields(made)):
+        known = {*dir(type(made)), *vars(made)}  # nothing is asked for, which might take long
+        if not all(field.name in known for field in fields(made)):
             raise InputError(f"{path}: a {type(made).__name__} is not made by calling its class")
     for orbit in orbits:
         if [other.name for other in orbits].count(orbit.name) > 1:

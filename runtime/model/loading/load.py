@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
-import linecache
 import math
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -25,11 +24,20 @@ from nonsmooth.runtime.model.loading.declared import (
     declaration_in,
 )
 from nonsmooth.runtime.model.loading.extensions import extension_in, load_extension
+from nonsmooth.runtime.model.loading.growing import (
+    GrowingDeclaration,
+    Growth,
+    Visit,
+    growth_for,
+    growth_of,
+)
+from nonsmooth.runtime.model.loading.modules import module_of_text
 
 __all__ = [
     "Loaded",
     "library_of",
     "load_declared",
+    "load_grown",
     "load_many_points",
     "load_named",
     "load_path",
@@ -77,14 +85,48 @@ def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> Loaded:
     -------
     Loaded
     """
+    if isinstance(system, GrowingDeclaration):
+        return _joined(system.name, growth_for(system), (), orbits)
     key = system.fingerprint(tuple(orbits))
     name = f"{system.name}@{key}"
     if key not in _MODULES:
         text = cached(key, lambda: system.source(tuple(orbits)))
-        _MODULES[key] = _module(text, f"<{name}>")
+        _MODULES[key] = module_of_text(text, f"<{name}>")
     for library in _libraries(key, _MODULES[key]):
         library.declare(system, tuple(orbits))
     return Loaded(name, _MODULES[key])
+
+
+def _joined(
+    name: str, growth: Growth, visits: Iterable[Visit], orbits: Sequence[Any] = ()
+) -> Loaded:
+    key, module = growth.joined(visits, orbits)
+    return remember(Loaded(f"{name}@{key}", module))
+
+
+def load_grown(loaded: Loaded, visits: Iterable[Visit] = ()) -> Loaded:
+    """A system whose configurations are made when they are visited, with all made so far.
+
+    Parameters
+    ----------
+    loaded : Loaded
+    visits : iterable of Visit
+        Configurations, and boundaries that are reached together in them, to be added.
+
+    Returns
+    -------
+    Loaded
+        The same for all other systems, and for one that was loaded without its declaration.
+
+    Raises
+    ------
+    InputError
+        If there is no such configuration.
+    """
+    growth = growth_of(loaded.module)
+    if growth is None:
+        return loaded
+    return _joined(loaded.name.rpartition("@")[0], growth, visits)
 
 
 _MODULES: dict[str, ModuleType] = {}  # of declarations, by their hash
@@ -158,7 +200,7 @@ def load_many_points(loaded: Loaded, orbit: str, key: str | None = None) -> Load
         text = stored(library.key)
         if text is None:
             return None
-        _MODULES[library.key] = _module(text, f"<{loaded.name}, many points>")
+        _MODULES[library.key] = module_of_text(text, f"<{loaded.name}, many points>")
     module = _MODULES[library.key]
     whole = getattr(compiled, f"derivation_{library.stem}") == module.DERIVATION
     return Loaded(loaded.name, module, compiled) if whole and orbit in module.ORBITS else None
@@ -226,7 +268,7 @@ def load_named(name: str) -> Loaded | None:
                 f"the system {name} was declared in Python and is not known here:"
                 " hand over the System itself first, or declare it in a FILE.py"
             )
-        _MODULES[key] = _module(text, f"<{name}>")
+        _MODULES[key] = module_of_text(text, f"<{name}>")
         _libraries(key, _MODULES[key])
     return Loaded(name, _MODULES[key])
 
@@ -348,7 +390,7 @@ def _folder(
         raise InputError(f"{file} is missing: {_REMEDY}") from None
     if hashlib.sha256(content).hexdigest() != expected.get(file.name):
         raise InputError(f"{file} is not the file that {_PROVENANCE} records: {_REMEDY}")
-    module = _module(content.decode("utf-8"), str(file))
+    module = module_of_text(content.decode("utf-8"), str(file))
     compiled = None if library is None else load_extension(library)
     stem = file.name.removesuffix(".py")
     if getattr(compiled, f"derivation_{stem}", None) != module.DERIVATION:
@@ -372,12 +414,3 @@ def _recorded(folder: Path) -> tuple[str, dict[str, str]]:
     if len(names) != 1:
         raise InputError(f"{folder} holds {len(names)} systems, not one")
     return names[0], hashes
-
-
-def _module(text: str, file: str) -> ModuleType:
-    """Execute emitted text; tracebacks through it show its lines."""
-    module = ModuleType("nonsmooth_emitted")
-    module.__file__ = file
-    linecache.cache[file] = (len(text), None, text.splitlines(keepends=True), file)
-    exec(compile(text, file, "exec"), module.__dict__)
-    return module

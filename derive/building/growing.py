@@ -1,0 +1,363 @@
+"""Oscillators whose configurations are made when they are first visited.
+
+Contacts multiply their configurations: four have up to 81, ten friction contacts 59,049, and every
+set of them that may be reached together adds transitions. An oscillator with too many to list is
+a `GrowingSystem`. It hands out *pieces*: a configuration with its boundaries and what follows each
+of them, or what follows several that are reached at one instant. Of others a piece has the field
+where a condition asks for it, and else the name. The runtime puts pieces together as motions and
+itineraries ask for them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+from math import prod
+from typing import Any
+
+import sympy as sp
+
+from nonsmooth.derive.building.assembly import Assembly, Regimes
+from nonsmooth.derive.building.coupling import coupled
+from nonsmooth.derive.building.parts import FrictionPart, StopPart, SwitchPart
+from nonsmooth.derive.building.transitions import (
+    transitions_alone,
+    transitions_at,
+    transitions_from,
+)
+from nonsmooth.derive.declaration.configuration import Configuration, Contact
+from nonsmooth.derive.declaration.fingerprint import fingerprint
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive.registry import registered
+
+__all__ = ["GrowingSystem", "is_large"]
+
+_LARGEST = 10_000  # coordinates times sets of boundaries, of what is listed at once
+_MOST = 4096  # configurations that are listed when they are asked for
+_MOST_TOGETHER = 7  # parts with friction at rest whose boundaries are reached at one instant
+
+
+@dataclass(frozen=True)
+class _Identity:
+    """What tells a growing system from every other."""
+
+    name: str
+    description: str
+    assembly: Assembly
+    constraints: tuple[sp.Expr, ...]
+
+
+def is_large(assembly: Assembly) -> bool:
+    """Whether the configurations of an oscillator are made when they are first visited.
+
+    Sets of boundaries are counted without regard to which regimes go together. Contacts that the
+    mass matrix couples are decided by one law, which knows all configurations.
+    """
+    return _sets(assembly) * len(assembly.frame.positions) > _LARGEST and not coupled(assembly)
+
+
+def _sets(assembly: Assembly) -> int:
+    """About how many sets of boundaries all configurations have."""
+    return prod(sum(1 + _exits(part, regime) for regime in part.regimes) for part in assembly.parts)
+
+
+def _exits(part: Any, regime: str) -> int:
+    if isinstance(part, SwitchPart):
+        return len(part.exits[regime])
+    if isinstance(part, StopPart):
+        return 1
+    if regime == "stick":
+        return len(part.names(regime))
+    return len(part.losses(regime)) + (regime in part.outcomes)
+
+
+class GrowingSystem(System):
+    """An oscillator whose configurations are made when they are first visited.
+
+    It is a `System`: whatever asks for all configurations or transitions gets them where they are
+    at most 4096, and is refused else.
+
+    Parameters
+    ----------
+    name, description : str
+    assembly : Assembly
+        The parts; their regimes are the configurations.
+    constraints : tuple of expressions
+    """
+
+    assembly: Assembly
+
+    def __init__(
+        self, name: str, description: str, assembly: Assembly, constraints: Sequence[sp.Expr]
+    ) -> None:
+        for attribute, value in (
+            ("name", name),
+            ("description", description),
+            ("assembly", assembly),
+            ("states", assembly.frame.states),
+            ("parameters", assembly.frame.parameters),
+            ("constraints", tuple(constraints)),
+            ("forcing", assembly.phases),
+            ("law", None),
+        ):
+            object.__setattr__(self, attribute, value)
+        self._system((), (), ())  # names, parameters and constraints are checked
+
+    def __eq__(self, other: object) -> bool:
+        """Whether the declarations are equal."""
+        if not isinstance(other, GrowingSystem):
+            return NotImplemented
+        return self is other or self.fingerprint() == other.fingerprint()
+
+    def __hash__(self) -> int:
+        """Hash of the names: those of equal declarations are equal."""
+        return hash((self.name, self.states))
+
+    def __repr__(self) -> str:
+        """Name, and how many configurations there may be."""
+        return f"<System {self.name!r} of up to {self._count:,} configurations>"
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What is declared, without what was made of it."""
+        return {name: value for name, value in vars(self).items() if not name.startswith("_")}
+
+    @property
+    def identity(self) -> _Identity:
+        """What tells it from every other system."""
+        return _Identity(self.name, self.description, self.assembly, self.constraints)
+
+    @property
+    def configurations(self) -> tuple[Configuration, ...]:
+        """All configurations."""
+        return self._whole.configurations
+
+    @property
+    def transitions(self) -> tuple[Transition, ...]:
+        """All transitions."""
+        return self._whole.transitions
+
+    @property
+    def contacts(self) -> tuple[Contact, ...]:
+        """Forces of the surroundings, in all configurations."""
+        return self._whole.contacts
+
+    @property
+    def _count(self) -> int:
+        return prod(len(part.regimes) for part in self.assembly.parts)
+
+    @property
+    def _whole(self) -> System:
+        if self._count > _MOST:
+            raise DeclarationError(
+                f"system {self.name!r} has up to {self._count:,} configurations, too many to list"
+                f" (at most {_MOST:,}): simulate, solve and find_orbits make those that they visit"
+            )
+        if "_listed" not in vars(self):
+            products = self.assembly.products
+            every = (transitions_from(self.assembly, regimes) for regimes in products)
+            found = self._system(
+                tuple(map(self.assembly.configuration, products)),
+                tuple(chain.from_iterable(every)),
+                self.assembly.contacts(products),
+            )
+            object.__setattr__(self, "_listed", found)
+        listed: System = vars(self)["_listed"]
+        return listed
+
+    def _system(
+        self,
+        configurations: tuple[Configuration, ...],
+        transitions: tuple[Transition, ...],
+        contacts: tuple[Contact, ...],
+    ) -> System:
+        return System(
+            self.name, self.description, self.states, self.parameters, configurations, transitions,
+            self.constraints, contacts, self.forcing,
+        )  # fmt: skip
+
+    def fingerprint(self, orbits: Sequence[Any] = ()) -> str:
+        """See `System`."""
+        return fingerprint(self.identity, tuple(orbits))
+
+    def configuration(self, name: str) -> Configuration:
+        """See `System`: the one of that name is made.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        Configuration
+
+        Raises
+        ------
+        DeclarationError
+            If there is none of that name.
+        """
+        return self.assembly.configuration(self._regimes(name))
+
+    def transition(self, source: str, boundary: str, target: str) -> Transition:
+        """See `System`: those of that configuration are made.
+
+        Parameters
+        ----------
+        source, boundary, target : str
+
+        Returns
+        -------
+        Transition
+
+        Raises
+        ------
+        DeclarationError
+            If no transition leads there.
+        """
+        for found in transitions_at(self.assembly, self._regimes(source), {boundary}):
+            if found.target == target:
+                return found
+        raise DeclarationError(f"no transition leads from {source!r} by {boundary!r} to {target!r}")
+
+    @cached_property
+    def regimes(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        """Name of each part, and its regimes."""
+        return tuple((part.name, part.regimes) for part in self.assembly.parts)
+
+    def has(self, name: str) -> bool:
+        """Whether there is a configuration of a name.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        bool
+        """
+        return any(map(self.assembly.exists, self._split(name, 0)))
+
+    def piece(self, name: str, boundaries: Collection[str] = ()) -> str:
+        """Derive what follows the boundaries of one configuration, as a Python module.
+
+        Parameters
+        ----------
+        name : str
+            Of the configuration.
+        boundaries : collection of str
+            Those that are reached at one instant; without them each that a part reaches alone.
+
+        Returns
+        -------
+        str
+            Tables and kernels of the configuration, and what has to be known of those that it
+            leads to.
+
+        Raises
+        ------
+        DeclarationError
+            If there is no such configuration, or too many contacts are reached together.
+        """
+        assembly, regimes = self.assembly, self._regimes(name)
+        if boundaries:
+            self._check_together(regimes, boundaries)
+            found = tuple(transitions_at(assembly, regimes, boundaries))
+        else:
+            found = tuple(transitions_alone(assembly, regimes))
+        own = assembly.configuration(regimes)
+        along = dict.fromkeys(c.along for t in found for c in t.conditions if c.along != name)
+        fields = {each: assembly.dynamics(self._regimes(each)) for each in along}
+        led = dict.fromkeys(t.target for t in found if t.target not in {name, *along})
+        system = _Piece(
+            self.name, self.description, self.states, self.parameters, (own,), found,
+            self.constraints, assembly.contacts([regimes]), self.forcing,
+        )  # fmt: skip
+        conditions = [
+            {regime: _conditions(part, regime) for regime in part.regimes}
+            for part in assembly.parts
+        ]
+        source: str = registered("emit_piece")(system, fields, list(led), conditions)
+        return source
+
+    def composed(self, orbit: Any) -> dict[str, Any]:
+        """Give the table of an orbit that is composed at run time.
+
+        Parameters
+        ----------
+        orbit : Itinerary
+
+        Returns
+        -------
+        dict
+        """
+        reason = "its system's configurations are made when they are first visited"
+        if orbit.vanishing or orbit.presentation or orbit.solved_for:
+            raise DeclarationError(f"itinerary {orbit.name!r} cannot be composed: {reason}")
+        table: dict[str, Any] = registered("table_of_composed")(orbit, reason)
+        return table
+
+    def _check_together(self, regimes: Regimes, boundaries: Collection[str]) -> None:
+        rubbing = [
+            i
+            for i, part in enumerate(self.assembly.parts)
+            if isinstance(part, FrictionPart)
+            and any(b.name in boundaries for b in self.assembly.boundaries(i, regimes))
+        ]
+        if len(rubbing) > _MOST_TOGETHER:
+            raise DeclarationError(
+                f"{len(rubbing)} contacts with friction reach boundaries at one instant, of"
+                f" {_MOST_TOGETHER} at most: start the motion off its symmetry"
+            )
+
+    def _regimes(self, name: str) -> Regimes:
+        for regimes in self._split(name, 0):
+            if self.assembly.exists(regimes):
+                return regimes
+        raise DeclarationError(
+            f"system {self.name!r} has no configuration {name!r} (their names are the regimes of"
+            f" its elements, as {self.assembly.name(tuple(r[0] for _, r in self.regimes))!r})"
+        )
+
+    def _split(self, name: str, place: int) -> Iterator[Regimes]:
+        """A name as regimes, from a part on; they may contain hyphens."""
+        if place == len(self.regimes):
+            if not name:
+                yield ()
+            return
+        last = place + 1 == len(self.regimes)
+        for regime in self.regimes[place][1]:
+            head = regime if last else f"{regime}-"
+            if name.startswith(head):
+                for rest in self._split(name[len(head) :], place + 1):
+                    yield (regime, *rest)
+
+
+class _Piece(System):
+    """One configuration of a system, and what follows its boundaries."""
+
+    def __post_init__(self) -> None:
+        """Nothing is checked: the elements were, when the system was declared."""
+
+
+def _conditions(part: Any, regime: str) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+    """Functions of the state that are not positive in a regime, and those that vanish."""
+    if isinstance(part, SwitchPart):
+        vanishing = (part.constraints[regime],) if regime in part.constraints else ()
+        return tuple(e.boundary.function for e in part.exits[regime]), vanishing
+    if isinstance(part, StopPart):
+        return ((part.gap,), ()) if regime == "free" else ((), (part.gap, part.approach))
+    pressed = (-part.load,) if part.lifts else ()
+    if regime == "lifted":
+        return ((part.load,), ()) if part.lifts else ((), ())
+    if regime == "stick":
+        return pressed, (part.relative,)
+    side = -part.slides(regime) * part.relative
+    if not part.exhausts:
+        return (side, *pressed), ()
+    short = part.sliding(part.relative, part.load)[
+        regime if regime.startswith("exhausted-") else f"exhausted-{regime}"
+    ]
+    return (side, *pressed, -short if regime.startswith("exhausted-") else short), ()

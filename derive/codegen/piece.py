@@ -1,0 +1,150 @@
+"""A piece of a large system as Python: tables as JSON, of numbers those that are not zero.
+
+Numbers are data. What depends on parameters is computed by one function for fields, for rows and
+for resets, over any arithmetic; each result has its place in a matrix.
+The names of rows and resets tell which of several pieces are the same. STARTS has the rows of
+every regime of every part that are not positive in it, and those that vanish; ONE the row that
+is 1.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+
+from nonsmooth.derive.codegen.any_arithmetic import python_kernel
+from nonsmooth.derive.codegen.derived import Underived
+from nonsmooth.derive.codegen.python_file import text_hash
+from nonsmooth.derive.codegen.simulation_form import SimulationForm
+from nonsmooth.derive.codegen.tables import composed_table, system_table
+from nonsmooth.derive.declaration.algebra import affine_terms
+from nonsmooth.derive.declaration.dynamics import Dynamics
+from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive.equations.program import Argument, Kernel, Output
+
+__all__ = ["emit_piece", "table_of_composed"]
+
+_Entries = dict[tuple[int, int], sp.Expr]
+_Conditions = Mapping[str, tuple[Sequence[sp.Expr], Sequence[sp.Expr]]]
+
+
+def emit_piece(
+    system: System,
+    others: Mapping[str, Dynamics],
+    led: Sequence[str],
+    conditions: Sequence[_Conditions],
+) -> str:
+    """Derive a piece of a system and give its Python file.
+
+    Parameters
+    ----------
+    system : System
+        With the one configuration that is visited.
+    others : mapping of configuration to dynamics
+        Along which conditions are judged.
+    led : names of further configurations that transitions lead to
+    conditions : for each part a mapping of regime to two rows of functions
+        Those that are not positive in it, and those that vanish.
+
+    Returns
+    -------
+    str
+    """
+    told = [f for part in conditions for both in part.values() for group in both for f in group]
+    form = SimulationForm(system, beside=(*told, sp.S.One))
+    starts = [
+        {
+            regime: tuple([form.row(f) for f in group] for group in both)
+            for regime, both in part.items()
+        }
+        for part in conditions
+    ]
+    size, (visited,) = len(system.states), system.configurations
+    dynamics = {visited.name: visited.dynamics, **others}
+    matrices = {
+        "fields": (len(dynamics) * size, _fields(system, dynamics.values())),
+        "rows": (len(form.rows), _rows(system, form.rows)),
+        "resets": (
+            len(form.resets) * size,
+            _rows(system, [entry for column in form.resets for entry in column]),
+        ),
+    }
+    shapes = {name: (count, size + 1) for name, (count, _) in matrices.items()}
+    numbers: dict[str, list[tuple[int, int, int, int]]] = {}
+    places: dict[str, list[tuple[int, int]]] = {}
+    functions = []
+    for name, (_, entries) in matrices.items():
+        numbers[name] = [
+            (i, j, int(e.p), int(e.q)) for (i, j), e in entries.items() if e.is_Rational
+        ]
+        symbolic = {place: e for place, e in entries.items() if not e.is_Rational}
+        places[name] = list(symbolic)
+        functions.append(_function(name, system, tuple(symbolic.values())))
+    tables = json.dumps(
+        {
+            "SYSTEM": system_table(form),
+            "FIELDS": list(dynamics),
+            "LED": list(led),
+            "ONE": form.row(sp.S.One),
+            "STARTS": starts,
+            "SHAPES": shapes,
+            "NUMBERS": numbers,
+            "PLACES": places,
+            "ROWS": [_digest([row]) for row in form.rows],
+            "RESETS": [_digest(column) for column in form.resets],
+        }
+    )
+    body = "\n\n\n".join(functions)
+    derivation = text_hash(tables, body)
+    return (
+        "import json\n\n"
+        f'DERIVATION = "{derivation}"\n\n'
+        f"globals().update(json.loads({tables!r}))\n\n\n{body}\n"
+    )
+
+
+def table_of_composed(orbit: Itinerary, reason: str) -> dict[str, Any]:
+    """Give the table of an orbit that is composed at run time, and says why."""
+    return composed_table(Underived(orbit, reason))
+
+
+def _fields(system: System, dynamics: Iterable[Dynamics]) -> _Entries:
+    states, found = system.states, dict[tuple[int, int], sp.Expr]()
+    for place, each in enumerate(dynamics):
+        matrix, offset = each.field(states)
+        first = place * len(states)
+        found |= {(first + i, j): entry for (i, j), entry in matrix.todok().items()}
+        found |= {(first + i, len(states)): entry for (i, _), entry in offset.todok().items()}
+    return found
+
+
+def _rows(system: System, functions: Iterable[sp.Expr]) -> _Entries:
+    columns, known = {s: j for j, s in enumerate(system.states)}, frozenset(system.states)
+    found: _Entries = {}
+    for place, function in enumerate(functions):
+        slopes, constant = affine_terms(function, known)
+        found |= {(place, columns[s]): slope for s, slope in slopes.items() if slope != 0}
+        if constant != 0:
+            found[place, len(columns)] = constant
+    return found
+
+
+def _function(name: str, system: System, entries: tuple[sp.Expr, ...]) -> str:
+    symbols = tuple(p.symbol for p in system.parameters)
+    kernel = Kernel(
+        f"{name}_entries",
+        "What depends on parameters, in the order of its places.",
+        (Argument("parameters", (len(symbols),), symbols),),
+        (Output("entries", (len(entries),), entries),),
+        (),
+    )
+    return python_kernel(kernel, None)
+
+
+def _digest(functions: Iterable[Any]) -> str:
+    return hashlib.sha256("; ".join(map(str, functions)).encode()).hexdigest()[:16]
