@@ -13,13 +13,14 @@ from benchmark_simulation import dop853
 from measuring import Row, interleaved, timed
 
 from nonsmooth.runtime.model.engine_layout import numbers_of
+from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.modes import numeric_modes
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import BoundaryShape, Structure, TransitionShape
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 from nonsmooth.runtime.shooting.table_newton import solve_shape
-from nonsmooth.runtime.simulation.engines import compiled_engine, run_motions
+from nonsmooth.runtime.simulation.engines import run_motions
 from nonsmooth.runtime.simulation.simulate import follow
 
 __all__ = ["impact_chain", "size"]

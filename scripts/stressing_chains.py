@@ -18,10 +18,11 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.modes import numeric_modes
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import BoundaryShape, Structure, TransitionShape
-from nonsmooth.runtime.simulation.engines import compiled_engine, run_compiled
+from nonsmooth.runtime.simulation.engines import run_compiled
 
 __all__ = ["against_digits", "chains_chunk", "random_chain"]
 
