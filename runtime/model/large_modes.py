@@ -32,6 +32,7 @@ LARGE = 20  # states from which on factors are faster than matrices
 _NEARNESS = (1e-9, 1e-7, 3e-6, 1e-4)  # of the largest modulus: what is taken together
 _ASIDE = 0.1  # shift of an inverse iteration, in units of the distance to what is not meant
 _ITERATIONS = 20
+_NORM, _LARGEST = 2.0, 1e5  # of a projector: by states; and at most
 _CLOSE = 1e-11  # error of the sum and of its derivative over a radian, relative to these
 _EPSILON = float(np.finfo(float).eps)
 
@@ -79,23 +80,25 @@ def large_modes(
         return None
     tiny = 8 * len(matrix) * _EPSILON * scale
     snug = [complex(v) if abs(v) > tiny else 0j for v in values.tolist()]
-    known: list[list[list[complex]]] = []
-    for nearness in _NEARNESS:
-        groups = linked_groups(snug, nearness * scale)
-        if groups in known:
-            continue
-        known.append(groups)
-        try:
-            bases = [
-                _Subspace(group, _basis(matrix, snug, vectors, group))
-                for group in groups
-                if leads(group)
-            ]
-            modes = _modes_of(matrix, units, depends, bases, scale)
-        except np.linalg.LinAlgError:  # vectors that do not span the space
-            continue
-        if modes is not None:
-            return _record(modes, len(matrix) - 1)
+    # modes that nearly cancel each other are taken only where no grouping leaves none of them
+    for norm in (_NORM * len(matrix), _LARGEST):
+        known: list[list[list[complex]]] = []
+        for nearness in _NEARNESS:
+            groups = linked_groups(snug, nearness * scale)
+            if groups in known:
+                continue
+            known.append(groups)
+            try:
+                bases = [
+                    _Subspace(group, _basis(matrix, snug, vectors, group))
+                    for group in groups
+                    if leads(group)
+                ]
+                modes = _modes_of(matrix, units, depends, bases, scale, norm)
+            except np.linalg.LinAlgError:  # vectors that do not span the space
+                continue
+            if modes is not None:
+                return _record(modes, len(matrix) - 1)
     return None
 
 
@@ -123,8 +126,9 @@ def _modes_of(
     depends: np.ndarray,
     groups: Sequence[_Subspace],
     scale: float,
+    norm: float,
 ) -> list[_ModeParts] | None:
-    """Modes of all groups, if they add up to the motion."""
+    """Modes of all groups, if none is larger than a norm and they add up to the motion."""
     size = len(matrix)
     parts = [
         part
@@ -148,6 +152,8 @@ def _modes_of(
         place += twice * count
         centre = complex(np.trace(block)) / count if min(map(abs, values)) else 0j
         centre = snapped(complex(centre.real) if twice == 1 else centre, size, scale)
+        if np.linalg.norm(rows, 2) * np.linalg.norm(basis, 2) > norm:
+            return None
         if count == 1:
             modes.append(_factors(centre, basis[:, 0], rows[0], units, depends))
             continue
@@ -161,7 +167,8 @@ def _modes_of(
         max(float(np.abs(units[:, None] * part / units).max()) for part in parts)
         for parts in (sums, (np.eye(size), matrix / scale))
     )
-    return modes if missed <= _CLOSE * own else None
+    balanced = max(float(np.abs(part).max()) for part in sums)
+    return modes if missed <= _CLOSE * own and balanced <= _CLOSE else None
 
 
 def _is_real(group: list[complex]) -> bool:
