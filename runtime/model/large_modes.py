@@ -142,6 +142,7 @@ def _modes_of(
     left = left @ (2 * np.eye(size) - right @ left)
     moved = left @ matrix @ right
     modes, place, blocks = [], 0, np.zeros((size, size), dtype=complex)
+    largest = _NORM * size
     for values, basis in groups:
         count, twice = basis.shape[1], 1 if _is_real(values) else 2
         for first in range(place, place + twice * count, count):
@@ -152,8 +153,7 @@ def _modes_of(
         place += twice * count
         centre = complex(np.trace(block)) / count if min(map(abs, values)) else 0j
         centre = snapped(complex(centre.real) if twice == 1 else centre, size, scale)
-        if np.linalg.norm(rows, 2) * np.linalg.norm(basis, 2) > norm:
-            return None
+        largest = max(largest, float(np.linalg.norm(rows, 2) * np.linalg.norm(basis, 2)))
         if count == 1:
             modes.append(_factors(centre, basis[:, 0], rows[0], units, depends))
             continue
@@ -168,7 +168,9 @@ def _modes_of(
         for parts in (sums, (np.eye(size), matrix / scale))
     )
     balanced = max(float(np.abs(part).max()) for part in sums)
-    return modes if missed <= _CLOSE * own and balanced <= _CLOSE else None
+    lost = largest / (_NORM * size)  # digits that a large projector costs
+    sound = largest <= norm and missed <= _CLOSE * own and balanced <= _CLOSE * lost
+    return modes if sound else None
 
 
 def _is_real(group: list[complex]) -> bool:
