@@ -410,6 +410,35 @@ CHECKS = (
              CHECKER),
 )  # fmt: skip
 
+_SHOOTING = ("tests/shooting/test_derivatives.py",)
+_SIMPLE = ("tests/model/test_simple_modes.py",)
+_DRIVEN = ("tests/model/test_driven_modes.py",)
+BRANCHES = (
+    Mutation("runtime/engine/shooting.c", "shoot", "ends[i * unknowns + p] += velocity[i]", "",
+             _SHOOTING),
+    Mutation("runtime/engine/shooting.c", "carry", "after[unknowns - 1] += applied", "(void)applied",
+             _SHOOTING),
+    Mutation("runtime/engine/exponential.c", "multiply",
+             "result.change[i * columns + n] += left.change[i * columns + n]", "", _SHOOTING),
+    Mutation("runtime/shooting/derivatives.py", "dependent_variational",
+             "slopes[:, later] += found.slopes[:, later, place, None] * rate", "None", _SHOOTING),
+    Mutation("runtime/model/simple_modes.py", "_sound", "norms.max(axis=-1) <= max(_LARGE, _NORM * size)",
+             "True", _SIMPLE),
+    Mutation("runtime/model/simple_modes.py", "simple_modes",
+             "_smallest_distance(values) > _APART * scale", "scale > -1", _SIMPLE),
+    Mutation("runtime/model/driven_modes.py", "driven_modes", "(k + 1) * following", "following * 0",
+             _DRIVEN),
+    Mutation("runtime/model/driven_modes.py", "driven_modes",
+             "distances.min() <= _RESONANCE * np.abs(free.exponents).max()", "False", _DRIVEN),
+    Mutation("runtime/model/large_modes.py", "_modes_of", "largest <= norm", "True",
+             ("tests/package/test_peers.py", "-mslow")),
+    Mutation("runtime/explore/continuation/stepping.py", "_ended",
+             "not _determined(curve, found[0], normal)", "False",
+             ("tests/explore/test_continuation_forced.py", "-kvanishes")),
+    Mutation("runtime/explore/continuation/locating.py", "_root.value",
+             "abs(found) > _ROUNDING * largest", "True", ("tests/explore/test_roots.py",)),
+)  # fmt: skip
+
 KEEPING = (
     Mutation(_FILES, "write_file", "os.replace(temporary, target)",
              "shutil.copyfile(temporary, target)", (*FILES, "tests/cli/test_faults.py")),
@@ -449,5 +478,6 @@ COMMANDS = (
 )  # fmt: skip
 
 MUTATIONS = (
-    *DERIVATION, *EMITTERS, *ENGINES, *NEWTON, *JUDGING, *PROOFS, *CHECKS, *KEEPING, *COMMANDS,
+    *DERIVATION, *EMITTERS, *ENGINES, *NEWTON, *JUDGING, *PROOFS, *CHECKS, *BRANCHES,
+    *KEEPING, *COMMANDS,
 )  # fmt: skip

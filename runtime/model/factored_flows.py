@@ -31,7 +31,7 @@ __all__ = [
 ]
 
 
-class _Places(NamedTuple):
+class _FactorPlaces(NamedTuple):
     """Places of functions of time: with matrices, and mode by mode those with factors.
 
     Of each factor `even` is the place of its cosine, or only function, `odd` that of its sine,
@@ -48,7 +48,7 @@ class _Places(NamedTuple):
 
 
 @cache
-def _places(shapes: tuple[ModeShape, ...]) -> _Places:
+def _places(shapes: tuple[ModeShape, ...]) -> _FactorPlaces:
     factors: list[tuple[int, int, int, int]] = []
     starts: list[int] = []
     modes = [shape for shape in shapes if shape.factored]
@@ -61,7 +61,7 @@ def _places(shapes: tuple[ModeShape, ...]) -> _Places:
         else:
             factors.append((first, last, count, 0))
     even, odd, other, sign = np.array(factors, dtype=int).reshape(-1, 4).T
-    return _Places(
+    return _FactorPlaces(
         np.array([p for s in shapes if not s.factored for p in s.places], dtype=int),
         even,
         odd,
