@@ -35,7 +35,7 @@ MOST_COUNTED = 20_000_000  # points that the summary reads again
     " --out line.zarr\n\n"
     "nonsmooth chart dry-friction --simulate V=0.2:1.2:20 eta=1:5:20 chi=0.4 us1=0.0127"
     " ur1=0.0255 us2=0.5 ur2=1 --from x1=0,x2=0,v1=0,v2=0 --out A.zarr\n\n"
-    "nonsmooth chart found.json x1=-3:3:400 v2=-1:1:400 --out basins.zarr"
+    "nonsmooth chart found.json x=-3:0:40 v=-2:2:40 --out basins.zarr"
 )
 @answering
 def chart(

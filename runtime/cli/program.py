@@ -218,7 +218,7 @@ def verify(
     "nonsmooth plot motion.npz --kind strip\n\n"
     "nonsmooth plot found.json:2\n\n"
     "nonsmooth plot F.zarr --out F.png\n\n"
-    "nonsmooth plot branch.json --quantity amplitude_x,period\n\n"
+    "nonsmooth plot branch.json --quantity amplitude_x1,period\n\n"
     "nonsmooth plot orbit.json --kind time --periods 2 --out time.pdf"
 )
 @answering

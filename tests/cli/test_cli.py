@@ -151,6 +151,9 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
         nonsmooth.solve(ORBIT).save("orbit.json")
         data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
         nonsmooth.simulate("rigid-stop", data, [0, 0, 1, 0], transitions=4).save("motion.npz")
+        if "branch.json" in example:
+            orbit = nonsmooth.solve("rigid-stop/one-impact")
+            nonsmooth.continue_orbit(orbit, "k2", (4, 6)).save("branch.json")
         if "F.zarr" in example:
             nonsmooth.chart(ORBIT, V=[0.9, 1.0, 1.1], eta=[0.9, 1.0], store="F.zarr")
     if "pdf" in example:
