@@ -411,7 +411,6 @@ CHECKS = (
 )  # fmt: skip
 
 _SHOOTING = ("tests/shooting/test_derivatives.py",)
-_SIMPLE = ("tests/model/test_simple_modes.py",)
 _DRIVEN = ("tests/model/test_driven_modes.py",)
 BRANCHES = (
     Mutation("runtime/engine/shooting.c", "shoot", "ends[i * unknowns + p] += velocity[i]", "",
@@ -422,19 +421,11 @@ BRANCHES = (
              "result.change[i * columns + n] += left.change[i * columns + n]", "", _SHOOTING),
     Mutation("runtime/shooting/derivatives.py", "dependent_variational",
              "slopes[:, later] += found.slopes[:, later, place, None] * rate", "None", _SHOOTING),
-    Mutation("runtime/model/simple_modes.py", "_sound",
-             "norms.max(axis=-1) <= max(_LARGE, _NORM * size)", "True", _SIMPLE),
-    Mutation("runtime/model/simple_modes.py", "simple_modes",
-             "_smallest_distance(values) > _APART * scale", "scale > -1", _SIMPLE),
     Mutation("runtime/model/driven_modes.py", "driven_modes", "(k + 1) * following",
              "following * 0", _DRIVEN),
-    Mutation("runtime/model/driven_modes.py", "driven_modes",
-             "distances.min() <= _RESONANCE * np.abs(free.exponents).max()", "False", _DRIVEN),
-    Mutation("runtime/model/large_modes.py", "_modes_of", "largest <= norm", "True",
-             ("tests/package/test_peers.py", "-mslow")),
     Mutation("runtime/explore/continuation/stepping.py", "_ended",
              "not _determined(curve, found[0], normal)", "False",
-             ("tests/explore/test_continuation_forced.py", "-kvanishes")),
+             ("tests/package/test_readme.py", "-ksession")),
     Mutation("runtime/explore/continuation/locating.py", "_root.value",
              "abs(found) > _ROUNDING * largest", "True", ("tests/explore/test_roots.py",)),
 )  # fmt: skip
