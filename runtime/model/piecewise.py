@@ -234,6 +234,7 @@ def _alike(told: np.ndarray, found: Iterable[list[ModeGroup]]) -> list[np.ndarra
             label[group.places] = number
         labels.append(np.where(told, label, 0))
     _, inverse = np.unique(np.stack(labels, axis=1), axis=0, return_inverse=True)
+    inverse = inverse.ravel()  # numpy 2.0.0 gives it another axis
     return [np.flatnonzero(inverse == k) for k in range(inverse.max(initial=-1) + 1)]
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.matrices import exponentials
 from nonsmooth.runtime.model.kernels import compiled_engine
+from nonsmooth.runtime.model.simple_modes import balanced
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
 from nonsmooth.runtime.shooting.variational import COMPLEX_STEP, shooting_map
 
@@ -142,19 +143,24 @@ def _in_python(
             numbers.rows + 1j * _TINY * changes.rows,
             numbers.resets + 1j * _TINY * changes.resets,
         )
-    generators = np.zeros((points, count, size + 1, size + 1), dtype=numbers.fields.dtype)
-    generators[:, :, :size] = numbers.fields[:, list(cycle.configurations)]
-    flows = exponentials((generators * dwell[..., None, None]).reshape(-1, size + 1, size + 1))
+    generators = np.zeros((points * count, size + 1, size + 1), dtype=numbers.fields.dtype)
+    fields = numbers.fields[:, list(cycle.configurations)]
+    generators[:, :size] = fields.reshape(-1, size, size + 1)
+    with np.errstate(all="ignore"):  # of what is not finite nothing is
+        _, units = balanced(generators.real)
+        scaled = generators * units[:, None] / units[:, :, None] * dwell.reshape(-1, 1, 1)
+        flows = exponentials(scaled) * units[:, :, None] / units[:, None]
     flows = flows.reshape(points, count, size + 1, size + 1)[:, :, :size]
     unit = np.broadcast_to(np.eye(count + size), (points, count + size, count + size))
-    found = shooting_map(
-        COMPLEX_STEP,
-        phases_in(cycle, numbers),
-        np.moveaxis(flows, 1, 0),
-        start[..., None],
-        unit[:, count:],
-        [unit[:, place, None] for place in range(count)],
-    )
+    with np.errstate(all="ignore"):
+        found = shooting_map(
+            COMPLEX_STEP,
+            phases_in(cycle, numbers),
+            np.moveaxis(flows, 1, 0),
+            start[..., None],
+            unit[:, count:],
+            [unit[:, place, None] for place in range(count)],
+        )
     states, ends, velocities = (
         np.stack(part, axis=1)[..., 0] for part in (found.starts, found.ends, found.velocities)
     )
