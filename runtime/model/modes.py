@@ -31,7 +31,6 @@ from nonsmooth.runtime.model.eigenvalue_clusters import (
     Cluster,
     eigenvectors_apart,
     precise_candidates,
-    smallest_distance,
     smallest_projectors,
 )
 from nonsmooth.runtime.model.factored_flows import arrays_of, matrices_of
@@ -50,7 +49,6 @@ from nonsmooth.runtime.model.time_functions import functions_at
 __all__ = ["NumericModes", "grouped_modes", "no_modes", "numeric_modes", "standing_modes"]
 
 _FEW = 4  # for fewer fields it pays to remember their modes
-_FAR = 0.05  # of the largest modulus: no digits are lost
 _CLOSE = 2e-14  # error of a sum, relative to the flow, that is rounding
 _LARGEST = 1e-7
 _MODERATE = 1e3  # term of the flow beside which no digits are lost that count
@@ -253,8 +251,6 @@ def _decomposed(matrix: np.ndarray, units: np.ndarray) -> list[Cluster]:
     scale = float(np.abs(values).max())
     found = eigenvectors_apart(values, right, scale)
     largest = _largest_term(found, units) if found is not None else 0.0
-    if found is not None and smallest_distance(values) > _FAR * scale and largest <= _MODERATE:
-        return _sorted(found)
     # where terms are large they cancel most while the motion is still small
     small = np.geomspace(1 / max(largest, _MODERATE), _ANGLES[0], 8).tolist()
     angles = (*_ANGLES, *small) if largest > _MODERATE else _ANGLES

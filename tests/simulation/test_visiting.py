@@ -123,6 +123,28 @@ def test_starts_on_all_stops_belong_where_the_listed_system_puts_them(monkeypatc
     np.testing.assert_allclose(found.times, expected.times, rtol=1e-11)
 
 
+@pytest.mark.parametrize("make", [rubbing, striking, mixed])
+def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make, monkeypatch) -> None:
+    """Each with a system of its own, in which nothing was visited before."""
+    whole, data = make(0)
+    monkeypatch.setattr(growing, "_LARGEST", 0)
+    rng = np.random.default_rng(11)
+    names = [str(s) for s in whole.states]
+    visited = set()
+    for number in range(6):
+        state = dict(zip(names, rng.uniform(-2, 2, 6).tolist(), strict=False))
+        state["x1"] = -abs(state["x1"])  # the stop of the first mass is rigid
+        state["x2"] = abs(state["x2"])
+        state |= {"s_slider": state["x2"]} if "s_slider" in names else {}
+        expected = ns.simulate(whole, data, state, until=0.5)
+        made = make(0)[0]
+        object.__setattr__(made, "name", f"{made.name}-{number}")
+        found = ns.simulate(made, data, state, until=0.5)
+        assert found.configurations == expected.configurations
+        visited.add(expected.configurations[0])
+    assert len(visited) > 1
+
+
 def test_many_motions_are_those_of_the_listed_system(monkeypatch) -> None:
     whole, data = striking(2)
     monkeypatch.setattr(growing, "_LARGEST", 0)
