@@ -1,0 +1,139 @@
+"""Functions with exact derivatives, as optimisers and other libraries take them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+
+__all__ = ["DifferentiableFunction"]
+
+Derivatives = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
+Pullback = Callable[[np.ndarray, np.ndarray], np.ndarray]
+
+
+@dataclass(frozen=True, eq=False)
+class DifferentiableFunction:
+    """A function of q numbers with m values, and its exact derivatives.
+
+    Where it has no value, as where there is no orbit, values and derivatives are NaN.
+
+    Attributes
+    ----------
+    inputs, outputs : tuple of str
+        Names of the q numbers and of the m values.
+    reference : array (q,)
+        Where it was made.
+    evaluate : callable
+        Points (n, q) to values (n, m).
+    differentiate : callable
+        Points (n, q) to values (n, m) and Jacobians (n, m, q).
+    pull : callable, optional
+        Points (n, q) and cotangents (n, m) to their products with the Jacobians (n, q), where
+        these are found faster than the Jacobians (reverse mode).
+
+    Examples
+    --------
+    >>> square = DifferentiableFunction(
+    ...     ("x",), ("y",), np.array([1.0]), lambda x: x**2, lambda x: (x**2, 2 * x[..., None])
+    ... )
+    >>> square([3.0]).tolist(), square.jacobian([3.0]).tolist()
+    ([9.0], [[6.0]])
+    """
+
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    reference: np.ndarray
+    evaluate: Callable[[np.ndarray], np.ndarray] = field(repr=False)
+    differentiate: Derivatives = field(repr=False)
+    pull: Pullback | None = field(default=None, repr=False)
+
+    def __call__(self, x: Any) -> np.ndarray:
+        """Evaluate the function.
+
+        Parameters
+        ----------
+        x : array (..., q)
+
+        Returns
+        -------
+        array (..., m)
+        """
+        points, lead = self._points(x)
+        return self.evaluate(points).reshape(*lead, len(self.outputs))
+
+    def jacobian(self, x: Any) -> np.ndarray:
+        """Differentiate all values by all numbers.
+
+        Parameters
+        ----------
+        x : array (..., q)
+
+        Returns
+        -------
+        array (..., m, q)
+        """
+        return self.value_and_jacobian(x)[1]
+
+    def value_and_jacobian(self, x: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Evaluate the function and its Jacobian in one pass.
+
+        Parameters
+        ----------
+        x : array (..., q)
+
+        Returns
+        -------
+        tuple of array (..., m) and array (..., m, q)
+        """
+        points, lead = self._points(x)
+        values, jacobian = self.differentiate(points)
+        shape = (*lead, len(self.outputs))
+        return values.reshape(shape), jacobian.reshape(*shape, len(self.inputs))
+
+    def jvp(self, x: Any, direction: Any) -> np.ndarray:
+        """Differentiate all values along a direction (forward mode).
+
+        Parameters
+        ----------
+        x, direction : array (..., q)
+
+        Returns
+        -------
+        array (..., m)
+        """
+        along = np.asarray(direction, dtype=float)
+        return np.asarray((self.jacobian(x) @ along[..., None])[..., 0])
+
+    def vjp(self, x: Any, cotangent: Any) -> np.ndarray:
+        """Differentiate one combination of the values by all numbers (reverse mode).
+
+        Parameters
+        ----------
+        x : array (..., q)
+        cotangent : array (..., m)
+            Factors of the values.
+
+        Returns
+        -------
+        array (..., q)
+        """
+        factors = np.asarray(cotangent, dtype=float)
+        if self.pull is None:
+            return np.asarray((factors[..., None, :] @ self.jacobian(x))[..., 0, :])
+        points, lead = self._points(x)
+        flat = np.broadcast_to(factors, (*lead, len(self.outputs))).reshape(len(points), -1)
+        return self.pull(points, flat).reshape(*lead, len(self.inputs))
+
+    def _points(self, x: Any) -> tuple[np.ndarray, tuple[int, ...]]:
+        array = np.asarray(x, dtype=float)
+        if array.shape[-1:] != (len(self.inputs),):
+            raise InputError(
+                f"the function takes {len(self.inputs)} numbers: {', '.join(self.inputs)};"
+                f" the last axis has {array.shape[-1] if array.ndim else 'no entries'}"
+            )
+        return array.reshape(-1, len(self.inputs)), array.shape[:-1]
