@@ -18,6 +18,7 @@
 `derivatives`             `Trajectory.derivatives`: a motion by parameters and start, both ways
 `motion_function`         `motion_function`: a motion as a function with exact derivatives
 `flow_derivatives`        derivatives of flows by the entries of their fields
+`motion_linearisation`    a motion's phases and transitions, linearised for all directions
 `start_derivatives`       what a start may do: on constraints, at phases of forcings
 `transition_derivatives`  velocities, jumps, rows and resets of a motion's transitions
 ========================  =====================================================================
