@@ -21,6 +21,7 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives
 from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation, input_names
+from nonsmooth.runtime.simulation.one_sided import CUT, check_sides
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["MotionDerivatives", "motion_derivatives"]
@@ -93,6 +94,11 @@ class MotionDerivatives:
     @property
     def end(self) -> np.ndarray:
         """Derivative (q,) of the time at which the simulation ended."""
+        if self.trajectory.status in CUT:
+            raise InputError(
+                f"the motion ends at t = {self.trajectory.end!r}: {self.trajectory.message};"
+                " that time has no derivative"
+            )
         if self.trajectory.status == Status.UNTIL or not len(self.event_times):
             return np.zeros(len(self.by))
         return np.asarray(self.event_times[-1])
@@ -223,9 +229,8 @@ def motion_derivatives(
         for name in chosen:
             if name not in names and name not in starts:
                 raise unknown_name("parameter or start", str(name), (*names, *starts))
-    if one_sided is not None:
-        raise InputError("one-sided derivatives of a motion are not there yet")
     array = np.atleast_1d(np.asarray([] if times is None else times, dtype=float))
     if not ((array >= 0) & (array <= trajectory.end)).all():
         raise InputError(f"a time is not between 0 and the end of the motion, {trajectory.end!r}")
+    check_sides(trajectory, chosen, array, one_sided)
     return MotionDerivatives(trajectory, chosen, array, MotionLinearisation(trajectory, array))

@@ -6,7 +6,6 @@ from functools import cached_property
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives, table_derivatives
@@ -24,11 +23,6 @@ class MotionLinearisation:
     def __init__(self, trajectory: Trajectory, times: np.ndarray) -> None:
         self.trajectory, self.times = trajectory, times
         run, count = trajectory.run, len(trajectory.times)
-        for grazing in run.grazings:
-            raise InputError(
-                f"a boundary is reached tangentially at t = {grazing.time!r}:"
-                " the motion has no derivative there"
-            )
         self.transitions: Transitions = transitions_behind(trajectory)
         phases = np.searchsorted(run.times, times, side="right") - 1
         # phases up to their transitions, then those of the times
