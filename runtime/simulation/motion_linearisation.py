@@ -60,7 +60,7 @@ class MotionLinearisation:
         columns = dict(zip((*names, *starts), np.hstack([moved, allowed]).T, strict=True))
         places = [names.index(name) if name in names else len(names) for name in by]
         padded = TableDerivatives(
-            *(np.concatenate([part, np.zeros_like(part[:1])])[places] for part in tables)
+            *(np.concatenate([part, np.zeros((1, *part.shape[1:]))])[places] for part in tables)
         )
         return padded, np.array([columns[name] for name in by]).reshape(len(by), -1).T
 
