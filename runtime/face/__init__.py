@@ -52,8 +52,10 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Proof
     from nonsmooth.runtime.proof.motion.validate import validate
+    from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
     from nonsmooth.runtime.simulation.last_cycle import Recurrence, itinerary_of
     from nonsmooth.runtime.simulation.lyapunov import lyapunov
+    from nonsmooth.runtime.simulation.motion_function import motion_function
     from nonsmooth.runtime.simulation.observables import observe
     from nonsmooth.runtime.simulation.returns import PoincareMap, poincare_map
     from nonsmooth.runtime.simulation.simulate import Trajectories, simulate, simulate_many
@@ -75,6 +77,7 @@ __all__ = [
     "Locus",
     "MissingExtra",
     "Motion",
+    "MotionDerivatives",
     "NoConvergence",
     "NonsmoothError",
     "Orbit",
@@ -108,6 +111,7 @@ __all__ = [
     "load_sweep",
     "load_trajectory",
     "lyapunov",
+    "motion_function",
     "observe",
     "poincare_map",
     "refine",
@@ -133,6 +137,7 @@ _HOMES = {
     "Locus": "explore.continuation.locus",
     "MissingExtra": "core.errors",
     "Motion": "orbits.motion",
+    "MotionDerivatives": "simulation.derivatives",
     "NoConvergence": "core.errors",
     "NonsmoothError": "core.errors",
     "Orbit": "orbits.orbit",
@@ -165,6 +170,7 @@ _HOMES = {
     "load_sweep": "present.files.sweeps",
     "load_trajectory": "present.files.motions",
     "lyapunov": "simulation.lyapunov",
+    "motion_function": "simulation.motion_function",
     "observe": "simulation.observables",
     "poincare_map": "simulation.returns",
     "refine": "orbits.refine",
@@ -187,6 +193,7 @@ register(
         "found_html": "present.notebook",
         "held_found": "present.files.found",
         "itinerary_of": "simulation.last_cycle",
+        "motion_derivatives": "simulation.derivatives",
         "orbit_html": "present.notebook",
         "orbit_json": "present.report",
         "orbit_latex": "present.notebook",
