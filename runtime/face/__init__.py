@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.many import Orbits, solve_many
     from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.orbits.orbit_function import orbit_function
     from nonsmooth.runtime.orbits.refine import refine
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.checking.check_file import Check, check_certificate
@@ -109,6 +110,7 @@ __all__ = [
     "load_trajectory",
     "lyapunov",
     "observe",
+    "orbit_function",
     "poincare_map",
     "refine",
     "simulate",
@@ -166,6 +168,7 @@ _HOMES = {
     "load_trajectory": "present.files.motions",
     "lyapunov": "simulation.lyapunov",
     "observe": "simulation.observables",
+    "orbit_function": "orbits.orbit_function",
     "poincare_map": "simulation.returns",
     "refine": "orbits.refine",
     "simulate": "simulation.simulate",
