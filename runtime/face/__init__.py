@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.many import Orbits, solve_many
     from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.orbit import Orbit
+    from nonsmooth.runtime.orbits.orbit_function import orbit_function
     from nonsmooth.runtime.orbits.refine import refine
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.checking.check_file import Check, check_certificate
@@ -113,6 +114,7 @@ __all__ = [
     "lyapunov",
     "motion_function",
     "observe",
+    "orbit_function",
     "poincare_map",
     "refine",
     "simulate",
@@ -172,6 +174,7 @@ _HOMES = {
     "lyapunov": "simulation.lyapunov",
     "motion_function": "simulation.motion_function",
     "observe": "simulation.observables",
+    "orbit_function": "orbits.orbit_function",
     "poincare_map": "simulation.returns",
     "refine": "orbits.refine",
     "simulate": "simulation.simulate",

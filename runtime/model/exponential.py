@@ -21,7 +21,7 @@ def exponential(field: np.ndarray, time: Any, mp: Any) -> np.ndarray:
     Parameters
     ----------
     field : array (N, N + 1) of mpmath numbers or integers
-        A, then b.
+        A, then b; complex ones too.
     time : mpmath number
         In the system's unit of time.
     mp : context of mpmath
@@ -40,7 +40,9 @@ def exponential(field: np.ndarray, time: Any, mp: Any) -> np.ndarray:
     from flint import arb, arb_mat
 
     size = len(field)
-    entries = [mp.mpf(x) for x in field.ravel().tolist()]
+    entries = [mp.convert(x) for x in field.ravel().tolist()]
+    if any(isinstance(x, mp.mpc) for x in (*entries, time)):
+        return _complex_exponential(size, entries, mp.mpc(time), mp)
     bits = mp.prec + _GUARD
     for _ in range(12):
         with flint_precision(bits):
@@ -56,6 +58,29 @@ def exponential(field: np.ndarray, time: Any, mp: Any) -> np.ndarray:
             return numbers.reshape(size, size + 1)
         bits *= 2
     raise NoConvergence(f"the flow over the time {mp.nstr(time, 6)} cannot be computed")
+
+
+def _complex_exponential(size: int, entries: list[Any], time: Any, mp: Any) -> np.ndarray:
+    """The same of complex numbers: parts are good to the precision of the largest entry."""
+    from flint import acb, acb_mat, arb
+
+    def ball(number: Any) -> Any:
+        whole = mp.mpc(number)
+        return acb(exact_ball(whole.real), exact_ball(whole.imag))
+
+    bits = mp.prec + _GUARD
+    for _ in range(12):
+        with flint_precision(bits):
+            scaled = [ball(x) * ball(time) for x in entries]
+            whole = acb_mat(size + 1, size + 1, [*scaled, *[acb(0)] * (size + 1)])
+            found = whole.exp().entries()[: size * (size + 1)]
+            least = _least(arb, [abs(entry) for entry in found], mp.prec)
+            sure = all(e.real.rad() < least and e.imag.rad() < least for e in found)
+        if sure:
+            numbers = [mp.mpc(middle(mp, e.real), middle(mp, e.imag)) for e in found]
+            return np.array(numbers, dtype=object).reshape(size, size + 1)
+        bits *= 2
+    raise NoConvergence(f"the flow over the time {mp.nstr(time.real, 6)} cannot be computed")
 
 
 def _least(arb: Any, found: list[Any], bits: int) -> Any:

@@ -15,17 +15,25 @@
 `declared_many`          declared orbits without kernels at many parameter points
 `declared_points`        such an orbit at the points of a chart, by compiled kernels
 `declared_solve`         a declared orbit without kernels at one parameter point
+`derivatives`            `OrbitDerivatives`: an orbit's derivatives by what was given
+`directions`             how an orbit moves with what was given: the linear equations
+`kernel_directions`      the same by kernels
 `kernel_equations`       they, by kernels
 `kernel_many`            many orbits by their kernels: compiled, or on NumPy
 `kernel_points`          an orbit at the points of a chart, by its kernels
 `kernel_problem`         `KernelProblem`: the answers of derived kernels
 `kernel_solve`           one orbit by its kernels
+`kernel_values`          kernels of an orbit at its own numbers
+`many_derivatives`       derivatives of many orbits of one itinerary
+`motion_derivatives`     derivatives of what is seen along an orbit: extremes, margins, states
+`nearby`                 the same orbit at other parameters, followed from where it is known
 `orbit_arrays`           the record of the orbits of one itinerary at many parameter points
+`orbit_function`         quantities of an orbit as functions with exact derivatives
 `physical_parameters`    all parameters of an orbit's system; what the orbit leaves open is chosen
 `routes`                 itineraries through coupled contacts: the routes of the law are listed
-`sensitivity`            kernels of an orbit at its own numbers, and derivatives by its parameters
 `table_admissible`       admissibility, by a system's tables
 `table_digits`           how many digits rounding leaves of orbits by tables
+`table_directions`       how an orbit moves with what was given, by tables
 `table_equations`        they, by a system's tables
 `table_limits`           which limit of admissibility an orbit fails first, by tables
 `table_many`             many orbits of one itinerary, by their system's tables

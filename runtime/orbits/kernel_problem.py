@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -18,10 +18,14 @@ from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import Admissibility, assess_admissibility
+from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+from nonsmooth.runtime.orbits.directions import Directions
+from nonsmooth.runtime.orbits.kernel_directions import along_tables, kernel_directions
+from nonsmooth.runtime.orbits.kernel_values import evaluate
+from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
 from nonsmooth.runtime.orbits.refine import refine_kernels
-from nonsmooth.runtime.orbits.sensitivity import evaluate
 from nonsmooth.runtime.orbits.stability import assess_stability
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.fitting_start import fitting_start
@@ -306,6 +310,20 @@ class KernelEvaluation:
     def free_states(self) -> tuple[str, ...]:
         """See `Evaluation`."""
         return ()
+
+    @property
+    def border(self) -> tuple[str, str]:
+        """See `Evaluation`."""
+        side = self.stability.one_sided
+        return side, "a border collision, a phase takes no time" if side else ""
+
+    def along(self, found: OrbitDerivatives) -> tuple[MotionDerivatives, np.ndarray]:
+        """See `Evaluation`."""
+        return along_tables(self.orbit, found)
+
+    def directions(self, by: Sequence[str]) -> Directions:
+        """See `Evaluation`."""
+        return kernel_directions(self.orbit, by)
 
     def trajectory(self, periods: int) -> Trajectory:
         """The motion by the system's tables, if all physical parameters are given.

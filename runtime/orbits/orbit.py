@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -15,8 +15,14 @@ from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
+from nonsmooth.runtime.orbits.derivatives import (
+    OrbitDerivatives,
+    Sensitivity,
+    orbit_derivatives,
+    sensitivity,
+)
+from nonsmooth.runtime.orbits.kernel_values import evaluate
 from nonsmooth.runtime.orbits.motion import Motion, orbit_motion
-from nonsmooth.runtime.orbits.sensitivity import Sensitivity, evaluate, sensitivity
 from nonsmooth.runtime.shooting.multipliers import Stability
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.symmetry import Symmetry
@@ -318,9 +324,46 @@ class Orbit(Shown):
         Raises
         ------
         InputError
-            If the parameter is not among those given, or the orbit has no kernels.
+            If the parameter is not among those given, or there is no derivative.
         """
         return sensitivity(self, parameter)
+
+    def derivatives(
+        self, by: Sequence[str] | str | None = None, *, one_sided: bool | None = None
+    ) -> OrbitDerivatives:
+        """Differentiate the orbit by what was given, exactly up to rounding.
+
+        By the implicit function theorem on its equations; an orbit from `refine` is
+        differentiated to its own digits.
+
+        Parameters
+        ----------
+        by : sequence of str, or str, optional
+            Names of what was given, parameters and what was exchanged for them: all when
+            omitted.
+        one_sided : bool, optional
+            Where the orbit is a border collision, as where boundaries are reached together,
+            other sequences of phases live on the other side. Derivatives of the orbit's own
+            are then given on request only.
+
+        Returns
+        -------
+        OrbitDerivatives
+
+        Raises
+        ------
+        InputError
+            For what was not given, and where there is no derivative: at a border collision, a
+            grazing, a fold, or one of a family of orbits without its period.
+
+        Examples
+        --------
+        >>> from nonsmooth.runtime.orbits.solve import solve
+        >>> found = solve("dry-friction/global-stick").derivatives(["eta", "V"])
+        >>> found.unknowns["tau"].shape, found.trace.shape
+        ((2,), (2,))
+        """
+        return orbit_derivatives(self, by, one_sided)
 
     def trajectory(self, periods: int = 1) -> Trajectory:
         """Give the motion along the orbit, phase by phase as it was solved for.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -15,6 +15,9 @@ from nonsmooth.runtime.shooting.symmetry import Symmetry
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.admissible import Admissibility
+    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+    from nonsmooth.runtime.orbits.directions import Directions
+    from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
     from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
     from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -315,6 +318,47 @@ class Evaluation(Protocol):
     @property
     def free_states(self) -> tuple[str, ...]:
         """States that a translation of the system moves."""
+
+    @property
+    def border(self) -> tuple[str, str]:
+        """On which side the orbit has derivatives, and what happens there; both empty mostly."""
+
+    def directions(self, by: Sequence[str]) -> Directions:
+        """How the orbit moves with each of some numbers that were given.
+
+        Parameters
+        ----------
+        by : sequence of str
+
+        Returns
+        -------
+        Directions
+
+        Raises
+        ------
+        InputError
+            Where there is no derivative; the message says why.
+        """
+
+    def along(self, found: OrbitDerivatives) -> tuple[MotionDerivatives, np.ndarray | None]:
+        """The orbit by tables as it moves with parameters, and their rates by what was given.
+
+        Parameters
+        ----------
+        found : OrbitDerivatives
+            Of this orbit.
+
+        Returns
+        -------
+        motion : MotionDerivatives
+        rates : array (parameters, q) or None
+            None where they are what was given.
+
+        Raises
+        ------
+        InputError
+            Where the equations leave open how the parameters move.
+        """
 
     def trajectory(self, periods: int) -> Trajectory:
         """The motion along the orbit, with all physical parameters.

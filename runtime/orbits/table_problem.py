@@ -24,8 +24,12 @@ from nonsmooth.runtime.model.piecewise import (
 )
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import Admissibility
+from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+from nonsmooth.runtime.orbits.directions import Directions
+from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
+from nonsmooth.runtime.orbits.table_directions import table_directions
 from nonsmooth.runtime.orbits.table_motion import motion_along
 from nonsmooth.runtime.orbits.table_refine import refine_shape
 from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
@@ -309,6 +313,23 @@ class TableEvaluation:
         """See `Evaluation`."""
         names = self.problem.state_names
         return tuple(names[k] for k in np.flatnonzero(self.translations.any(axis=0)))
+
+    @property
+    def border(self) -> tuple[str, str]:
+        """See `Evaluation`."""
+        for place, transition in enumerate(self.cycle.transitions):
+            if len(transition.boundaries) > 1:
+                names = self.problem.itinerary[place][1].replace("+", " and ")
+                return "that of this itinerary", f"{names} are reached together"
+        return "", ""
+
+    def directions(self, by: Sequence[str]) -> Directions:
+        """See `Evaluation`."""
+        return table_directions(self, by)
+
+    def along(self, found: OrbitDerivatives) -> tuple[MotionDerivatives, None]:
+        """See `Evaluation`."""
+        return MotionDerivatives(self.orbit, found.by, found.directions), None
 
     @property
     def moved(self) -> np.ndarray:

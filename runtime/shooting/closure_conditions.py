@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import real_parts
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers
 from nonsmooth.runtime.shooting.variational import Shooting
 
@@ -127,9 +128,9 @@ def _phase_difference(angle: Any, first: Any, ratio: Any, angle_of: Any) -> Any:
     best: Any = None
     for turns in range(_MOST_TURNS):
         difference = angle - ratio * (first + turns * turn)
-        nearest = difference - turn * np.round(np.asarray(difference / turn, dtype=float))
+        nearest = difference - turn * np.round(real_parts(difference / turn).astype(float))
         if best is None:
             best = nearest
         else:
-            best = np.where(np.abs(nearest) < np.abs(best) * (1 - 1e-9), nearest, best)
+            best = np.where(abs(nearest) < abs(best) * (1 - 1e-9), nearest, best)
     return best

@@ -17,7 +17,7 @@ from nonsmooth.runtime.model.simple_modes import balanced
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
 from nonsmooth.runtime.shooting.variational import COMPLEX_STEP, shooting_map
 
-__all__ = ["ShootingDerivatives", "dependent_variational", "shooting_derivatives"]
+__all__ = ["ShootingDerivatives", "dependent_variational", "flows_over", "shooting_derivatives"]
 
 _TINY = 1e-30
 
@@ -118,6 +118,32 @@ def dependent_variational(found: ShootingDerivatives) -> np.ndarray:
     return changes
 
 
+def flows_over(fields: np.ndarray, dwell: np.ndarray) -> np.ndarray:
+    """Flows of fields over times; a tiny imaginary part comes out as a derivative.
+
+    Parameters
+    ----------
+    fields : array (..., N, N + 1)
+        Real or complex.
+    dwell : array (...)
+        In the system's unit of time.
+
+    Returns
+    -------
+    array (..., N, N + 1)
+        NaN where they are not finite.
+    """
+    size = fields.shape[-2]
+    kind = np.result_type(fields, dwell)
+    generators = np.zeros((dwell.size, size + 1, size + 1), dtype=kind)
+    generators[:, :size] = fields.reshape(-1, size, size + 1)
+    with np.errstate(all="ignore"):  # of what is not finite nothing is
+        _, units = balanced(generators.real)
+        scaled = generators * units[:, None] / units[:, :, None] * dwell.reshape(-1, 1, 1)
+        flows = exponentials(scaled) * units[:, :, None] / units[:, None]
+    return np.asarray(flows.reshape(*dwell.shape, size + 1, size + 1)[..., :size, :])
+
+
 def _maps(cycle: ItineraryShape, numbers: Numbers) -> tuple[np.ndarray, ...]:
     """Fields, rows and resets phase by phase, contiguous."""
     configurations, rows, resets = cycle.packed[: 3 * len(cycle)].reshape(3, -1)
@@ -143,14 +169,7 @@ def _in_python(
             numbers.rows + 1j * _TINY * changes.rows,
             numbers.resets + 1j * _TINY * changes.resets,
         )
-    generators = np.zeros((points * count, size + 1, size + 1), dtype=numbers.fields.dtype)
-    fields = numbers.fields[:, list(cycle.configurations)]
-    generators[:, :size] = fields.reshape(-1, size, size + 1)
-    with np.errstate(all="ignore"):  # of what is not finite nothing is
-        _, units = balanced(generators.real)
-        scaled = generators * units[:, None] / units[:, :, None] * dwell.reshape(-1, 1, 1)
-        flows = exponentials(scaled) * units[:, :, None] / units[:, None]
-    flows = flows.reshape(points, count, size + 1, size + 1)[:, :, :size]
+    flows = flows_over(numbers.fields[:, list(cycle.configurations)], dwell)
     unit = np.broadcast_to(np.eye(count + size), (points, count + size, count + size))
     with np.errstate(all="ignore"):
         found = shooting_map(

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import real_parts
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
@@ -193,4 +194,4 @@ def _null_space(rows: np.ndarray) -> np.ndarray:
 
 
 def _floats(rows: np.ndarray) -> np.ndarray:
-    return rows.real if rows.dtype == complex else rows.astype(float)
+    return real_parts(rows).astype(float)

@@ -1,0 +1,325 @@
+"""Derivatives of an orbit by its parameters, exact up to rounding."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.shooting.multiplier_derivatives import (
+    MultiplierDerivatives,
+    multiplier_derivatives,
+)
+from nonsmooth.runtime.shooting.newton import CONVERGED
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.directions import Directions
+    from nonsmooth.runtime.orbits.motion_derivatives import (
+        Margin,
+        MotionDerivatives,
+        Transversality,
+    )
+    from nonsmooth.runtime.orbits.orbit import Orbit
+
+__all__ = ["OrbitDerivatives", "Sensitivity", "orbit_derivatives", "sensitivity"]
+
+_ALONG = ("dissipation", "margin", "transversality")
+_GIVEN = ("period", "trace", "determinant", "spectral_radius")
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """Derivatives by one parameter, the others kept: nondimensional.
+
+    Attributes
+    ----------
+    unknowns : dict of str to number
+    period, trace : number
+    """
+
+    unknowns: dict[str, Any]
+    period: Any
+    trace: Any
+
+
+@dataclass(frozen=True, eq=False)
+class OrbitDerivatives:
+    """Derivatives of an orbit by q numbers that were given, the others kept.
+
+    Arrays of floats, or of mpmath numbers for an orbit from `refine`. Nondimensional, or in
+    the units of the declaration.
+
+    Attributes
+    ----------
+    orbit : Orbit
+    by : tuple of str
+        The q numbers.
+    one_sided : str
+        On which side derivatives are taken, as "ta > 0", of a border collision; else empty.
+    """
+
+    orbit: Orbit = field(repr=False)
+    by: tuple[str, ...]
+    one_sided: str = ""
+
+    @cached_property
+    def directions(self) -> Directions:
+        """How the orbit moves, phase by phase."""
+        return self.orbit.evaluation.directions(self.by)
+
+    @property
+    def unknowns(self) -> Mapping[str, np.ndarray]:
+        """Of each unknown (q,)."""
+        return self.directions.unknowns
+
+    @cached_property
+    def period(self) -> np.ndarray:
+        """Of the period (q,)."""
+        return np.asarray(self.directions.dwell.sum(axis=1))
+
+    @property
+    def dwell_times(self) -> np.ndarray:
+        """Of each dwell time (p, q)."""
+        return self.directions.dwell.T
+
+    @property
+    def starts(self) -> np.ndarray:
+        """Of the state (p, N, q) at the start of each phase, which moves in time too."""
+        return np.moveaxis(self.directions.starts, 0, -1)
+
+    @cached_property
+    def section(self) -> MultiplierDerivatives:
+        """Of multipliers, trace and determinant of the map whose eigenvalues they are."""
+        lib = self.orbit.arithmetic if self.orbit.precise else None
+        return multiplier_derivatives(self.directions.section, lib)
+
+    @property
+    def trace(self) -> np.ndarray:
+        """Of the trace (q,) of the Poincare map's Jacobian."""
+        own = self.directions.trace
+        return self.section.trace_rates if own is None else own
+
+    @property
+    def determinant(self) -> np.ndarray:
+        """Of the product (q,) of the multipliers that may differ from zero."""
+        return self.section.determinant_rates
+
+    @property
+    def multipliers(self) -> np.ndarray:
+        """Of the multipliers (s, q) that may differ from zero and are not trivial.
+
+        In the order of `section.multipliers`; NaN for those that collide, of which trace and
+        determinant have derivatives alone.
+        """
+        return self.section.multiplier_rates
+
+    @property
+    def spectral_radius(self) -> np.ndarray:
+        """Of the largest absolute value (q,) of a nontrivial multiplier; NaN at a collision."""
+        return self.section.spectral_radius_rates
+
+    @cached_property
+    def _along(self) -> tuple[MotionDerivatives, np.ndarray | None]:
+        """The orbit by tables as it moves, and how its parameters move with the q numbers."""
+        along, rates = self.orbit.evaluation.along(self)
+        return along, rates
+
+    def _by_what_was_given(self, rates: np.ndarray) -> np.ndarray:
+        """Derivatives (..., q) from those by the parameters of the tables."""
+        _, chain = self._along
+        return rates if chain is None else np.asarray(rates @ chain)
+
+    def states(self, times: Sequence[Any]) -> np.ndarray:
+        """Of the states (m, N, q) at times since the start that stay what they are.
+
+        In the system's coordinates, as all that is seen along the motion.
+
+        Parameters
+        ----------
+        times : sequence (m,) of number
+            Within the period.
+
+        Returns
+        -------
+        array (m, N, q)
+
+        Raises
+        ------
+        InputError
+            For a time outside of the period.
+        """
+        return self._by_what_was_given(self._along[0].states(times)[1])
+
+    def states_at_phases(self, phases: Sequence[Any]) -> np.ndarray:
+        """Of the states (m, N, q) at fractions of the period that stay what they are.
+
+        Parameters
+        ----------
+        phases : sequence (m,) of number
+            From 0 to 1.
+
+        Returns
+        -------
+        array (m, N, q)
+
+        Raises
+        ------
+        InputError
+            For a fraction beyond 0 and 1.
+        """
+        return self._by_what_was_given(self._along[0].states(phases, phases=True)[1])
+
+    @cached_property
+    def margins(self) -> tuple[Margin, ...]:
+        """How far each boundary stays away along each phase, with derivatives (q,)."""
+        return tuple(
+            margin._replace(rates=self._by_what_was_given(margin.rates))
+            for margin in self._along[0].margins
+        )
+
+    @cached_property
+    def transversalities(self) -> tuple[Transversality, ...]:
+        """With which speed each phase reaches the boundary that ends it, and derivatives (q,)."""
+        return tuple(
+            each._replace(rates=self._by_what_was_given(each.rates))
+            for each in self._along[0].transversalities
+        )
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Quantities that `quantity` knows."""
+        return (*self.unknowns, *_GIVEN, *self._along[0].names)
+
+    def quantity(self, name: str) -> tuple[Any, np.ndarray]:
+        """Value of a quantity, and its derivatives.
+
+        Parameters
+        ----------
+        name : str
+            An unknown, ``period``, ``trace``, ``determinant`` or ``spectral_radius``. Along the
+            motion ``maximum:STATE``, ``minimum:STATE`` and ``peak:STATE`` (of the absolute
+            value) over the period; ``peak_acceleration:STATE``; ``peak_force:CONTACT``;
+            ``dissipation`` through all contacts or ``dissipation:CONTACT``, without impacts;
+            ``margin``, the least distance from a boundary that stays away; and
+            ``transversality``, the least speed with which one is reached.
+
+        Returns
+        -------
+        value : number
+        derivatives : array (q,)
+
+        Raises
+        ------
+        InputError
+            For an unknown name.
+        """
+        if name in self.unknowns:
+            return self.orbit.unknowns[name], self.unknowns[name]
+        if name == "period":
+            return self.orbit.period, self.period
+        if name == "trace":
+            return self.orbit.trace, self.trace
+        if name == "determinant":
+            return self.section.determinant, self.determinant
+        if name == "spectral_radius":
+            return self.section.spectral_radius, self.spectral_radius
+        found = self._along[0].quantity(name) if ":" in name or name in _ALONG else None
+        if found is None:
+            raise unknown_name("quantity", name, self.names)
+        return found.value, self._by_what_was_given(found.rates)
+
+    def jvp(self, direction: Sequence[Any] | Mapping[str, Any]) -> dict[str, Any]:
+        """Differentiate unknowns, period and trace along a direction (forward mode).
+
+        Parameters
+        ----------
+        direction : sequence (q,), or mapping of str to number
+            Change of each number; absent ones do not change.
+
+        Returns
+        -------
+        dict of str to number
+        """
+        if isinstance(direction, Mapping):
+            for name in direction:
+                _check(name, self.by)
+            direction = [direction.get(name, 0) for name in self.by]
+        along = np.asarray(direction)
+        rates = {**self.unknowns, "period": self.period, "trace": self.trace}
+        return {name: rate @ along for name, rate in rates.items()}
+
+
+def orbit_derivatives(
+    orbit: Orbit, by: Sequence[str] | str | None = None, one_sided: bool | None = None
+) -> OrbitDerivatives:
+    """Differentiate an orbit by what was given; see `Orbit.derivatives`.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    by : sequence of str, or str, optional
+        What was given: all of it when omitted.
+    one_sided : bool, optional
+        Take the derivatives of the orbit's own sequence of phases where on the other side it is
+        another.
+
+    Returns
+    -------
+    OrbitDerivatives
+
+    Raises
+    ------
+    InputError
+        For what was not given, and where there is no derivative.
+    """
+    known = tuple(orbit.given)
+    names = known if by is None else (by,) if isinstance(by, str) else tuple(by)
+    for name in names:
+        _check(name, known)
+    if orbit.status != CONVERGED:
+        raise InputError(f"there is no orbit to differentiate: {orbit.message}")
+    side, event = orbit.evaluation.border
+    if side and not one_sided:
+        raise InputError(
+            f"{orbit.name}: {event}: derivatives exist on one side ({side}); ask for them by"
+            " one_sided=True"
+        )
+    found = OrbitDerivatives(orbit, names, side)
+    found.directions  # noqa: B018 - what cannot be is refused here
+    return found
+
+
+def sensitivity(orbit: Orbit, parameter: str) -> Sensitivity:
+    """Derivatives of unknowns, period and trace by one given parameter.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    parameter : str
+        Name of one that was given.
+
+    Returns
+    -------
+    Sensitivity
+
+    Raises
+    ------
+    InputError
+        If the parameter is not among those given, or there is no derivative.
+    """
+    found = orbit_derivatives(orbit, (parameter,), one_sided=True)
+    plain = (lambda x: x) if orbit.precise else float
+    return Sensitivity(
+        {name: plain(rate[0]) for name, rate in found.unknowns.items()},
+        plain(found.period[0]),
+        plain(found.trace[0]),
+    )
+
+
+def _check(name: str, known: Sequence[str]) -> None:
+    if name not in known:
+        raise unknown_name("given parameter", name, known)

@@ -1,0 +1,174 @@
+"""How an orbit with kernels moves with what was given."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
+from nonsmooth.runtime.core.complex_steps import (
+    ComplexSteps,
+    imaginary_parts,
+    real_parts,
+    stepped,
+)
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.orbits.directions import Directions, solve_linear
+from nonsmooth.runtime.orbits.kernel_values import evaluate
+from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
+from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
+from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+
+__all__ = ["along_tables", "kernel_directions", "stepped_kernel"]
+
+
+def stepped_kernel(
+    orbit: Orbit, kernel: str, rates: dict[str, Any], count: int, lib: Mpmath | None
+) -> list[Any]:
+    """A kernel with complex steps of its parameters and unknowns in q directions.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        With kernels.
+    kernel : str
+        Its name; it takes parameters, spectrum and unknowns.
+    rates : dict of str to array (q,)
+        Of what changes.
+    count : int
+        q, the directions.
+    lib : Mpmath or None
+        None in double precision.
+
+    Returns
+    -------
+    list of array
+        What the kernel gives in each direction.
+    """
+    kernels, still = orbit.kernels, np.zeros(count, dtype=int)
+    names = (kernels.parameter_names, kernels.unknowns)
+    number = float if lib is None else lib.mp.mpf
+    parameters, unknowns = (
+        [stepped(number(orbit.values[name]), rates.get(name, still), lib) for name in part]
+        for part in names
+    )
+    arithmetic = ComplexSteps(FLOATS if lib is None else lib)
+    found = []
+    for place in range(count):
+        point, solved = ([x[place] for x in part] for part in (parameters, unknowns))
+        spectrum, _ = kernels.spectrum(point, arithmetic)
+        values = kernels.source(kernel)(point, spectrum, solved, lib=arithmetic)
+        found.append(np.array(values, dtype=complex if lib is None else object))
+    return found
+
+
+def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
+    """How unknowns, dwell times and states move with each of some numbers; see `Directions`.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        With kernels.
+    by : sequence of str
+        What was given.
+
+    Returns
+    -------
+    Directions
+
+    Raises
+    ------
+    InputError
+        Where there is no derivative; the message says why.
+    """
+    kernels, lib = orbit.kernels, orbit.arithmetic if orbit.precise else None
+    kind = float if lib is None else object
+    names = [*kernels.unknowns, *kernels.parameter_names]
+    parts = (evaluate(orbit, "jacobian"), evaluate(orbit, "parameter_jacobian", moved=True))
+    jacobian = np.concatenate([np.array(part, dtype=kind) for part in parts], axis=1)
+    places = [names.index(name) for name in orbit.unknowns]
+    right = -jacobian[:, [names.index(name) for name in by]].T
+    found = solve_linear(jacobian[:, places], right, by, orbit.name, lib)
+    rates = dict(zip(orbit.unknowns, found.T, strict=True))
+    number = float if lib is None else lib.mp.mpf
+    unit = np.vectorize(number, otypes=[kind])(np.eye(len(by), dtype=int)).reshape(len(by), -1)
+    rates |= dict(zip(by, unit, strict=True))
+    everything = {name: np.zeros(len(by), dtype=kind) * number(0) for name in names} | rates
+    dwell = kernels.durations(everything).values()
+    waits = np.stack([np.broadcast_to(np.asarray(w), (len(by),)) for w in dwell], axis=-1)
+    gradient = np.array(evaluate(orbit, "trace_gradient", moved=True), dtype=kind)
+    trace = sum(slope * everything[name] for name, slope in zip(names, gradient, strict=True))
+    wide = None if lib is None else Mpmath(2 * (orbit.digits + GUARD))
+    states, maps = (
+        np.array(stepped_kernel(orbit, kernel, rates, len(by), wide))
+        for kernel in ("states", "poincare_jacobian")
+    )
+    matrix = np.array(evaluate(orbit, "poincare_jacobian"), dtype=kind)
+    return Directions(
+        {name: rates[name] for name in orbit.unknowns},
+        waits,
+        imaginary_parts(states, wide)[:, :-1],
+        MapDerivatives(
+            real_parts(matrix),
+            imaginary_parts(maps, wide),
+            kernels.table["rank"],
+            int(bool(kernels.table["conservative"])),
+        ),
+        np.asarray(trace),
+    )
+
+
+def along_tables(orbit: Orbit, found: OrbitDerivatives) -> tuple[MotionDerivatives, np.ndarray]:
+    """An orbit with kernels along its motion, by the tables of its system; see `Evaluation`.
+
+    A sum such as e1 = ur1 - us1 is changed by the one of its parameters that is no open one.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    found : OrbitDerivatives
+        Of this orbit.
+
+    Returns
+    -------
+    motion : MotionDerivatives
+    rates : array (parameters, q)
+
+    Raises
+    ------
+    InputError
+        Where boundaries are reached together, or the orbit by tables has no derivatives.
+    """
+    kernels = orbit.kernels
+    if orbit.evaluation.border[0]:
+        raise InputError(f"{orbit.name}: along its motion a border collision has no derivatives")
+    tables = orbit.problem.by_tables(orbit)
+    if orbit.precise:
+        tables = tables.problem.refined(tables, orbit.digits, "mpmath")
+    moving: dict[str, np.ndarray] = {}
+    opened = {table.name for table in kernels.open_parameters}
+    physical = {table.name for table in kernels.system.parameters}
+    unit = dict(zip(found.by, np.eye(len(found.by), dtype=int), strict=True))
+    for name in kernels.parameter_names:
+        rate = unit.get(name, found.unknowns.get(name))
+        if rate is None:
+            continue
+        if name in kernels.combined:
+            terms = kernels.combined[name]
+            (target,) = [n for n in terms if n not in opened][:1] or [next(iter(terms))]
+            moving[target] = rate * terms[target]  # factors are 1 and -1
+        elif name in physical:
+            moving[name] = rate
+        elif name == kernels.period_name and tables.given_period is not None:
+            moving[PERIOD] = rate
+        else:
+            raise InputError(f"{orbit.name}: how its motion changes with {name} is left open")
+    by = tuple(moving)
+    directions = tables.evaluation.directions(by)
+    rates = np.array([moving[name] for name in by]).reshape(len(by), len(found.by))
+    return MotionDerivatives(tables, by, directions), rates

@@ -1,0 +1,287 @@
+"""How an orbit by the tables of its system moves with what was given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, step_of, stepped
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.exponential import exponential
+from nonsmooth.runtime.model.piecewise import tables_at
+from nonsmooth.runtime.orbits.directions import Directions, solve_linear
+from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
+from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.derivatives import flows_over
+from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives
+from nonsmooth.runtime.shooting.section_map import mechanical_states
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
+from nonsmooth.runtime.shooting.symmetric_orbit import closed_shape, closing_matrix
+from nonsmooth.runtime.shooting.table_newton import sizes
+from nonsmooth.runtime.shooting.translations import directions_of, projection_along
+from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map, shooting_map
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.table_problem import TableEvaluation
+
+__all__ = [
+    "closed_along",
+    "numbers_along",
+    "passed",
+    "section_along",
+    "table_directions",
+    "working",
+]
+
+
+def working(orbit: Orbit) -> Mpmath | None:
+    """The arithmetic of complex steps: twice the digits of an orbit; None in doubles.
+
+    Parameters
+    ----------
+    orbit : Orbit
+
+    Returns
+    -------
+    Mpmath or None
+    """
+    return Mpmath(2 * (orbit.digits + GUARD)) if orbit.precise else None
+
+
+def numbers_along(orbit: Orbit, by: Sequence[str], lib: Mpmath | None) -> Numbers:
+    """Fields, rows and resets of the system (q, ...), each with a step of one number.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        By tables.
+    by : sequence of str
+        Parameters, or the period, which changes none of them.
+    lib : Mpmath or None
+        None in double precision.
+
+    Returns
+    -------
+    Numbers
+    """
+    kernels = orbit.system
+    names = [table.name for table in kernels.parameters]
+    steps = np.array([[int(name == other) for name in names] for other in by])
+    if lib is None:
+        point = np.array([float(orbit.parameters[name]) for name in names])
+        return Numbers(*tables_at(kernels, stepped(point, steps, None)))
+    point = np.array([lib.number(orbit.parameters[name]) for name in names], dtype=object)
+    parts: list[list[Any]] = [[], [], []]
+    size = len(kernels.table["states"])
+    for row in stepped(point, steps, lib):
+        for part, kernel in zip(parts, ("fields", "rows", "resets"), strict=True):
+            found = kernels.source(kernel)(row.tolist(), lib=lib)
+            part.append([[lib.mp.convert(x) for x in line] for line in found])
+    shapes = [(-1, size, size + 1), (-1, size + 1), (-1, size, size + 1)]
+    fields, rows, resets = (
+        np.array(part, dtype=object).reshape(len(by), *shape)
+        for part, shape in zip(parts, shapes, strict=True)
+    )
+    return Numbers(fields, rows, resets)
+
+
+def passed(
+    cycle: ItineraryShape, numbers: Numbers, dwell: np.ndarray, start: np.ndarray, lib: Any
+) -> Shooting:
+    """Pass through a cycle with complex steps, dwell times following the start.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+        Of q directions.
+    dwell : array (q, p)
+        In the system's unit of time.
+    start : array (q, N)
+        In the system's units.
+    lib : Mpmath or None
+        None in double precision.
+
+    Returns
+    -------
+    Shooting
+    """
+    fields = numbers.fields[:, list(cycle.configurations)]
+    if lib is None:
+        flows = np.moveaxis(flows_over(fields, dwell), 1, 0)
+    else:
+        flows = np.array(
+            [
+                [exponential(f, t, lib.mp) for f, t in zip(*pair, strict=True)]
+                for pair in zip(fields, dwell, strict=True)
+            ],
+            dtype=object,
+        )
+        flows = np.moveaxis(flows.reshape(*fields.shape), 1, 0)
+    size = start.shape[-1]
+    unit = np.eye(size, size + 1, dtype=object if lib else complex)
+    changes = np.broadcast_to(unit, (len(start), size, size + 1))
+    found = shooting_map(ARRAYS, phases_in(cycle, numbers), flows, start[..., None], changes)
+    return Shooting(
+        flows,
+        np.array(found.starts)[..., 0],
+        np.array(found.ends)[..., 0],
+        np.array(found.velocities)[..., 0],
+        np.array(found.residual)[..., 0, 0],
+        np.array(found.speeds)[..., 0, 0],
+        np.array(found.rates)[..., 0, :],
+        (),
+        found.variational,
+    )
+
+
+def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directions:
+    """How dwell times and states move with each of some numbers; see `Directions`.
+
+    The equations of the whole orbit are linearised, not those of the part that a symmetry
+    closes: a parameter may break the symmetry.
+
+    Parameters
+    ----------
+    evaluation : TableEvaluation
+    by : sequence of str
+        Parameters, or the period where it was given.
+
+    Returns
+    -------
+    Directions
+
+    Raises
+    ------
+    InputError
+        Where there is no derivative; the message says why.
+    """
+    orbit, lib = evaluation.orbit, working(evaluation.orbit)
+    family = evaluation.family
+    if PERIOD in by and not family:
+        raise InputError("the period follows from the forcing: nothing is differentiated by it")
+    if family and orbit.given_period is None:
+        raise InputError(
+            f"{orbit.name} is one of a family of orbits: give its period, and the derivatives are"
+            " those at a given period"
+        )
+    numbers = numbers_along(orbit, by, lib)
+    cycle, closed = closed_along(evaluation.cycle, numbers)
+    size = len(cycle.structure.states)
+    dwell, start = orbit.dwell_times, evaluation.states_up_to_shift[0]
+    if lib is not None:
+        dwell, start = (np.array([lib.mp.mpf(x) for x in part]) for part in (dwell, start))
+    still = np.zeros((len(by), 1), dtype=int)
+    now = passed(cycle, closed, stepped(dwell, still, lib), stepped(start, still, lib), lib)
+    parts = (real_parts(part[:, 0]) for part in (now.starts, now.ends, now.velocities))
+    size_of = sizes(
+        now._replace(**dict(zip(("starts", "ends", "velocities"), parts, strict=True))), dwell
+    )
+    asked = np.array([int(name == PERIOD) for name in by])
+    period = stepped(dwell.sum(), asked, lib) if family else None
+    matrix, right = linearised_closure(now, stepped(dwell, still, lib), size_of, period)
+    plain_start = now._replace(starts=np.broadcast_to(start, now.starts.shape))
+    matrix, right = with_forcing(
+        cycle, closed, plain_start, np.broadcast_to(size_of, (len(by), size)),
+        matrix, right, FLOATS if lib is None else lib,
+    )  # fmt: skip
+    changes = solve_linear(real_parts(matrix[0]), imaginary_parts(right, lib), by, orbit.name, lib)
+    starts = changes * size_of
+    rates = real_parts(now.rates[:, 0, :size]) @ starts.T
+    waits = rates.T + imaginary_parts(np.moveaxis(now.rates[..., size], 0, -1), lib)
+    moved = stepped(dwell, waits, lib), stepped(start, starts, lib)
+    along = passed(cycle, closed, *moved, lib)
+    unknowns = np.concatenate([waits, starts], axis=1).T
+    return Directions(
+        dict(zip(orbit.problem.unknown_names, unknowns, strict=True)),
+        waits,
+        np.moveaxis(imaginary_parts(along.starts[:-1], lib), 1, 0),
+        _section(evaluation, cycle, closed, along, lib),
+    )
+
+
+def closed_along(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShape, Numbers]:
+    """The cycle closed up to translations, where there are any, and its numbers.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+        Of q directions.
+
+    Returns
+    -------
+    cycle : ItineraryShape
+    numbers : Numbers
+    """
+    structure = cycle.structure
+    if closing_matrix(structure, *next(iter(_arrays(numbers))), None) is None:
+        return cycle, numbers
+    matrices = [closing_matrix(structure, *arrays, None) for arrays in _arrays(numbers)]
+    last = numbers.resets[:, cycle.transitions[-1].reset]
+    added = np.array([m @ reset for m, reset in zip(matrices, last, strict=True)])
+    resets = np.concatenate([numbers.resets, added[:, None]], axis=1)
+    return closed_shape(cycle, len(cycle)), numbers._replace(resets=resets)
+
+
+def section_along(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> np.ndarray:
+    """The map on the section at the start, or the stroboscopic one of forced motions.
+
+    Without the multipliers 1 of translations, which are zeros of it.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+        Of q directions, closed up to translations.
+    now : Shooting
+        Of the orbit as it moves.
+
+    Returns
+    -------
+    array (q, k, k)
+        With steps.
+    """
+    driven = mechanical_states(cycle)
+    maps = now.variational[..., :-1]
+    if driven is None:
+        return np.asarray(maps)
+    phases = phases_in(cycle, numbers)
+    fields = [phase.field for phase in (*phases[1:], phases[0])]
+    behind = map(ARRAYS.apply, fields, now.starts[1:, ..., None])
+    maps = np.eye(len(driven), dtype=int)
+    for part in zip(phases, now.flows, now.velocities[..., None], behind, strict=True):
+        maps = section_map(ARRAYS, *part)[..., driven, :][..., driven] @ maps
+    if not len(directions_of(cycle.structure, *next(iter(_arrays(numbers))))):
+        return np.asarray(maps)
+    directions = [directions_of(cycle.structure, *a) for a in _arrays(numbers)]
+    along = [projection_along(d)[np.ix_(driven, driven)] for d in directions]
+    return np.array([p @ m for p, m in zip(along, maps, strict=True)])
+
+
+def _section(
+    evaluation: TableEvaluation,
+    cycle: ItineraryShape,
+    numbers: Numbers,
+    now: Shooting,
+    lib: Mpmath | None,
+) -> MapDerivatives:
+    """The section map, or the stroboscopic one of forced motions, and its derivatives."""
+    shifts = len(evaluation.translations)
+    rank = evaluation.stability.rank - shifts
+    maps = section_along(cycle, numbers, now)
+    found = MapDerivatives(
+        real_parts(maps[0]), imaginary_parts(maps, lib), rank, int(evaluation.family)
+    )
+    if lib is None or not step_of(lib):
+        return found
+    rounded = np.frompyfunc(evaluation.orbit.arithmetic.mp.mpf, 1, 1)
+    return found._replace(matrix=rounded(found.matrix), rates=rounded(found.rates))
+
+
+def _arrays(numbers: Numbers) -> Iterator[tuple[Any, Any, Any]]:
+    """Fields, rows and resets of each direction."""
+    return zip(numbers.fields, numbers.rows, numbers.resets, strict=True)

@@ -1,0 +1,230 @@
+"""Derivatives of orbits by all that was given, against differences in many digits."""
+
+import dataclasses
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import nonsmooth as ns
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import as_value
+from tests.places import GALLERY
+
+KERNELS = (
+    "dry-friction/global-stick",
+    "dry-friction/symmetric",
+    "rigid-stop/one-impact",
+    "elastic-stop/one-contact",
+)
+DECLARED = (
+    f"{GALLERY}/impact_oscillator.py:two-periods",
+    f"{GALLERY}/two_stops.py:symmetric",
+    f"{GALLERY}/two_stops.py:broken",
+    f"{GALLERY}/jenkins.py:yielding-both-ways",
+    f"{GALLERY}/mass_on_belt.py:stick-slip",
+    f"{GALLERY}/two_belts.py:both-stick",
+)
+STEP = Fraction(1, 10**18)
+
+
+def differences(orbit, parameter, of):
+    """Central differences of quantities of an orbit, refined to sixty digits."""
+    sides = []
+    for side in (1, -1):
+        value = orbit.given[parameter].exact + side * STEP
+        moved = dataclasses.replace(orbit, given={**orbit.given, parameter: as_value(value)})
+        sides.append(of(ns.refine(moved, 60)))
+    return [float((a - b) * 10**18 / 2) for a, b in zip(*sides, strict=True)]
+
+
+def quantities(orbit):
+    return [*orbit.unknowns.values(), orbit.period, orbit.trace]
+
+
+@pytest.mark.parametrize("name", [*KERNELS, *DECLARED], ids=lambda name: name.split("/")[-1])
+def test_derivatives_are_those_of_orbits_of_sixty_digits(name):
+    orbit = ns.solve(name)
+    found = orbit.derivatives()
+    for place, parameter in enumerate(found.by):
+        if orbit.given[parameter].exact is None:
+            continue
+        rates = [*found.unknowns.values(), found.period, found.trace]
+        expected = differences(orbit, parameter, quantities)
+        assert_allclose([rate[place] for rate in rates], expected, rtol=1e-11, atol=1e-11)
+
+
+@pytest.mark.parametrize("name", [KERNELS[0], DECLARED[1], DECLARED[5]])
+def test_a_refined_orbit_has_derivatives_of_its_own_digits(name):
+    orbit = ns.solve(name)
+    precise = ns.refine(orbit, 30).derivatives()
+    doubles = orbit.derivatives()
+    for quantity in (*orbit.unknowns, "period", "trace", "determinant", "spectral_radius"):
+        _, rates = precise.quantity(quantity)
+        assert_allclose(rates.astype(float), doubles.quantity(quantity)[1], rtol=1e-11, atol=1e-12)
+    parameter = precise.by[-1]
+    sides = []
+    for side in (1, -1):
+        value = orbit.given[parameter].exact + side * STEP
+        moved = dataclasses.replace(orbit, given={**orbit.given, parameter: as_value(value)})
+        sides.append(quantities(ns.refine(moved, 60)))
+    rates = [*precise.unknowns.values(), precise.period, precise.trace]
+    for rate, a, b in zip(rates, *sides, strict=True):
+        assert abs(rate[-1] - (a - b) * 10**18 / 2) < 1e-29  # the differences' own h^2
+
+
+def test_kernels_and_tables_agree_where_parameters_mean_the_same():
+    orbit = ns.solve(KERNELS[0])
+    kernels, tables = orbit.derivatives(), orbit.problem.by_tables(orbit).derivatives()
+    pairs = {"chi": "chi", "eta": "eta", "V": "V", "e1": "ur1", "e2": "ur2"}
+    for one, other in pairs.items():
+        i, j = kernels.by.index(one), tables.by.index(other)
+        assert_allclose(kernels.dwell_times[:, i], tables.dwell_times[:, j], atol=1e-12)
+        assert kernels.trace[i] == pytest.approx(tables.trace[j], abs=1e-12)
+        assert kernels.determinant[i] == pytest.approx(tables.determinant[j], abs=1e-12)
+
+
+@pytest.mark.parametrize("name", [KERNELS[0], KERNELS[1], DECLARED[0], DECLARED[5]])
+def test_functions_of_orbits_have_the_derivatives_that_they_give(name):
+    orbit = ns.solve(name)
+    by = tuple(orbit.given)[:2]
+    of = [*orbit.unknowns, "period", "trace", "determinant", "spectral_radius"]
+    function = ns.orbit_function(orbit, by=by, of=of)
+    point = function.reference * 1.002
+    step = 1e-6
+    columns = [
+        (function(point + step * unit) - function(point - step * unit)) / (2 * step)
+        for unit in np.eye(2)
+    ]
+    assert_allclose(function.jacobian(point), np.stack(columns, axis=-1), rtol=2e-6, atol=2e-7)
+
+
+def test_a_function_is_nan_where_the_orbit_is_not():
+    function = ns.orbit_function(ns.solve(KERNELS[0]), by="eta", of="period")
+    values, jacobian = function.value_and_jacobian([[1.01], [-3.0], [np.nan]])
+    assert np.isfinite(values[0]).all()
+    assert np.isfinite(jacobian[0]).all()
+    assert np.isnan(values[1:]).all()
+    assert np.isnan(jacobian[1:]).all()
+
+
+def test_a_border_collision_is_differentiated_on_request():
+    orbit = ns.solve("dry-friction/solution-ii")
+    with pytest.raises(InputError, match=r"ta > 0.*one_sided"):
+        orbit.derivatives()
+    found = orbit.derivatives(one_sided=True)
+    assert found.one_sided == "ta > 0"
+    assert found.unknowns["tau"][0] == orbit.sensitivity(found.by[0]).unknowns["tau"]
+
+
+def test_what_was_not_given_is_refused():
+    with pytest.raises(InputError, match="unknown given parameter 'etta'"):
+        ns.solve(KERNELS[0]).derivatives(["etta"])
+    with pytest.raises(InputError, match="unknown quantity 'perio'"):
+        ns.orbit_function(ns.solve(KERNELS[0]), by="eta", of="perio")
+
+
+ALONG = (
+    f"{GALLERY}/two_belts.py:both-stick",
+    f"{GALLERY}/piecewise_stiffness.py:doubled",
+    f"{GALLERY}/impact_oscillator.py:three-periods",
+    "dry-friction/global-stick",
+    "elastic-stop/one-contact",
+)
+
+
+@pytest.mark.parametrize("name", ALONG, ids=lambda name: name.split("/")[-1])
+def test_what_is_seen_along_an_orbit_has_derivatives(name):
+    """Extremes, forces, dissipation, margins: against differences of the values themselves."""
+    orbit = ns.solve(name)
+    found = orbit.derivatives()
+    given = [q for q in found.names if q not in found.unknowns]
+    wanted = [q for q in given if q != "margin" or found.margins]
+    function = ns.orbit_function(orbit, by=found.by, of=wanted)
+    point, step = function.reference, 1e-6
+    columns = [
+        (function(point + step * unit) - function(point - step * unit)) / (2 * step)
+        for unit in np.eye(len(found.by))
+    ]
+    expected = np.stack(columns, axis=-1)
+    error = abs(function.jacobian(point) - expected) / np.maximum(1, abs(expected))
+    assert error.max() < 1e-6, wanted[int(np.argmax(error.max(axis=1)))]
+
+
+@pytest.mark.parametrize("name", ALONG[:2], ids=lambda name: name.split("/")[-1])
+def test_values_along_an_orbit_are_those_of_its_motion(name):
+    orbit = ns.solve(name)
+    found, seen = orbit.derivatives(), ns.observe(orbit.trajectory())
+    for state in orbit.state_names:
+        assert float(found.quantity(f"maximum:{state}")[0]) == pytest.approx(
+            seen.maxima[state].value, abs=1e-12
+        )
+    lost = sum(contact.dissipated for contact in seen.contacts.values())
+    assert found.quantity("dissipation")[0] == pytest.approx(lost, abs=1e-11)
+
+
+def test_states_have_derivatives_at_fixed_times_and_at_fixed_phases():
+    orbit = ns.solve(ALONG[2])
+    found, step = orbit.derivatives("w"), 1e-6
+    times = np.array([0.2, 0.6]) * orbit.period
+    sides = []
+    for side in (1, -1):
+        moved = {name: float(x) for name, x in orbit.given.items()}
+        moved["w"] += side * step
+        sides.append(ns.solve(ALONG[2], moved, dict(orbit.unknowns)).trajectory())
+    fixed = (sides[0](times) - sides[1](times)) / (2 * step)
+    assert_allclose(found.states(times)[..., 0], fixed, rtol=1e-6, atol=1e-6)
+    phased = (sides[0](0.3 * sides[0].end) - sides[1](0.3 * sides[1].end)) / (2 * step)
+    assert_allclose(found.states_at_phases([0.3])[0, :, 0], phased, rtol=1e-6, atol=1e-6)
+    precise = ns.refine(orbit, 25).derivatives("w")
+    assert_allclose(precise.states(times).astype(float), found.states(times), atol=1e-12)
+
+
+def test_margins_tell_of_the_next_grazing():
+    """A forced mass that nearly strikes a second time: the inner maximum is its margin."""
+    orbit = ns.solve(ALONG[2], {"w": "6.4", "sigma": "0.01", "r": "0.3"})
+    (margin,) = orbit.derivatives().margins
+    assert margin.boundary == "wall-reaches-stop"
+    times = np.linspace(0, orbit.period, 20001)[200:-200]
+    x = orbit.trajectory()(times)[:, 0]
+    inside = x[1:-1][(x[1:-1] > x[:-2]) & (x[1:-1] > x[2:])]
+    assert float(margin.value) == pytest.approx(0.01 - inside.max(), abs=1e-6)
+
+
+@pytest.mark.parametrize("name", [*KERNELS[:2], DECLARED[0], DECLARED[4], DECLARED[5]])
+def test_many_orbits_have_the_derivatives_of_each(name):
+    orbit = ns.solve(name)
+    by = tuple(orbit.given)
+    values = {name: float(value) for name, value in orbit.given.items()}
+    values[by[0]] += np.array([0.0, 0.003, 1e3 if name == DECLARED[0] else -50.0])
+    found = ns.solve_many(name, values, derivatives=by)
+    assert found.derivatives is not None
+    assert found.converged.tolist() == [True, True, False]
+    for place in (0, 1):
+        point = {key: np.broadcast_to(x, 3)[place] for key, x in values.items()}
+        single = ns.solve(name, point).derivatives(by)
+        for quantity in (*orbit.unknowns, "period", "trace"):
+            rates = [found.derivatives[quantity][p][place] for p in by]
+            assert_allclose(rates, single.quantity(quantity)[1], rtol=1e-8, atol=1e-8)
+    for rates in found.derivatives.values():
+        assert all(np.isnan(rate[2]) for rate in rates.values())
+
+
+def test_many_orbits_of_a_family_have_derivatives_at_a_given_period():
+    orbit = ns.solve("elastic-stop/one-contact")
+    tables = orbit.problem.by_tables(orbit)
+    single = tables.derivatives()
+    data = {name: float(tables.parameters[name]) for name in tables.parameters}
+    found = ns.solve_many(
+        "elastic-stop",
+        data,
+        [*tables.dwell_times, *tables.states[0]],
+        itinerary=tables.itinerary,
+        given={"period": float(tables.period)},
+        derivatives=["k2"],
+    )
+    assert found.derivatives is not None
+    place = single.by.index("k2")
+    for name, rates in single.unknowns.items():
+        assert found.derivatives[name]["k2"] == pytest.approx(rates[place], abs=1e-8)
