@@ -3,7 +3,7 @@
 =========================  ==================================================================
 `values`                   exact values of parameters, and decimal printing
 `arithmetic`               one set of functions for floats, mpmath and balls
-`differentiable`           functions with exact derivatives, as other libraries take them
+`differentiable`           functions with exact derivatives, as optimisers take them
 `errors`                   the exceptions of the package, under one root
 `exponential_balls`        divided differences of the exponential in balls and Taylor models
 `exponential_differences`  the same in doubles

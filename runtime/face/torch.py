@@ -158,14 +158,11 @@ def _operations() -> Any:
         def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
             x, ctx.function, _ = inputs
             ctx.mark_non_differentiable(output[1])
-            ctx.set_materialize_grads(False)
             ctx.save_for_backward(x, output[1])
             ctx.save_for_forward(x, output[1])
 
         @staticmethod
         def backward(ctx: Any, cotangent: Any, _: Any) -> Any:
-            if cotangent is None:
-                return None, None, None
             x, known = ctx.saved_tensors
             if ctx.function.pull is not None and has_rules(cotangent):
                 return Pulled.apply(x, cotangent, ctx.function), None, None
