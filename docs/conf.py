@@ -8,6 +8,8 @@ from pathlib import Path
 
 import nonsmooth
 import nonsmooth.derive
+import nonsmooth.jax
+import nonsmooth.torch
 from nonsmooth.derive.codegen import derived
 from nonsmooth.derive.flows import resolvent
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
@@ -17,7 +19,8 @@ HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "_extensions"))
 
 # Names that have pages of their own: the public ones, and the parts of results.
-DOCUMENTED = {f"{p.__name__}.{name}" for p in (nonsmooth, nonsmooth.derive) for name in p.__all__}
+PACKAGES = (nonsmooth, nonsmooth.derive, nonsmooth.jax, nonsmooth.torch)
+DOCUMENTED = {f"{package.__name__}.{name}" for package in PACKAGES for name in package.__all__}
 PARTS = re.findall(r"^   ~(.*)$", (HERE / "reference" / "python.rst").read_text("utf-8"), re.M)
 DOCUMENTED |= {f"nonsmooth.runtime.{part}" for part in PARTS}
 for page in (HERE / "reference" / "api").glob("*.rst"):

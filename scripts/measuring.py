@@ -19,7 +19,7 @@ from typing import Any
 
 __all__ = ["Row", "apart", "interleaved", "machine", "timed", "told"]
 
-PACKAGES = ("nonsmooth", "numpy", "scipy", "sympy", "python-flint", "casadi", "heyoka")
+PACKAGES = ("nonsmooth", "numpy", "scipy", "sympy", "python-flint", "casadi", "heyoka", "diffrax")
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,8 @@ _EXTRAS = {
     "html": "equations and reports in HTML",
     "chart": "charts, also on a cluster",
     "speed": "faster long numbers",
+    "jax": "derivatives in JAX",
+    "torch": "derivatives in PyTorch",
 }
 _REQUIREMENT = re.compile(r"([\w.-]+)(?:\[[^]]*\])?\s*(?:>=\s*([\w.]+))?[^;]*(?:;(.*))?")
 _EXTRA = re.compile(r"extra == ['\"](\w+)['\"]")

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, unknown_name
 
 __all__ = ["DifferentiableFunction"]
 
@@ -129,11 +129,63 @@ class DifferentiableFunction:
         flat = np.broadcast_to(factors, (*lead, len(self.outputs))).reshape(len(points), -1)
         return self.pull(points, flat).reshape(*lead, len(self.inputs))
 
-    def _points(self, x: Any) -> tuple[np.ndarray, tuple[int, ...]]:
-        array = np.asarray(x, dtype=float)
-        if array.shape[-1:] != (len(self.inputs),):
+    def scipy_pair(
+        self, output: str | None = None
+    ) -> tuple[Callable[..., Any], Callable[..., Any]]:
+        """Give the function and its derivatives as SciPy's solvers and optimisers take them.
+
+        Parameters
+        ----------
+        output : str, optional
+            The one value that is minimised; otherwise all of them, as residuals or equations.
+
+        Returns
+        -------
+        fun, jac : tuple of callable
+            Of all values: arrays (q,) to (m,) and (m, q), for ``least_squares`` and ``root``. Of
+            one: to a float and its gradient (q,), for ``minimize``.
+
+        Raises
+        ------
+        InputError
+            If no value has that name.
+
+        Examples
+        --------
+        >>> from scipy.optimize import minimize
+        >>> valley = DifferentiableFunction(
+        ...     ("x",), ("y",), np.array([1.0]), lambda x: x**2, lambda x: (x**2, 2 * x[..., None])
+        ... )
+        >>> fun, jac = valley.scipy_pair("y")
+        >>> bool(minimize(fun, [1.0], jac=jac).success)
+        True
+        """
+        if output is None:
+            return self.__call__, self.jacobian
+        if output not in self.outputs:
+            raise unknown_name("output", output, self.outputs)
+        place = self.outputs.index(output)
+        return lambda x: float(self(x)[place]), lambda x: self.jacobian(x)[place]
+
+    def check_shape(self, shape: tuple[int, ...]) -> None:
+        """Refuse points whose last axis does not hold the q numbers.
+
+        Parameters
+        ----------
+        shape : tuple of int
+
+        Raises
+        ------
+        InputError
+            The numbers are named.
+        """
+        if shape[-1:] != (len(self.inputs),):
             raise InputError(
                 f"the function takes {len(self.inputs)} numbers: {', '.join(self.inputs)};"
-                f" the last axis has {array.shape[-1] if array.ndim else 'no entries'}"
+                f" the last axis has {shape[-1] if shape else 'no entries'}"
             )
+
+    def _points(self, x: Any) -> tuple[np.ndarray, tuple[int, ...]]:
+        array = np.asarray(x, dtype=float)
+        self.check_shape(array.shape)
         return array.reshape(-1, len(self.inputs)), array.shape[:-1]

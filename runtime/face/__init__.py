@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from nonsmooth.runtime.core.registry import register
 
 if TYPE_CHECKING:
+    from nonsmooth.runtime.core.differentiable import DifferentiableFunction
     from nonsmooth.runtime.core.errors import (
         InputError,
         Interrupted,
@@ -70,6 +71,7 @@ __all__ = [
     "Census",
     "Certificate",
     "Check",
+    "DifferentiableFunction",
     "Event",
     "EventCertificate",
     "Found",
@@ -130,6 +132,7 @@ _HOMES = {
     "Census": "proof.counting.census",
     "Check": "present.checking.check_file",
     "Certificate": "proof.certificate",
+    "DifferentiableFunction": "core.differentiable",
     "Branch": "explore.continuation.branch",
     "Event": "explore.continuation.event",
     "EventCertificate": "proof.events.event_certificate",

@@ -98,7 +98,7 @@ def test_nothing_heavy_is_imported(arguments: str, tmp_path: Path) -> None:
     )
     modules = set(done.stdout.rpartition("MODULES")[2].split())
     assert "nonsmooth" in modules
-    assert not modules & {"sympy", "matplotlib", "dask", "xarray", "zarr", "scipy"}
+    assert not modules & {"sympy", "matplotlib", "dask", "xarray", "zarr", "scipy", "jax", "torch"}
 
 
 def test_doctor_names_every_requirement_and_extra() -> None:
@@ -108,7 +108,7 @@ def test_doctor_names_every_requirement_and_extra() -> None:
         assert found[package]["found"] == metadata.version(package)
         assert found[package]["good"]
     extras = {name.split()[1].rstrip(":") for name in found if name.startswith("extra ")}
-    assert extras == {"plot", "html", "chart", "speed"}
+    assert extras == {"plot", "html", "chart", "speed", "jax", "torch"}
     assert set(found["Python"]) == {"name", "good", "found", "remedy"}
 
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import check_grad, least_squares, minimize
 
 from nonsmooth.runtime.core.differentiable import DifferentiableFunction
 from nonsmooth.runtime.core.errors import InputError
@@ -46,3 +47,20 @@ def test_both_modes_are_those_of_the_jacobian(lead: tuple[int, ...], pulled: boo
 def test_points_of_the_wrong_length_are_refused_by_name(x: object) -> None:
     with pytest.raises(InputError, match="takes 2 numbers: a, b"):
         _made(pulled=False)(x)
+
+
+def test_scipy_takes_all_values_or_one() -> None:
+    function, x = _made(pulled=False), np.array([0.3, 0.4])
+    fun, jac = function.scipy_pair()
+    np.testing.assert_array_equal(fun(x), function(x))
+    np.testing.assert_array_equal(jac(x), function.jacobian(x))
+    wanted = function([1.2, -0.7])
+    fitted = least_squares(lambda x: fun(x) - wanted, [1.0, -0.5], jac=jac, xtol=1e-15)
+    np.testing.assert_allclose(fitted.x, [1.2, -0.7], rtol=1e-9)
+    fun, jac = function.scipy_pair("sine")
+    assert check_grad(fun, jac, x) < 1e-7
+    assert isinstance(fun(x), float)
+    lowest = minimize(fun, x, jac=jac, method="BFGS")
+    assert lowest.fun == pytest.approx(-1, abs=1e-9)
+    with pytest.raises(InputError, match="unknown output 'sin'; did you mean 'sine'"):
+        function.scipy_pair("sin")

@@ -15,13 +15,14 @@ import typer
 
 import nonsmooth
 import nonsmooth.derive
+import nonsmooth.jax
+import nonsmooth.torch
 from nonsmooth.runtime.cli.program import app
 from tests.chromium import Seen, Window, served, window
 from tests.places import CHECKOUT
 
-PUBLIC = {
-    f"{package.__name__}.{n}" for package in (nonsmooth, nonsmooth.derive) for n in package.__all__
-}
+PACKAGES = (nonsmooth, nonsmooth.derive, nonsmooth.jax, nonsmooth.torch)
+PUBLIC = {f"{package.__name__}.{n}" for package in PACKAGES for n in package.__all__}
 WITHOUT_PAGE = {"nonsmooth.__version__"}
 WIDTHS = (1280, 400)
 # Addresses of what a search has found, when it is done.

@@ -20,6 +20,8 @@ import pytest
 
 import nonsmooth
 import nonsmooth.derive
+import nonsmooth.jax
+import nonsmooth.torch
 from tests.places import CHECKOUT
 
 ROOMS = (
@@ -31,7 +33,7 @@ ERRORS = {"DeclarationError", "DerivationError", "InputError", "MissingExtra", "
 
 def public() -> Iterator[tuple[str, str, Any]]:
     """Kind, name and object of each public class, function, method and property."""
-    for package in (nonsmooth, nonsmooth.derive):
+    for package in (nonsmooth, nonsmooth.derive, nonsmooth.jax, nonsmooth.torch):
         for name in package.__all__:
             found = getattr(package, name)
             if inspect.isfunction(found):

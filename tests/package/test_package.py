@@ -16,7 +16,7 @@ import nonsmooth
 from tests.places import CHECKOUT
 
 FOLDERS = ("derive", "generated", "runtime")
-HEAVY = ("flint", "matplotlib", "mpmath", "numpy", "scipy", "sympy")
+HEAVY = ("flint", "jax", "matplotlib", "mpmath", "numpy", "scipy", "sympy", "torch")
 MODULES = sorted(
     module.name
     for folder in FOLDERS
@@ -91,7 +91,8 @@ def test_wheel_has_one_top_level_name(wheel: Path) -> None:
 @pytest.mark.packaging
 def test_wheel_is_complete(source: Path, wheel: Path) -> None:
     suffixes = {".py", ".h", ".c", ".md", ".json", ".html"}
-    expected = {f"nonsmooth/{name}" for name in ("__init__.py", "__main__.py", "py.typed")}
+    face = source / "runtime" / "face"
+    expected = {f"nonsmooth/{path.name}" for path in (*face.glob("*.py"), face / "py.typed")}
     for folder in FOLDERS:
         expected |= {
             f"nonsmooth/{path.relative_to(source).as_posix()}"
