@@ -50,7 +50,7 @@ def table_derivatives(kernels: SystemKernels, point: np.ndarray) -> TableDerivat
     >>> from nonsmooth.runtime.model.kernels import load_system
     >>> kernels = load_system("rigid-stop")  # parameters m1, m2, k1, k2, r
     >>> found = table_derivatives(kernels, np.array([1.0, 2.0, 1.0, 5.0, 0.5]))
-    >>> found.resets[4].min()  # by the coefficient of restitution: v1 = -r v1 in front
+    >>> float(found.resets[4].min())  # by the coefficient of restitution: v1 = -r v1 in front
     -1.0
     """
     tiny = _IMAGINARY * np.maximum(1.0, np.abs(point))

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.directions import Directions
     from nonsmooth.runtime.orbits.motion_derivatives import (
         BoundaryMargin,
-        MotionDerivatives,
+        OrbitMotionDerivatives,
         Transversality,
     )
     from nonsmooth.runtime.orbits.orbit import Orbit
@@ -123,7 +123,7 @@ class OrbitDerivatives:
         return self.section.spectral_radius_rates
 
     @cached_property
-    def _along(self) -> tuple[MotionDerivatives, np.ndarray | None]:
+    def _along(self) -> tuple[OrbitMotionDerivatives, np.ndarray | None]:
         """The orbit by tables as it moves, and how its parameters move with the q numbers."""
         along, rates = self.orbit.evaluation.along(self)
         return along, rates

@@ -17,7 +17,7 @@ from nonsmooth.runtime.core.complex_steps import (
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.orbits.directions import Directions, solve_linear
 from nonsmooth.runtime.orbits.kernel_values import evaluate
-from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
+from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives
 
@@ -123,7 +123,9 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
     )
 
 
-def along_tables(orbit: Orbit, found: OrbitDerivatives) -> tuple[MotionDerivatives, np.ndarray]:
+def along_tables(
+    orbit: Orbit, found: OrbitDerivatives
+) -> tuple[OrbitMotionDerivatives, np.ndarray]:
     """An orbit with kernels along its motion, by the tables of its system; see `Evaluation`.
 
     A sum such as e1 = ur1 - us1 is changed by the one of its parameters that is no open one.
@@ -136,7 +138,7 @@ def along_tables(orbit: Orbit, found: OrbitDerivatives) -> tuple[MotionDerivativ
 
     Returns
     -------
-    motion : MotionDerivatives
+    motion : OrbitMotionDerivatives
     rates : array (parameters, q)
 
     Raises
@@ -171,4 +173,4 @@ def along_tables(orbit: Orbit, found: OrbitDerivatives) -> tuple[MotionDerivativ
     by = tuple(moving)
     directions = tables.evaluation.directions(by)
     rates = np.array([moving[name] for name in by]).reshape(len(by), len(found.by))
-    return MotionDerivatives(tables, by, directions), rates
+    return OrbitMotionDerivatives(tables, by, directions), rates

@@ -22,7 +22,7 @@ from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.directions import Directions
 from nonsmooth.runtime.orbits.kernel_directions import along_tables, kernel_directions
 from nonsmooth.runtime.orbits.kernel_values import evaluate
-from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
+from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
 from nonsmooth.runtime.orbits.refine import refine_kernels
@@ -317,7 +317,7 @@ class KernelEvaluation:
         side = self.stability.one_sided
         return side, "a border collision, a phase takes no time" if side else ""
 
-    def along(self, found: OrbitDerivatives) -> tuple[MotionDerivatives, np.ndarray]:
+    def along(self, found: OrbitDerivatives) -> tuple[OrbitMotionDerivatives, np.ndarray]:
         """See `Evaluation`."""
         return along_tables(self.orbit, found)
 

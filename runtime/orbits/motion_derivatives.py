@@ -28,7 +28,7 @@ from nonsmooth.runtime.simulation.phase_functions import Phases, fastest
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["BoundaryMargin", "Differentiated", "MotionDerivatives", "Transversality"]
+__all__ = ["BoundaryMargin", "Differentiated", "OrbitMotionDerivatives", "Transversality"]
 
 _TOUCH = 1e-9  # relative size below which a boundary function is zero at a phase's end
 _TIED = 1e-9  # relative difference of extremes that are as large as each other
@@ -79,7 +79,7 @@ class Transversality(NamedTuple):
     rates: np.ndarray
 
 
-class MotionDerivatives:
+class OrbitMotionDerivatives:
     """An orbit by tables, as it moves in q directions."""
 
     def __init__(self, orbit: Orbit, by: Sequence[str], directions: Directions) -> None:

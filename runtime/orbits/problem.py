@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.admissible import Admissibility
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
     from nonsmooth.runtime.orbits.directions import Directions
-    from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
+    from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
     from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
     from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -340,7 +340,7 @@ class Evaluation(Protocol):
             Where there is no derivative; the message says why.
         """
 
-    def along(self, found: OrbitDerivatives) -> tuple[MotionDerivatives, np.ndarray | None]:
+    def along(self, found: OrbitDerivatives) -> tuple[OrbitMotionDerivatives, np.ndarray | None]:
         """The orbit by tables as it moves with parameters, and their rates by what was given.
 
         Parameters
@@ -350,7 +350,7 @@ class Evaluation(Protocol):
 
         Returns
         -------
-        motion : MotionDerivatives
+        motion : OrbitMotionDerivatives
         rates : array (parameters, q) or None
             None where they are what was given.
 

@@ -26,7 +26,7 @@ from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import Admissibility
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.directions import Directions
-from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
+from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_directions import table_directions
@@ -327,9 +327,9 @@ class TableEvaluation:
         """See `Evaluation`."""
         return table_directions(self, by)
 
-    def along(self, found: OrbitDerivatives) -> tuple[MotionDerivatives, None]:
+    def along(self, found: OrbitDerivatives) -> tuple[OrbitMotionDerivatives, None]:
         """See `Evaluation`."""
-        return MotionDerivatives(self.orbit, found.by, found.directions), None
+        return OrbitMotionDerivatives(self.orbit, found.by, found.directions), None
 
     @property
     def moved(self) -> np.ndarray:

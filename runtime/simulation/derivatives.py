@@ -55,7 +55,7 @@ class MotionDerivatives:
     >>> found = motion.derivatives(["k1", "r"])
     >>> found.event_times.shape, found.behind.shape
     ((3, 2), (4, 4, 2))
-    >>> found.event_times[0, 1] == 0  # restitution acts from the first impact on
+    >>> bool(found.event_times[0, 1] == 0)  # restitution acts from the first impact on
     True
     """
 
