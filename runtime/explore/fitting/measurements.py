@@ -200,7 +200,7 @@ def _measured(
                 " an output of another name needs its expression"
             )
     for column in [*outputs, *events]:
-        if column not in table:
+        if column not in table and events.get(column) not in table:
             raise unknown_name("column", column, table)
     for column in deviations:
         if column not in table:
@@ -303,13 +303,13 @@ def _constant(column: str, values: np.ndarray) -> float:
 
 
 def boundary_named(structure: Structure, name: str) -> str:
-    """Give the boundary of a name, or the one that an element of this name reaches.
+    """Give the boundary of a name, or the one by which an element of this name is reached.
 
     Parameters
     ----------
     structure : Structure
     name : str
-        Of a boundary, or the beginning of one name alone: ``wall`` for ``wall-reaches-stop``.
+        Of a boundary, or of an element: ``wall`` for ``wall-reaches-stop``.
 
     Returns
     -------
@@ -324,6 +324,9 @@ def boundary_named(structure: Structure, name: str) -> str:
     if name in known:
         return name
     found = [each for each in known if each.startswith(f"{name}-")]
+    arrivals = [each for each in found if each.startswith(f"{name}-reaches")]
+    if len(arrivals) == 1:
+        return arrivals[0]
     if len(found) == 1:
         return found[0]
     if found:
