@@ -56,8 +56,10 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Proof
     from nonsmooth.runtime.proof.motion.validate import validate
+    from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
     from nonsmooth.runtime.simulation.last_cycle import Recurrence, itinerary_of
     from nonsmooth.runtime.simulation.lyapunov import lyapunov
+    from nonsmooth.runtime.simulation.motion_function import motion_function
     from nonsmooth.runtime.simulation.observables import observe
     from nonsmooth.runtime.simulation.returns import PoincareMap, poincare_map
     from nonsmooth.runtime.simulation.simulate import Trajectories, simulate, simulate_many
@@ -81,6 +83,7 @@ __all__ = [
     "Locus",
     "MissingExtra",
     "Motion",
+    "MotionDerivatives",
     "NoConvergence",
     "NonsmoothError",
     "Orbit",
@@ -116,6 +119,7 @@ __all__ = [
     "load_sweep",
     "load_trajectory",
     "lyapunov",
+    "motion_function",
     "observe",
     "poincare_map",
     "refine",
@@ -143,6 +147,7 @@ _HOMES = {
     "Locus": "explore.continuation.locus",
     "MissingExtra": "core.errors",
     "Motion": "orbits.motion",
+    "MotionDerivatives": "simulation.derivatives",
     "NoConvergence": "core.errors",
     "NonsmoothError": "core.errors",
     "Orbit": "orbits.orbit",
@@ -177,6 +182,7 @@ _HOMES = {
     "load_sweep": "present.files.sweeps",
     "load_trajectory": "present.files.motions",
     "lyapunov": "simulation.lyapunov",
+    "motion_function": "simulation.motion_function",
     "observe": "simulation.observables",
     "poincare_map": "simulation.returns",
     "refine": "orbits.refine",
@@ -200,6 +206,7 @@ register(
         "found_html": "present.notebook",
         "held_found": "present.files.found",
         "itinerary_of": "simulation.last_cycle",
+        "motion_derivatives": "simulation.derivatives",
         "orbit_html": "present.notebook",
         "orbit_json": "present.report",
         "orbit_latex": "present.notebook",

@@ -28,5 +28,6 @@
 `eigenvalue_clusters`  clusters of a matrix's eigenvalues whose sum is its exponential
 `saved_orbit`          orbits as data, with their system: what a chart holds of what it is of
 `saved_system`         systems as data: what result files hold of those that are not built in
+`table_derivatives`    derivatives of fields, rows and resets by all parameters
 =====================  ============================================================================
 """

@@ -32,11 +32,11 @@ from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.tangent import (
     TangentPhase,
     earliest_entry,
-    field_at,
     flow_matrix,
     tangent_phases,
 )
 from nonsmooth.runtime.simulation.trajectory import Trajectory
+from nonsmooth.runtime.simulation.transition_derivatives import field_at
 
 __all__ = ["Exponent", "lyapunov", "lyapunov_spectrum"]
 

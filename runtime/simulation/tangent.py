@@ -1,7 +1,7 @@
 """Derivatives of a motion by its start.
 
 Along a phase a perturbation is carried by the flow's matrix, through a transition by the
-saltation matrix, as `section_map` gives it. Both map the motion's own direction to itself.
+saltation matrix. Both map the motion's own direction to itself.
 """
 
 from __future__ import annotations
@@ -15,20 +15,17 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.flows import functions_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.shooting.variational import ARRAYS, Phase, section_map
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
+from nonsmooth.runtime.simulation.transition_derivatives import transitions_behind
 
 __all__ = [
     "TangentPhase",
     "earliest_entry",
-    "field_at",
     "flow_matrix",
     "tangent_map",
     "tangent_phases",
 ]
-
-_ERROR = 64 * np.finfo(float).eps
 
 
 class TangentPhase(NamedTuple):
@@ -167,80 +164,11 @@ def flow_matrix(system: PiecewiseLinear, configuration: int, duration: float) ->
     return np.asarray(np.tensordot(functions, flows[:, :, :-1], axes=1))
 
 
-def field_at(system: PiecewiseLinear, configuration: int, states: np.ndarray) -> np.ndarray:
-    """Vector field (..., N) at states (..., N).
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configuration : int
-    states : array (..., N)
-
-    Returns
-    -------
-    array (..., N)
-        Rates of the states.
-    """
-    return np.asarray(_extended(states) @ system.fields[configuration].T)
-
-
 def _saltation_matrices(trajectory: Trajectory, first: int) -> np.ndarray:
     """Saltation matrices (n, N, N) of the transitions behind an entry."""
-    system, run = trajectory.system, trajectory.run
-    size = len(trajectory.names)
-    found = np.empty((len(run.times) - first - 1, size, size))
-    masks, numbers = np.unique(run.sets[first + 1 :], return_inverse=True)
-    keys = np.stack([run.configurations[first:-1], run.configurations[first + 1 :], numbers])
-    for source, target, number in np.unique(keys, axis=1).T.tolist():
-        here = np.flatnonzero(np.equal(keys.T, (source, target, number)).all(axis=1))
-        reached = int(masks[number])
-        entries = here + first + 1
-        if reached & (reached - 1):
-            raise InputError(
-                f"boundaries are reached together at t = {float(run.times[entries[0]])!r}:"
-                " the motion has no derivative there"
-            )
-        row = system.rows[system.structure.boundaries[source][reached.bit_length() - 1].row]
-        before, behind = run.before[entries], run.states[entries]
-        reset = _resets(system, source, target, reached, before, behind)
-        phase = Phase(system.fields[source], row[None], reset)
-        fields = field_at(system, source, before), field_at(system, target, behind)
-        linear, velocities, after = ARRAYS.linear(reset), fields[0][..., None], fields[1][..., None]
-        jumps = (after - linear @ velocities)[..., 0]
-        error = _ERROR * (
-            np.abs(system.fields[source]).sum(axis=0) @ _extended(np.abs(before)).T
-            + np.abs(system.fields[target]).sum(axis=0) @ _extended(np.abs(behind)).T
-        )
-        smooth = np.abs(jumps).max(axis=1) <= error
-        tangential = ~smooth & (np.abs(fields[0] @ row[:-1]) <= error * np.abs(row[:-1]).max())
-        if tangential.any():
-            time = float(run.times[entries[np.argmax(tangential)]])
-            raise InputError(
-                f"a boundary is reached tangentially at t = {time!r}:"
-                " the motion has no derivative there"
-            )
-        with np.errstate(divide="ignore", invalid="ignore"):  # of what is smooth
-            sudden = section_map(ARRAYS, phase, np.eye(size, size + 1), velocities, after)
-        found[here] = np.where(smooth[:, None, None], linear, sudden)
-    return found
-
-
-def _resets(
-    system: PiecewiseLinear,
-    source: int,
-    target: int,
-    reached: int,
-    before: np.ndarray,
-    behind: np.ndarray,
-) -> np.ndarray:
-    """Resets (n, N, N + 1) that the transitions took: those that fit best."""
-    boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
-    known = sorted({t.reset for t in system.structure.transitions_to(source, boundaries, target)})
-    resets = system.resets[known]
-    images = np.einsum("rij,nj->rni", resets, _extended(before))
-    best = np.argmin(np.abs(images - behind).max(axis=2), axis=0)
-    return np.asarray(resets[best])
-
-
-def _extended(states: np.ndarray) -> np.ndarray:
-    return np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)
+    system, found = trajectory.system, transitions_behind(trajectory, first)
+    linear = system.resets[found.resets][..., :-1]
+    with np.errstate(divide="ignore", invalid="ignore"):  # of what is smooth
+        rates = system.rows[found.rows][..., :-1] / found.speeds[:, None]
+        sudden = linear + found.jumps[..., None] * rates[:, None]
+    return np.asarray(np.where(found.smooth[:, None, None], linear, sudden))

@@ -21,6 +21,7 @@ from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import Structure
 
 if TYPE_CHECKING:
+    from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
     from nonsmooth.runtime.simulation.last_cycle import Recurrence
 
 __all__ = ["Trajectory"]
@@ -305,6 +306,46 @@ class Trajectory(Shown):
         Recurrence
         """
         found: Recurrence = registered("itinerary_of")(self, since, period)
+        return found
+
+    def derivatives(
+        self,
+        by: Iterable[str] | None = None,
+        *,
+        times: Any = None,
+        one_sided: str | None = None,
+    ) -> MotionDerivatives:
+        """Differentiate the motion by parameters and by its start, exact up to rounding.
+
+        Parameters
+        ----------
+        by : iterable of str, optional
+            Parameters, and states at the start: ``x10`` is that of ``x1``. All when omitted,
+            but for the phases of forcings, which are part of the system.
+        times : array (m,), optional
+            Times that are held fixed, at which the states are differentiated.
+        one_sided : {"+", "-"}, optional
+            Where the motion has no derivative: that by numbers which grow, or which fall.
+
+        Returns
+        -------
+        MotionDerivatives
+
+        Raises
+        ------
+        InputError
+            For an unknown name or time, or where the motion has no derivative; the message
+            names the event and its time.
+
+        Examples
+        --------
+        >>> from nonsmooth.runtime.simulation.simulate import simulate
+        >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
+        >>> motion = simulate("rigid-stop", data, [0, 0, 1.5, 0], until=5)
+        >>> motion.derivatives(["r", "v10"], times=[5]).states.shape
+        (1, 4, 2)
+        """
+        found: MotionDerivatives = registered("motion_derivatives")(self, by, times, one_sided)
         return found
 
     def save(self, path: str | os.PathLike[str]) -> None:

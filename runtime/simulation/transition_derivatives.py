@@ -1,0 +1,165 @@
+"""What the derivatives of a motion's transitions need: velocities, jumps, rows and resets.
+
+In front of a transition the state moves by f-, behind it by f+; the boundary with the gradient
+n is reached at the speed n f-. Where the boundary is reached later by dt, a perturbation that
+the reset's matrix R carries over is changed by -(f+ - R f-) dt: the saltation (M. Aizerman and
+F. Gantmakher, 1958). A transition without that jump of velocities is smooth.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["Transitions", "extended", "field_at", "transitions_behind"]
+
+_ERROR = 64 * np.finfo(float).eps
+
+
+class Transitions(NamedTuple):
+    """m transitions of a motion.
+
+    Attributes
+    ----------
+    rows : array (m,) of int
+        Row of the boundary that is reached.
+    resets : array (m,) of int
+    before : array (m, N + 1)
+        State in front of it, and 1.
+    velocities, behind : array (m, N)
+        Velocity in front of it, and behind it.
+    jumps : array (m, N)
+        Velocity behind it minus what the reset makes of that in front of it.
+    speeds : array (m,)
+        At which the boundary is reached.
+    smooth : array (m,) of bool
+        Whether there is no jump within rounding.
+    """
+
+    rows: np.ndarray
+    resets: np.ndarray
+    before: np.ndarray
+    velocities: np.ndarray
+    behind: np.ndarray
+    jumps: np.ndarray
+    speeds: np.ndarray
+    smooth: np.ndarray
+
+
+def field_at(system: PiecewiseLinear, configuration: int, states: np.ndarray) -> np.ndarray:
+    """Vector field (..., N) at states (..., N).
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    configuration : int
+    states : array (..., N)
+
+    Returns
+    -------
+    array (..., N)
+        Rates of the states.
+    """
+    return np.asarray(extended(states) @ system.fields[configuration].T)
+
+
+def extended(states: np.ndarray) -> np.ndarray:
+    """States (..., N), then 1.
+
+    Parameters
+    ----------
+    states : array (..., N)
+
+    Returns
+    -------
+    array (..., N + 1)
+    """
+    return np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)
+
+
+def transitions_behind(trajectory: Trajectory, first: int = 0) -> Transitions:
+    """What the derivatives of the transitions behind an entry need.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    first : int
+        Index of the entry.
+
+    Returns
+    -------
+    Transitions
+
+    Raises
+    ------
+    InputError
+        If two boundaries are reached at once, or one tangentially.
+    """
+    system, run = trajectory.system, trajectory.run
+    count, size = len(run.times) - first - 1, len(trajectory.names)
+    before, behind = run.before[first + 1 :], run.states[first + 1 :]
+    found = Transitions(
+        np.zeros(count, dtype=int),
+        np.zeros(count, dtype=int),
+        extended(before),
+        np.empty((count, size)),
+        np.empty((count, size)),
+        np.empty((count, size)),
+        np.empty(count),
+        np.zeros(count, dtype=bool),
+    )
+    tangential = np.zeros(count, dtype=bool)
+    masks, numbers = np.unique(run.sets[first + 1 :], return_inverse=True)
+    keys = np.stack([run.configurations[first:-1], run.configurations[first + 1 :], numbers])
+    kinds, kind = np.unique(keys, axis=1, return_inverse=True)
+    for place, (source, target, number) in enumerate(kinds.T.tolist()):
+        here = np.flatnonzero(kind.ravel() == place)
+        reached = int(masks[number])
+        if reached & (reached - 1):
+            raise InputError(
+                f"boundaries are reached together at t = {float(run.times[here[0] + first + 1])!r}:"
+                " the motion has no derivative there"
+            )
+        shape = system.structure.boundaries[source][reached.bit_length() - 1]
+        row, now, then = system.rows[shape.row], before[here], behind[here]
+        resets = _resets(system, source, target, reached, now, then)
+        velocities, after = field_at(system, source, now), field_at(system, target, then)
+        jumps = after - np.einsum("nij,nj->ni", system.resets[resets][..., :-1], velocities)
+        speeds = velocities @ row[:-1]
+        error = _ERROR * (
+            np.abs(system.fields[source]).sum(axis=0) @ extended(np.abs(now)).T
+            + np.abs(system.fields[target]).sum(axis=0) @ extended(np.abs(then)).T
+        )
+        smooth = np.abs(jumps).max(axis=1) <= error
+        tangential[here] = ~smooth & (np.abs(speeds) <= error * np.abs(row[:-1]).max())
+        parts = (shape.row, resets, extended(now), velocities, after, jumps, speeds, smooth)
+        for own, part in zip(found, parts, strict=True):
+            own[here] = part
+    if tangential.any():
+        time = float(run.times[first + 1 + np.argmax(tangential)])
+        raise InputError(
+            f"a boundary is reached tangentially at t = {time!r}:"
+            " the motion has no derivative there"
+        )
+    return found
+
+
+def _resets(
+    system: PiecewiseLinear,
+    source: int,
+    target: int,
+    reached: int,
+    before: np.ndarray,
+    behind: np.ndarray,
+) -> np.ndarray:
+    """Indices (n,) of the resets that the transitions took: those that fit best."""
+    boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
+    known = sorted({t.reset for t in system.structure.transitions_to(source, boundaries, target)})
+    images = np.einsum("rij,nj->rni", system.resets[known], extended(before))
+    best = np.argmin(np.abs(images - behind).max(axis=2), axis=0)
+    return np.asarray(np.array(known)[best])
