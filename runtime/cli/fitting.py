@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -162,7 +161,9 @@ def fit(
 
 def _sorted(given: Sequence[str]) -> tuple[list[tuple[str, str]], list[str], list[str]]:
     """Files with what is known in each, known parameters, and those with ranges."""
-    files, fixed, ranged = [], [], []
+    files: list[tuple[str, str]] = []
+    fixed: list[str] = []
+    ranged: list[str] = []
     for text in given:
         name, equals, value = text.partition("=")
         if equals and name.strip().isidentifier():

@@ -1,4 +1,4 @@
-"""Parameters from measurements: against the truth behind synthetic data, and what data do not tell."""
+"""Parameters from measurements, against the truth behind synthetic data."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ SYSTEM = oscillator(
     elements=[RigidStop("x", at=0.2, restitution=r, name="wall")],
     parameters=[Parameter("c", "damping"), Parameter("k", "stiffness"), Parameter("m", "mass")],
 )
-TRUTH: dict[str, Any] = {"k": 4.0, "m": 1.0, "r": 0.7, "c": 0.05}
+TRUTH: dict[str, Any] = {"k": 4.0, "m": 1.0, "r": 0.9, "c": 0.02}
 START: dict[str, Any] = {"x": -1.0, "v": 0.0}
 WALL = "wall-reaches-stop"
-REACHED = ns.simulate(SYSTEM, TRUTH, START, transitions=12)
+REACHED = ns.simulate(SYSTEM, TRUTH, START, transitions=20)
 TIMES = np.linspace(0.05, 8, 60)
 
 
@@ -49,7 +49,7 @@ def fitted(data: Any, *free: str, **options: Any) -> Any:
     return ns.fit(SYSTEM, data, **given)
 
 
-GUESS = {"k": 4.2, "r": 0.66}
+GUESS = {"k": 4.2, "r": 0.87}
 
 
 # --- the truth comes back
@@ -58,7 +58,7 @@ GUESS = {"k": 4.2, "r": 0.66}
 @pytest.mark.parametrize("data", [{WALL: impacts()}, series()], ids=["events", "series"])
 def test_exact_data_give_exact_parameters(data: dict[str, np.ndarray]) -> None:
     found = fitted(data, "k", "r", "v0", parameters=GUESS, sigma=1e-3)
-    np.testing.assert_allclose(found.estimates, [4, 0.7, 0], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(found.estimates, [4, 0.9, 0], rtol=0, atol=1e-9)
     assert found.status == "converged"
     assert found.chi2 < 1e-10
     assert found.experiments[0].configurations[0] == "free"
@@ -71,7 +71,7 @@ def test_errors_are_those_of_the_noise(kind: str) -> None:
         data = {WALL: impacts(8, 2e-3, seed)} if kind == "events" else series(0.02, seed)
         sigma = 2e-3 if kind == "events" else 0.02
         found = fitted(data, "k", "r", parameters=GUESS, sigma=sigma)
-        scores += ((found.estimates - [4, 0.7]) / found.standard_errors).tolist()
+        scores += ((found.estimates - [4, 0.9]) / found.standard_errors).tolist()
     # 24 scores of variance 1: their mean square is within 0.45 ... 1.9 in 99 of 100 cases
     assert 0.45 < np.mean(np.square(scores)) < 1.9
     assert np.mean(np.abs(scores) < 1.96) > 0.8
@@ -85,7 +85,7 @@ def test_covariance_is_that_of_the_jacobian_by_differences() -> None:
         for sign in (-1, 1):
             point = {**TRUTH, "k": found["k"], "r": found["r"]}
             point[name] += sign * step
-            motion = ns.simulate(SYSTEM, point, START, transitions=12)
+            motion = ns.simulate(SYSTEM, point, START, transitions=20)
             where = [WALL in names for names in motion.boundaries]
             ends.append(motion.times[where][:8])
         columns.append((ends[1] - ends[0]) / (2 * step) / 2e-3)
@@ -118,10 +118,14 @@ def test_noise_is_estimated_for_each_column() -> None:
 def test_clock_and_start_are_found() -> None:
     shifted = {**series(), "t": TIMES + 3.0, WALL: np.r_[impacts(5) + 3.0, [np.nan] * 55]}
     found = fitted(
-        shifted, "offset", "x0", "v0", "k", parameters={"k": 4.1}, offset=2.9, sigma=1e-3,
-        start={"x": -0.95, "v": 0.05},
+        shifted, "offset", "x0", "k", parameters={"k": 4.1}, offset=2.9, sigma=1e-3,
+        start={"x": -0.95, "v": 0},
     )  # fmt: skip
-    np.testing.assert_allclose(found.estimates, [3, -1, 0, 4], rtol=0, atol=1e-8)
+    np.testing.assert_allclose(found.estimates, [3, -1, 4], rtol=0, atol=1e-8)
+    # without a forcing a motion that starts later on its way is the same: nothing tells when
+    both = fitted(shifted, "offset", "x0", "v0", offset=2.9, sigma=1e-3)
+    assert len(both.unidentified) == 1
+    assert np.isinf(both.standard_errors).all()
 
 
 def test_missing_values_are_left_out_and_missing_events_count() -> None:
@@ -131,7 +135,7 @@ def test_missing_values_are_left_out_and_missing_events_count() -> None:
     events[2] = np.nan
     found = fitted([gaps, {WALL: events}], "k", "r", parameters=GUESS, sigma=1e-3)
     assert found.data == 45 + 7
-    np.testing.assert_allclose(found.estimates, [4, 0.7], rtol=1e-9)
+    np.testing.assert_allclose(found.estimates, [4, 0.9], rtol=1e-9)
     assert found.same_sequence is True
     # left out altogether, the third impact would be taken for the fourth
     wrong = fitted({WALL: np.delete(events, 2)}, "k", "r", parameters=GUESS, sigma=1e-3)
@@ -153,7 +157,7 @@ def test_experiments_have_parameters_and_starts_of_their_own() -> None:
         SYSTEM, data, parameters=known, free=["k", "r", "x0", "v0"], start=START, sigma=1e-3
     )
     assert found.names == ("k", "r", "x0@1", "x0@2", "v0@1", "v0@2")
-    np.testing.assert_allclose(found.estimates, [4, 0.7, -1, -0.8, 0, 0.3], rtol=0, atol=1e-8)
+    np.testing.assert_allclose(found.estimates, [4, 0.9, -1, -0.8, 0, 0.3], rtol=0, atol=1e-8)
     assert float(found.experiments[1].parameters["m"]) == 2
     assert found.motion(1)(0.0)[0] == pytest.approx(-0.8)
 
@@ -173,13 +177,15 @@ def test_a_combination_that_nothing_tells_is_named() -> None:
 
 def test_a_prior_tells_it() -> None:
     found = fitted(
-        {WALL: impacts(8, 1e-3, 1)}, "k", "m", parameters=GUESS, priors={"m": (1.1, 0.05)},
+        {WALL: impacts(8, 1e-3, 1)}, "k", "m", "c", parameters=GUESS | {"m": 1.1},
+        priors={"m": (1.1, 0.05)},
         sigma=1e-3,
     )  # fmt: skip
     assert found.unidentified == ()
     assert found["m"] == pytest.approx(1.1, rel=1e-6)
     assert found.standard_errors[1] == pytest.approx(0.05, rel=1e-3)
-    assert found["k"] == pytest.approx(4.4, rel=1e-2)
+    assert found["k"] == pytest.approx(4.4, rel=3e-2)
+    assert found.chi2 < 20
 
 
 def test_outliers_weigh_little_with_a_robust_loss() -> None:
@@ -208,7 +214,7 @@ def test_several_starts_find_what_one_misses_and_are_seeded() -> None:
     told: list[tuple[int, int]] = []
     found, again = (
         ns.fit(
-            SYSTEM, {WALL: impacts(6, 1e-3, 2)}, parameters={"m": 1, "c": 0.05}, bounds=limits,
+            SYSTEM, {WALL: impacts(6, 1e-3, 2)}, parameters={"m": 1, "c": 0.02}, bounds=limits,
             start=START, sigma=1e-3, starts=6, seed=7, progress=lambda *done: told.append(done),
         )
         for _ in range(2)
@@ -222,7 +228,7 @@ def test_several_starts_find_what_one_misses_and_are_seeded() -> None:
 def test_a_point_without_enough_events_shortens_the_step() -> None:
     # with k = 1.2 the mass comes to the wall half as often; the first step would go there
     found = fitted({WALL: impacts()}, "k", "r", parameters={"k": 6.0, "r": 0.95}, sigma=1e-3)
-    np.testing.assert_allclose(found.estimates, [4, 0.7], rtol=1e-7)
+    np.testing.assert_allclose(found.estimates, [4, 0.9], rtol=1e-7)
 
 
 def test_what_was_found_until_an_interruption_is_kept() -> None:
@@ -242,12 +248,10 @@ def test_what_was_found_until_an_interruption_is_kept() -> None:
 
 def test_the_sequence_of_the_data_is_compared() -> None:
     times = impacts()
-    swapped = {"wall": times, "left": times + 0.9}
     same = fitted({WALL: times}, "k", sigma=1e-3)
     assert same.same_sequence is True
     assert same.experiments[0].boundaries == same.motion().transitions * (WALL,)
     assert fitted(series(), "k", sigma=1e-3).same_sequence is None
-    del swapped
 
 
 def test_distance_to_grazing_is_that_of_the_height() -> None:
@@ -271,16 +275,16 @@ def test_distance_to_grazing_is_that_of_the_height() -> None:
 
 
 def test_distance_to_grazing_of_a_slow_arrival() -> None:
-    # x = a - (1 + a) cos t for a load a: it would come to 1 + 2 a, beyond a wall at 1
-    found = fitted({WALL: impacts(1)}, "x0", parameters={"c": 0}, sigma=1e-3, start={"x": -1, "v": 0})
+    # x = x0 cos(2 t) arrives at 0.2 with v^2 = 4 (x0^2 - 0.04), and bends by -4 x 0.2
+    times = np.array([np.pi / 2 - np.arccos(0.2 / 0.25) / 2])
+    known = {"c": "1e-12", "k": 4, "r": 0.5}
+    found = fitted({WALL: times}, "x0", parameters=known, sigma=1e-3, start={"x": -0.25, "v": 0})
     near = found.grazing
-    first = found.motion()
-    speed = first.before[1, 1]
-    height = float(np.hypot(0.2, speed / 2)) - 0.2  # amplitude of the free oscillation, k / m = 4
-    assert near is not None
-    by_parabola = speed**2 / (2 * 4 * 0.2)
-    assert near.margin <= by_parabola
-    assert height > 0
+    assert near.kind == "slowly reached"
+    assert near.margin == pytest.approx((0.25**2 - 0.2**2) / 0.4, rel=1e-6)
+    slope = 2 * 0.25 / 0.4
+    expected = near.margin / (slope * found.standard_errors[0])
+    assert near.standard_errors == pytest.approx(expected, rel=1e-6)
 
 
 # --- bad input
@@ -332,7 +336,7 @@ def test_bad_input_is_one_line(data: Any, free: Any, options: Any, told: str) ->
 
 def test_a_parameter_that_nothing_depends_on_is_named() -> None:
     before = {"t": [0.1, 0.2, 0.3, 0.4], "x": -np.cos(2 * np.array([0.1, 0.2, 0.3, 0.4]))}
-    assert "depends on r (at r = 0.7)" in refusal(before, "k", "r", sigma=0.1)
+    assert "depends on r (at r = 0.9)" in refusal(before, "k", "r", sigma=0.1)
 
 
 # --- tables
@@ -376,5 +380,5 @@ def test_tables_that_are_none(text: str, told: str, tmp_path: Path) -> None:
 
 def test_least_noise_keeps_exact_data_finite() -> None:
     found = fitted([series(), {WALL: impacts()}], "k", "r", parameters=GUESS)
-    np.testing.assert_allclose(found.estimates, [4, 0.7], rtol=1e-9)
+    np.testing.assert_allclose(found.estimates, [4, 0.9], rtol=1e-9)
     assert found.noise["x"] >= minimise._LEAST * np.std(series()["x"])

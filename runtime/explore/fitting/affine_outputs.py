@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from fractions import Fraction
 
 import numpy as np
 
@@ -13,9 +14,10 @@ from nonsmooth.runtime.core.expressions import Function
 
 __all__ = ["affine_row"]
 
-# the grammar of expressions has integers; a decimal is a number as users give values
+# the grammar of expressions has integers: a decimal is a quotient of two
 _DECIMAL = re.compile(r"(?<![\w.])(\d+\.\d*|\.\d+|\d+(?=[eE]))([eE][+-]?\d+)?(?![\w.])")
 _TOLERANCE = 1e-9
+_LONGEST = 40  # characters of a number
 
 
 def affine_row(text: str, states: Sequence[str]) -> np.ndarray:
@@ -49,7 +51,7 @@ def affine_row(text: str, states: Sequence[str]) -> np.ndarray:
         inputs=((size,),),
         outputs=((),),
         terms=(),
-        gives=(_DECIMAL.sub(lambda found: f"constant({found[0]})", text),),
+        gives=(_DECIMAL.sub(_fraction, text),),
     )
 
     def value(state: np.ndarray) -> float:
@@ -70,3 +72,10 @@ def affine_row(text: str, states: Sequence[str]) -> np.ndarray:
     if not row[:-1].any():
         raise InputError(f"output {text!r} depends on no state")
     return row
+
+
+def _fraction(found: re.Match[str]) -> str:
+    if len(found[0]) > _LONGEST:
+        raise InputError(f"output {found[0][:40]!r}... is too long a number")
+    exact = Fraction(found[0])
+    return f"({exact.numerator}/{exact.denominator})"

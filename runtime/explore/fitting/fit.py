@@ -188,7 +188,7 @@ def _check_count(problem: FitProblem) -> None:
 
 def _check_columns(problem: FitProblem, found: Minimum) -> None:
     """Refuse an unknown on which nothing that was measured depends."""
-    size = np.where(found.point != 0, abs(found.point), 1.0)
+    size = problem.unknowns.sizes(found.point)
     moved = abs(found.residuals.jacobian[: problem.data] * size).max(axis=0)
     for name, value, change in zip(problem.unknowns.names, found.point, moved, strict=True):
         if change <= _NOTHING:
@@ -208,7 +208,7 @@ def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
     near = _AT_BOUND * np.where(np.isinf(width), np.maximum(abs(point), 1), width)
     held = (point - unknowns.lower <= near) | (unknowns.upper - point <= near)
     told = statistics(
-        point,
+        unknowns.sizes(point),
         residuals.values,
         residuals.jacobian,
         problem.data,

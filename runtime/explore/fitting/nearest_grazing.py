@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
-from nonsmooth.runtime.model.piecewise import tables_at
+from nonsmooth.runtime.model.table_derivatives import TableDerivatives, table_derivatives
 from nonsmooth.runtime.simulation.phase_functions import fastest
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -29,7 +29,7 @@ __all__ = ["NearestGrazing", "nearest_grazing"]
 _POINTS = 24  # in a radian-sized piece of a phase, at least
 _MOST = 20_000  # points of a phase
 _NEWTON = 8
-_STEP = 1e-6
+_KEPT = 50  # approaches whose derivatives are asked for
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -113,9 +113,6 @@ def nearest_grazing(
     )
 
 
-_KEPT = 50  # approaches whose derivatives are asked for
-
-
 def _distance(margin: float, gradient: np.ndarray, covariance: np.ndarray) -> float:
     moved = np.flatnonzero(gradient)
     variance = float(gradient[moved] @ covariance[np.ix_(moved, moved)] @ gradient[moved])
@@ -193,73 +190,51 @@ def _gradients(
     )
     by = [e.target if e.kind == "parameter" else starts[e.target] for _, e in entries]
     columns = [column for column, _ in entries]
-    # in front of a transition the state is that of `before`: there the margin is a bound alone
     missed = [each for each in found if each.kind == "missed"]
     try:
-        derivatives: Any = motion.derivatives(by, times=np.array([each.time for each in missed]))
+        derivatives = motion.derivatives(by, times=np.array([each.time for each in missed]))
+        states, before = derivatives.states, derivatives.before
     except NonsmoothError:
         return np.full_like(gradients, np.nan)
-    moved = _moved_rows(kernels, motion, unknowns)
+    tables = _tables(kernels, motion, by)
     inside = iter(range(len(missed)))
     for place, each in enumerate(found):
         configuration = int(motion.run.configurations[each.phase])
         row = motion.structure.boundaries[configuration][each.boundary].row
         if each.kind == "missed":
-            state, turned = motion(each.time), derivatives.states[next(inside)]
-            normal = motion.system.rows[row]
-            slope = normal[:-1] @ turned
-            for column, name in zip(columns, range(len(by)), strict=True):
-                gradients[place, column] = -float(slope[name])
-            for column, change in moved.items():
-                gradients[place, column] -= float(change[row, :-1] @ state + change[row, -1])
+            normal, at = motion.system.rows[row, :-1], np.append(motion(each.time), 1.0)
+            gradients[place, columns] = -(normal @ states[next(inside)] + tables.rows[:, row] @ at)
         else:
-            gradients[place, columns] = _of_arrival(motion, each, derivatives, moved, columns, row)
+            gradients[place, columns] = _of_arrival(
+                motion, each.phase, row, tables, before[each.phase + 1]
+            )
     return gradients
 
 
 def _of_arrival(
-    motion: Trajectory,
-    each: _Approach,
-    derivatives: Any,
-    moved: dict[int, np.ndarray],
-    columns: list[int],
-    row: int,
+    motion: Trajectory, phase: int, row: int, tables: TableDerivatives, before: np.ndarray
 ) -> np.ndarray:
-    """Derivatives of the height above a boundary that the motion would reach behind it.
+    """Derivatives of the height speed^2 / (-2 bend) that the motion would reach behind a boundary.
 
-    The height is that of the function at its maximum, a time s = -speed / bend behind the
-    arrival: it moves as the function does there, which the flow continues.
+    Derivatives `before` (N, q) are those of the state in front of the transition, which moves.
     """
-    system, phase = motion.system, each.phase
     configuration = int(motion.run.configurations[phase])
-    field, normal = system.fields[configuration], system.rows[row]
-    last = motion.before[phase + 1]
-    rate = field[:, :-1] @ last + field[:, -1]
-    speed = float(normal[:-1] @ rate)
-    # the moving state in front of the arrival, and its speed through the boundary
-    arriving = np.asarray(derivatives.before[phase + 1])
-    bend = float(normal[:-1] @ field[:, :-1] @ rate)
-    turned = normal[:-1] @ field[:, :-1] @ arriving
-    for place, column in enumerate(columns):
-        if column in moved:
-            turned[place] += float(moved[column][row, :-1] @ rate)
-    return np.asarray(turned * speed / -bend)
+    field, normal = motion.system.fields[configuration], motion.system.rows[row, :-1]
+    matrix, at = field[:, :-1], np.append(motion.before[phase + 1], 1.0)
+    rate = field @ at
+    speed, bend = float(normal @ rate), float(normal @ matrix @ rate)
+    fields, normals = tables.fields[:, configuration], tables.rows[:, row, :-1]
+    rates = fields @ at + (matrix @ before).T
+    speeds = normals @ rate + rates @ normal
+    bends = normals @ matrix @ rate + fields[..., :-1] @ rate @ normal + rates @ matrix.T @ normal
+    return np.asarray(speed * speeds / -bend + speed**2 * bends / (2 * bend**2))
 
 
-def _moved_rows(
-    kernels: SystemKernels, motion: Trajectory, unknowns: Unknowns
-) -> dict[int, np.ndarray]:
-    """Derivatives of the rows (R, N + 1) by fitted parameters, by central differences."""
+def _tables(kernels: SystemKernels, motion: Trajectory, by: list[str]) -> TableDerivatives:
+    """Derivatives of the tables by names; zero by those that are no parameters."""
     names = [table.name for table in kernels.parameters]
-    point = np.array([float(motion.parameters[name]) for name in names])
-    found = {}
-    for column, entry in enumerate(unknowns.entries):
-        if entry.kind != "parameter":
-            continue
-        place = names.index(entry.target)
-        step = _STEP * (abs(point[place]) or 1.0)
-        ends = np.array([point, point])
-        ends[:, place] += [-step, step]
-        _, rows, _ = tables_at(kernels, ends)
-        found[column] = (rows[1] - rows[0]) / (2 * step)
-    return found
+    tables = table_derivatives(kernels, np.array([float(motion.parameters[n]) for n in names]))
+    places = [names.index(name) if name in names else len(names) for name in by]
+    return TableDerivatives(
+        *(np.concatenate([part, np.zeros_like(part[:1])])[places] for part in tables)
+    )

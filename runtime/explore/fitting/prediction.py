@@ -10,7 +10,6 @@ prediction: a search takes a shorter step.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -80,7 +79,7 @@ def predict(
     clocks = np.unique(np.concatenate([np.empty(0), *(series.times for series in outputs)]))
     times = np.minimum(clocks - condition.offset, motion.end)
     by, columns, clock = _asked(motion, unknowns, number)
-    derivatives: Any = motion.derivatives(by, times=times) if by else None
+    derivatives = motion.derivatives(by, times=times) if by else None
     states = motion(times)
     rates = _rates(motion, times, states) if clock is not None and len(times) else None
     values, jacobians = [], []

@@ -51,7 +51,7 @@ class Statistics:
 
 
 def statistics(
-    point: np.ndarray,
+    scale: np.ndarray,
     residuals: np.ndarray,
     jacobian: np.ndarray,
     data: int,
@@ -64,7 +64,8 @@ def statistics(
 
     Parameters
     ----------
-    point : array (q,)
+    scale : array (q,)
+        What is a large change of each unknown.
     residuals : array (m + p,)
         Of data and priors.
     jacobian : array (m + p, q)
@@ -82,8 +83,7 @@ def statistics(
     """
     from scipy.stats import norm, t
 
-    size = len(point)
-    scale = np.where(point != 0, abs(point), 1.0)
+    size = len(scale)
     free = np.flatnonzero(~held)
     weighted = jacobian[:, free] * scale[free]
     _, values, rows = np.linalg.svd(weighted, full_matrices=True)

@@ -19,6 +19,7 @@ from nonsmooth.runtime.model.structure import structure_of
 __all__ = ["Condition", "Unknown", "Unknowns", "unknowns_of"]
 
 OFFSET = "offset"
+_VANISHING = 1e-6  # of the size of the guess
 Bounds = Mapping[str, tuple[object, object]]
 
 
@@ -91,6 +92,20 @@ class Unknowns:
     def names(self) -> tuple[str, ...]:
         """Their names."""
         return tuple(entry.name for entry in self.entries)
+
+    def sizes(self, point: np.ndarray) -> np.ndarray:
+        """Give what is a large change of each: its own size, or that of its guess; 1 for zeros.
+
+        Parameters
+        ----------
+        point : array (q,)
+
+        Returns
+        -------
+        array (q,)
+        """
+        usual = np.where(self.guess != 0, abs(self.guess), 1.0)
+        return np.where(abs(point) > _VANISHING * usual, abs(point), usual)
 
     def condition(self, point: np.ndarray, experiment: int) -> Condition:
         """Give the conditions of an experiment at a point.
