@@ -22,6 +22,7 @@ from benchmark_certify import boxed, certified, counted
 from benchmark_chart import chart
 from benchmark_continuation import branch
 from benchmark_declared import declared
+from benchmark_fits import fits
 from benchmark_peers import peers
 from benchmark_simulation import composed, many, sequences, simulation
 from benchmark_size import size
@@ -352,6 +353,7 @@ SECTIONS = {
             chart,
             branch,
             size,
+            fits,
             peers,
         ),
     )
