@@ -54,7 +54,12 @@ def table_derivatives(kernels: SystemKernels, point: np.ndarray) -> TableDerivat
     -1.0
     """
     tiny = _IMAGINARY * np.maximum(1.0, np.abs(point))
-    tables = tables_at(kernels, point + 1j * np.diag(tiny))
+    moved = np.vstack(
+        [point, point + 1j * np.diag(tiny)]
+    )  # some row, where there are no parameters
     return TableDerivatives(
-        *(part.imag / tiny.reshape(-1, *[1] * (part.ndim - 1)) for part in tables)
+        *(
+            part[1:].imag / tiny.reshape(-1, *[1] * (part.ndim - 1))
+            for part in tables_at(kernels, moved)
+        )
     )

@@ -11,6 +11,7 @@
 `last_cycle`              `itinerary_of`: the cycle at the end of a motion
 `lyapunov`                `lyapunov`: exponents of a motion, with their errors
 `observables`             `observe`: peaks, averages, contact and friction forces
+`one_sided`               where a motion has one-sided derivatives alone
 `phase_functions`         affine functions of the state along the phases of a motion
 `recurrence`              the phases after which a motion comes back
 `returns`                 `poincare_map`: the Poincare map by simulation
@@ -18,6 +19,7 @@
 `derivatives`             `Trajectory.derivatives`: a motion by parameters and start, both ways
 `motion_function`         `motion_function`: a motion as a function with exact derivatives
 `flow_derivatives`        derivatives of flows by the entries of their fields
+`motion_linearisation`    a motion's phases and transitions, linearised for all directions
 `start_derivatives`       what a start may do: on constraints, at phases of forcings
 `transition_derivatives`  velocities, jumps, rows and resets of a motion's transitions
 ========================  =====================================================================

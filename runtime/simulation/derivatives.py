@@ -19,15 +19,12 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.engine_run import Status
-from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.naming import start_names
-from nonsmooth.runtime.model.table_derivatives import TableDerivatives, table_derivatives
-from nonsmooth.runtime.simulation.flow_derivatives import ConfigurationFlows, configuration_flows
-from nonsmooth.runtime.simulation.start_derivatives import allowed_changes, following_changes
+from nonsmooth.runtime.model.table_derivatives import TableDerivatives
+from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation, input_names
+from nonsmooth.runtime.simulation.one_sided import CUT, check_sides
 from nonsmooth.runtime.simulation.trajectory import Trajectory
-from nonsmooth.runtime.simulation.transition_derivatives import Transitions, transitions_behind
 
-__all__ = ["MotionDerivatives", "input_names", "motion_derivatives"]
+__all__ = ["MotionDerivatives", "motion_derivatives"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,6 +94,11 @@ class MotionDerivatives:
     @property
     def end(self) -> np.ndarray:
         """Derivative (q,) of the time at which the simulation ended."""
+        if self.trajectory.status in CUT:
+            raise InputError(
+                f"the motion ends at t = {self.trajectory.end!r}: {self.trajectory.message};"
+                " that time has no derivative"
+            )
         if self.trajectory.status == Status.UNTIL or not len(self.event_times):
             return np.zeros(len(self.by))
         return np.asarray(self.event_times[-1])
@@ -193,171 +195,6 @@ class MotionDerivatives:
         return self.linearisation.condition()
 
 
-class MotionLinearisation:
-    """A motion's phases, transitions and tables, linearised once for all directions."""
-
-    def __init__(self, trajectory: Trajectory, times: np.ndarray) -> None:
-        self.trajectory, self.times = trajectory, times
-        run, count = trajectory.run, len(trajectory.times)
-        for grazing in run.grazings:
-            raise InputError(
-                f"a boundary is reached tangentially at t = {grazing.time!r}:"
-                " the motion has no derivative there"
-            )
-        self.transitions: Transitions = transitions_behind(trajectory)
-        phases = np.searchsorted(run.times, times, side="right") - 1
-        # phases up to their transitions, then those of the times
-        self.phases = np.concatenate([np.arange(count - 1), phases])
-        durations = np.concatenate([np.diff(run.times), times - run.times[phases]])
-        self.groups: list[tuple[int, np.ndarray, ConfigurationFlows]] = list(
-            configuration_flows(
-                trajectory.system,
-                run.configurations[self.phases].astype(int),
-                durations,
-                run.states[self.phases],
-            )
-        )
-        size = len(trajectory.names)
-        self.matrices = np.empty((len(self.phases), size, size))
-        for _, places, flows in self.groups:
-            self.matrices[places] = flows.matrices
-
-    @property
-    def kernels(self) -> SystemKernels:
-        """Kernels of the motion's system."""
-        found = self.trajectory.structure.kernels
-        assert found is not None
-        return found
-
-    def directions(self, by: tuple[str, ...]) -> tuple[TableDerivatives, np.ndarray]:
-        """Changes of the tables (q, ...) and of the start (N, q) by numbers."""
-        system, run = self.trajectory.system, self.trajectory.run
-        point = np.array([float(value) for value in system.parameters.values()])
-        names, starts = input_names(self.trajectory)
-        tables = table_derivatives(self.kernels, point)
-        configuration, start = int(run.configurations[0]), run.states[0]
-        moved = following_changes(system, configuration, start, tables.rows)
-        allowed = allowed_changes(system, configuration, start)
-        columns = dict(zip((*names, *starts), np.hstack([moved, allowed]).T, strict=True))
-        places = [names.index(name) if name in names else len(names) for name in by]
-        padded = TableDerivatives(
-            *(np.concatenate([part, np.zeros_like(part[:1])])[places] for part in tables)
-        )
-        return padded, np.array([columns[name] for name in by]).reshape(len(by), -1).T
-
-    def forward(self, tables: TableDerivatives, starts: np.ndarray) -> tuple[np.ndarray, ...]:
-        """Derivatives of states, times of transitions, and states on both sides of these."""
-        trajectory, found = self.trajectory, self.transitions
-        system, count = trajectory.system, len(trajectory.times)
-        size, q = starts.shape
-        added = np.empty((len(self.phases), size, q))
-        for configuration, places, flows in self.groups:
-            added[places] = flows.changes(tables.fields[:, configuration])
-        slopes = system.rows[found.rows][:, :-1]
-        moved = np.einsum("qni,ni->nq", tables.rows[:, found.rows], found.before)
-        reset = np.einsum("qnij,nj->niq", tables.resets[:, found.resets], found.before)
-        linear = system.resets[found.resets][..., :-1]
-        beginnings = np.empty((count, size, q))  # at the fixed times of the transitions
-        ends = np.empty((count - 1, size, q))
-        rates = np.zeros((count - 1, q))
-        beginnings[0] = starts
-        for k in range(count - 1):
-            end = self.matrices[k] @ beginnings[k] + added[k]
-            behind = linear[k] @ end + reset[k]
-            if not found.smooth[k]:
-                rates[k] = (slopes[k] @ end + moved[k]) / -found.speeds[k]
-                behind = behind - found.jumps[k][:, None] * rates[k]
-            ends[k], beginnings[k + 1] = end, behind
-        with np.errstate(divide="ignore", invalid="ignore"):
-            events = (np.einsum("ni,niq->nq", slopes, ends) + moved) / -found.speeds[:, None]
-        events[found.smooth & (found.speeds == 0)] = np.nan
-        before, after = beginnings.copy(), beginnings.copy()
-        before[1:] = ends + found.velocities[..., None] * events[:, None]
-        after[1:] += found.behind[..., None] * events[:, None]
-        own = self.phases[count - 1 :]
-        states = self.matrices[count - 1 :] @ beginnings[own] + added[count - 1 :]
-        return states, events, before, after
-
-    def reverse(
-        self, states: np.ndarray, event_times: np.ndarray, before: np.ndarray, behind: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Gradients of a combination by fields, rows, resets and the start."""
-        trajectory, found = self.trajectory, self.transitions
-        system, count = trajectory.system, len(trajectory.times)
-        slopes = system.rows[found.rows][:, :-1]
-        linear = system.resets[found.resets][..., :-1]
-        # factors of the perturbations in front of and behind each transition, at its own time
-        pulled = np.concatenate([before[1:], states])
-        beginnings = behind.copy()
-        beginnings[0] += before[0]
-        np.add.at(
-            beginnings,
-            self.phases[count - 1 :],
-            np.einsum("nij,ni->nj", self.matrices[count - 1 :], states),
-        )
-        direct = (
-            event_times
-            + np.einsum("ni,ni->n", before[1:], found.velocities)
-            + np.einsum("ni,ni->n", behind[1:], found.behind)
-        )
-        rates = np.zeros(count - 1)
-        for k in range(count - 2, -1, -1):
-            behind_it, rate = beginnings[k + 1], direct[k]
-            pulled[k] += behind_it @ linear[k]
-            if not found.smooth[k]:
-                rate = rate - found.jumps[k] @ behind_it
-            if rate:
-                rates[k] = rate / -found.speeds[k]
-                pulled[k] += rates[k] * slopes[k]
-            beginnings[k] += pulled[k] @ self.matrices[k]
-        fields = np.zeros_like(system.fields)
-        for configuration, places, flows in self.groups:
-            fields[configuration] += flows.gradients(pulled[places])
-        rows, resets = np.zeros_like(system.rows), np.zeros_like(system.resets)
-        np.add.at(rows, found.rows, rates[:, None] * found.before)
-        np.add.at(resets, found.resets, beginnings[1:, :, None] * found.before[:, None])
-        return fields, rows, resets, beginnings[0]
-
-    def condition(self) -> float:
-        """See `MotionDerivatives.condition`."""
-        trajectory, found = self.trajectory, self.transitions
-        system = trajectory.system
-        sizes = np.maximum(np.abs(trajectory.states), np.abs(trajectory.before)).max(axis=0)
-        sizes = np.where(sizes > 0, sizes, 1.0)
-        linear = system.resets[found.resets][..., :-1]
-        slopes = system.rows[found.rows][:, :-1]
-        sources = trajectory.run.configurations[:-1]
-        turning = np.einsum("ni,nij->nj", slopes, system.fields[sources][..., :-1])
-        # relative to the size of the states
-        errors, largest = np.eye(len(sizes)), 1.0
-        for k in range(len(linear)):
-            matrix, fragile = self.matrices[k], 1.0
-            step = linear[k] @ matrix
-            if not found.smooth[k]:
-                ahead = slopes[k] @ matrix
-                step = step + np.outer(found.jumps[k], ahead) / found.speeds[k]
-                fragile += float(np.abs(turning[k]) @ sizes / abs(found.speeds[k]))
-            scaled = step * sizes / sizes[:, None]
-            errors = scaled @ errors @ scaled.T + np.eye(len(sizes))
-            largest = max(largest, float(np.sqrt(np.trace(errors))) * fragile)
-        return largest
-
-
-def input_names(trajectory: Trajectory) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names of the parameters of a motion, and of its states at the start.
-
-    Parameters
-    ----------
-    trajectory : Trajectory
-
-    Returns
-    -------
-    tuple of tuple of str
-    """
-    names = tuple(trajectory.parameters)
-    return names, start_names(trajectory.names, names)
-
-
 def motion_derivatives(
     trajectory: Trajectory,
     by: Iterable[str] | None = None,
@@ -392,9 +229,8 @@ def motion_derivatives(
         for name in chosen:
             if name not in names and name not in starts:
                 raise unknown_name("parameter or start", str(name), (*names, *starts))
-    if one_sided is not None:
-        raise InputError("one-sided derivatives of a motion are not there yet")
     array = np.atleast_1d(np.asarray([] if times is None else times, dtype=float))
     if not ((array >= 0) & (array <= trajectory.end)).all():
         raise InputError(f"a time is not between 0 and the end of the motion, {trajectory.end!r}")
+    check_sides(trajectory, chosen, array, one_sided)
     return MotionDerivatives(trajectory, chosen, array, MotionLinearisation(trajectory, array))

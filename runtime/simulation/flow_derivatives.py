@@ -6,8 +6,9 @@ phi_f, the matrices B_f in Phi = sum phi_f B_f and the parts of the state in y =
 that is sum_f B_f dG sum_g Q_fg (y_g, ...), where Q_fg is the integral of phi_f(d - s) phi_g(s):
 one small matrix for each phase has the derivatives by all parameters, and their adjoint.
 
-Q is found by Gauss and Legendre's rule with twelve nodes on pieces of at most two radians of
-the fastest oscillation, whose error is far below rounding.
+Q is found by Gauss and Legendre's rule with twenty nodes on pieces of at most ten radians of
+the fastest oscillation. A product of two functions turns by twice as much, and the rule's error
+is below h^40 3e-60 = 3e-20 for half of that, h = 10.
 """
 
 from __future__ import annotations
@@ -23,8 +24,9 @@ from nonsmooth.runtime.simulation.phase_functions import fastest
 
 __all__ = ["ConfigurationFlows", "configuration_flows"]
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
-_ANGLE = 2.0
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(20)
+_ANGLE = 10.0
+_FEW = 4
 _CHUNK = 2_000_000  # numbers in memory at a time
 
 
@@ -122,11 +124,12 @@ def _convolutions(
     count = system.structure.functions[configuration]
     products = np.empty((len(durations), count, count))
     integrals = np.empty((len(durations), count))
-    pieces = 1 + np.floor(fastest(system, configuration) * durations / _ANGLE)
-    powers = np.ceil(np.log2(pieces)).astype(int)
-    for power in np.unique(powers).tolist():
-        nodes, weights = _nodes(2**power)
-        here = np.flatnonzero(powers == power)
+    pieces = 1 + np.floor(fastest(system, configuration) * durations / _ANGLE).astype(int)
+    many = pieces > _FEW  # as many as a power of two
+    pieces[many] = 2 ** np.ceil(np.log2(pieces[many])).astype(int)
+    for piece in np.unique(pieces).tolist():
+        nodes, weights = _nodes(piece)
+        here = np.flatnonzero(pieces == piece)
         step = max(1, _CHUNK // (len(nodes) * max(1, count)))
         for low in range(0, len(here), step):
             part = here[low : low + step]

@@ -13,7 +13,7 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.simulation.derivatives import input_names
+from nonsmooth.runtime.simulation.motion_linearisation import input_names
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.start_derivatives import nearest_start
 from nonsmooth.runtime.simulation.trajectory import Trajectory

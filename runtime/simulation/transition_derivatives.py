@@ -18,6 +18,7 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["Transitions", "extended", "field_at", "transitions_behind"]
 
+_IMPACTS = 3  # in a row, each sooner than the one before: they accumulate
 _ERROR = 64 * np.finfo(float).eps
 
 
@@ -121,9 +122,10 @@ def transitions_behind(trajectory: Trajectory, first: int = 0) -> Transitions:
         here = np.flatnonzero(kind.ravel() == place)
         reached = int(masks[number])
         if reached & (reached - 1):
+            entry = int(here[0]) + first + 1
             raise InputError(
-                f"boundaries are reached together at t = {float(run.times[here[0] + first + 1])!r}:"
-                " the motion has no derivative there"
+                f"{' and '.join(trajectory.boundaries[entry])} are reached together"
+                f" at t = {float(run.times[entry])!r}: the motion has no derivative there"
             )
         shape = system.structure.boundaries[source][reached.bit_length() - 1]
         row, now, then = system.rows[shape.row], before[here], behind[here]
@@ -141,11 +143,18 @@ def transitions_behind(trajectory: Trajectory, first: int = 0) -> Transitions:
         for own, part in zip(found, parts, strict=True):
             own[here] = part
     if tangential.any():
-        time = float(run.times[first + 1 + np.argmax(tangential)])
-        raise InputError(
-            f"a boundary is reached tangentially at t = {time!r}:"
-            " the motion has no derivative there"
-        )
+        entry = first + 1 + int(np.argmax(tangential))
+        name, dwell = trajectory.boundaries[entry][0], np.diff(run.times[: entry + 1])
+        told = f"{name} is reached tangentially"
+        same = trajectory.boundaries[max(entry - _IMPACTS, 1) : entry + 1]
+        if (
+            set(same) == {(name,)}
+            and len(same) > _IMPACTS
+            and (np.diff(dwell[-_IMPACTS:]) < 0).all()
+        ):
+            told = f"impacts at {name} accumulate"
+        time = float(run.times[entry])
+        raise InputError(f"{told} at t = {time!r}: the motion has no derivative there")
     return found
 
 

@@ -306,7 +306,7 @@ def test_no_derivative_where_two_boundaries_are_reached_at_once() -> None:
     trajectory = together()
     assert set(trajectory.boundaries[1]) == {"first-reaches-belt", "second-reaches-belt"}
     time = float(trajectory.times[1])
-    with pytest.raises(InputError, match=r"boundaries are reached together at t = 0\.7"):
+    with pytest.raises(InputError, match=r"are reached together at t = 0\.7"):
         tangent_map(trajectory)
     with pytest.raises(InputError, match="reached together"):
         lyapunov(trajectory, time / 2)
@@ -320,7 +320,7 @@ def test_no_derivative_where_a_boundary_is_touched() -> None:
     assert trajectory.grazings
     assert not trajectory.transitions
     time = trajectory.grazings[0].time
-    with pytest.raises(InputError, match="a boundary is reached tangentially at t = "):
+    with pytest.raises(InputError, match="is reached tangentially at t = "):
         lyapunov(trajectory)
     assert np.isfinite(tangent_map(trajectory, time + 0.1)).all()
 

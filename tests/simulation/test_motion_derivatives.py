@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.differentiable import DifferentiableFunction
+from tests.moved_motions import compared_with_digits
 
 DATA = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.5}
 START = [0, 0, 1.5, 0.3]
@@ -57,3 +59,96 @@ def test_what_is_unknown_is_named() -> None:
     motion = ns.simulate("rigid-stop", DATA, START, until=5)
     with pytest.raises(ns.InputError, match="parameter or start"):
         motion.derivatives(["m3"])
+
+
+def _ball() -> ns.derive.System:
+    """A mass that a load pushes onto a stop at 0."""
+    load, restitution = Parameter("g", "load"), Parameter("r", "restitution")
+    stop = RigidStop("x", 0, restitution.symbol, name="floor")
+    return oscillator(
+        "ball", ["x"], [[1]], [[0]], load=[load.symbol], elements=[stop],
+        parameters=[load, restitution],
+    )  # fmt: skip
+
+
+def _grazing() -> ns.Trajectory:
+    """An oscillation that just touches a stop at 1."""
+    clearance = Parameter("c", "clearance")
+    stop = RigidStop("x", clearance.symbol, 0.5, name="wall")
+    system = oscillator("touch", ["x"], [[1]], [[1]], elements=[stop], parameters=[clearance])
+    return ns.simulate(system, {"c": 1}, [0, 1], until=3)
+
+
+def test_a_thrown_mass_falls_as_in_the_textbook() -> None:
+    motion = ns.simulate(_ball(), {"g": 2, "r": "0.5"}, [-1, -1], transitions=2)
+    found = motion.derivatives()
+    assert found.by == ("g", "r", "x0", "v0")
+    # the first impact at (1 + sqrt(1 + 2 g)) / g with the speed u = sqrt(1 + 2 g), then 2 r u / g
+    g, r, u = 2.0, 0.5, np.sqrt(5.0)
+    first = [(g / u - 1 - u) / g**2, 0, -1 / u, -(1 + 1 / u) / g]
+    np.testing.assert_allclose(found.event_times[0], first, rtol=1e-13)
+    expected = first[0] + 2 * r * (g / u - u) / g**2, 2 * u / g
+    np.testing.assert_allclose(found.event_times[1, :2], expected, rtol=1e-13)
+    np.testing.assert_allclose(found.behind[1, 1, :2], [-r / u, -u], rtol=1e-13)
+    np.testing.assert_allclose(found.end, found.event_times[1])
+
+
+def test_impacts_that_accumulate_are_named() -> None:
+    motion = ns.simulate(_ball(), {"g": 1, "r": "0.5"}, [-1, 0], until=20)
+    with pytest.raises(ns.InputError, match=r"floor-reaches-stop accumulate at t = 4\.2426"):
+        motion.derivatives()
+
+
+def test_a_grazing_has_a_derivative_on_the_side_of_no_impact() -> None:
+    motion = _grazing()
+    with pytest.raises(ns.InputError, match=r"wall-reaches-stop is reached tangentially .* by v0"):
+        motion.derivatives(["v0"], times=[3.0])
+    with pytest.raises(ns.InputError, match=r"on the side \+ by v0"):
+        motion.derivatives(["v0"], times=[3.0], one_sided="+")
+    found = motion.derivatives(["v0"], times=[3.0], one_sided="-").states[0, :, 0]
+    np.testing.assert_allclose(found, [np.sin(3), np.cos(3)], rtol=1e-13)
+    np.testing.assert_array_equal(
+        motion.derivatives(["c"], times=[3.0], one_sided="+").states, np.zeros((1, 2, 1))
+    )
+
+
+def test_a_start_on_a_boundary_has_a_derivative_on_one_side() -> None:
+    motion = ns.simulate(_ball(), {"g": 1, "r": "0.5"}, [0, -1], until=1)
+    with pytest.raises(ns.InputError, match="the start lies on floor-reaches-stop at t = 0"):
+        motion.derivatives(["x0"], times=[1.0])
+    found = motion.derivatives(["x0", "v0"], times=[1.0], one_sided="-")
+    np.testing.assert_allclose(found.states[0], [[1, 1], [0, 1]])
+
+
+def test_a_time_at_a_transition_is_refused() -> None:
+    motion = ns.simulate(_ball(), {"g": 2, "r": "0.5"}, [-1, -1], transitions=2)
+    with pytest.raises(ns.InputError, match="floor-reaches-stop is reached at t = "):
+        motion.derivatives(times=[motion.end])
+    side = motion.derivatives(["g"], times=[motion.end], one_sided="+")  # it comes sooner
+    changes = side.behind[-1, :, 0] - side.event_times[-1, 0] * np.array([motion.states[-1, 1], 2])
+    np.testing.assert_allclose(side.states[0, :, 0], changes, rtol=1e-13)
+
+
+def test_a_held_velocity_stays_and_follows_its_constraint() -> None:
+    belt = Parameter("V", "belt")
+    rub = Friction("x", 1, 2, velocity=belt.symbol, name="belt")
+    system = oscillator("belt", ["x"], [[1]], [[1]], elements=[rub], parameters=[belt])
+    motion = ns.simulate(system, {"V": "0.5"}, [0, 0.5], "stick", until=1)
+    found = motion.derivatives(["V", "x0", "v0"], times=[1.0]).states[0]
+    np.testing.assert_allclose(found, [[1, 1, 0], [1, 0, 0]], atol=1e-15)
+
+
+def test_phases_of_forcings_move_on_their_circle() -> None:
+    system = oscillator("forced", ["x"], [[1]], [[4]], forcing=[Harmonic(1, cosine=[1])])
+    motion = ns.simulate(system, {}, {"x": 0, "v": 0}, until=1)
+    assert motion.derivatives().by == ("x0", "v0")
+    found = motion.derivatives(["c10", "s10"], times=[1.0]).states[0]
+    # x = (cos(t + a) - cos a cos 2t + sin a sin(2t) / 2) / 3 by the phase a at 0
+    np.testing.assert_allclose(found[:, 0], 0, atol=1e-15)
+    np.testing.assert_allclose(found[0, 1], (-np.sin(1) + np.sin(2) / 2) / 3, rtol=1e-13)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_oscillators_agree_with_differences_in_fifty_digits(seed: int) -> None:
+    found = compared_with_digits(np.random.default_rng([7, seed]), f"random-{seed}", 60)
+    assert found is None or found < 1e-11

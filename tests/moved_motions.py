@@ -1,0 +1,203 @@
+"""Motions of random oscillators, differenced centrally in fifty digits.
+
+The sequence of configurations is that of the motion in doubles; the dwell times are solved anew
+by Newton's method with exponentials of the fields in balls, of which the middles are taken.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+from flint import arb, arb_mat
+
+import nonsmooth as ns
+from nonsmooth.derive import (
+    Friction,
+    Harmonic,
+    Parameter,
+    RigidStop,
+    Slider,
+    SoftStop,
+    System,
+    oscillator,
+)
+from nonsmooth.runtime.core.arithmetic import Balls
+from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.model.piecewise import piecewise_in
+from nonsmooth.runtime.simulation.transition_derivatives import transitions_behind
+
+BITS = 220
+STEP = Fraction(1, 10**20)
+
+
+def random_oscillator(
+    rng: np.random.Generator, name: str, masses: int | None = None
+) -> tuple[System, dict[str, float], list[float]]:
+    """A forced chain of one to three masses with a stop, friction or a slider, or two of them.
+
+    Parameters
+    ----------
+    rng : Generator
+    name : str
+    masses : int, optional
+
+    Returns
+    -------
+    System, its parameters, a start
+    """
+    count = masses or int(rng.integers(1, 4))
+    names = [f"x{i}" for i in range(1, count + 1)]
+    data = {f"m{i}": rng.uniform(0.5, 2) for i in range(1, count + 1)}
+    data |= {f"k{i}": rng.uniform(0.5, 3) for i in range(1, count + 1)}
+    data |= {"d": rng.uniform(0.01, 0.05), "F": rng.uniform(1.0, 2), "w": rng.uniform(0.5, 1.5)}
+    kinds = rng.choice(["rigid", "soft", "friction", "slider"], 2, replace=False).tolist()
+    data |= {"gap": rng.uniform(0.1, 0.4)} if {"rigid", "soft"} & {*kinds} else {}
+    data |= {"r": rng.uniform(0.7, 0.95)} if "rigid" in kinds else {}
+    data |= {"ks": rng.uniform(5, 20), "ds": rng.uniform(0, 0.3)} if "soft" in kinds else {}
+    friction = {"mu": rng.uniform(0.1, 0.3), "mus": rng.uniform(0.3, 0.5), "V": 0.3}
+    data |= friction if "friction" in kinds else {}
+    data |= {"kj": rng.uniform(1, 3), "lim": rng.uniform(0.1, 0.4)} if "slider" in kinds else {}
+    found = [Parameter(key, key) for key in data]
+    p = {parameter.name: parameter.symbol for parameter in found}
+    stiffness = [[0] * count for _ in names]
+    for i in range(count):
+        spring = p[f"k{i + 1}"]
+        stiffness[i][i] += spring
+        if i:
+            stiffness[i - 1][i - 1] += spring
+            stiffness[i][i - 1] -= spring
+            stiffness[i - 1][i] -= spring
+    last = names[-1]
+    makers = {
+        "rigid": lambda: RigidStop(last, p["gap"], p["r"], name="hard"),
+        "soft": lambda: SoftStop(last, -p["gap"], p["ks"], p["ds"], side="lower", name="soft"),
+        "friction": lambda: Friction("x1", p["mu"], p["mus"], velocity=p["V"], name="belt"),
+        "slider": lambda: Slider("x1", p["kj"], p["lim"], name="jenkins"),
+    }
+    system = oscillator(
+        name,
+        names,
+        [[p[f"m{i + 1}"] if i == j else 0 for j in range(count)] for i in range(count)],
+        stiffness,
+        damping=[[p["d"] * entry for entry in row] for row in stiffness],
+        forcing=[Harmonic(p["w"], cosine={"x1": p["F"]})],
+        elements=[makers[kind]() for kind in kinds],
+        parameters=found,
+    )
+    start = [0.0] * (2 * count) + [0.0] * ("slider" in kinds) + [1.0, 0.0]
+    start[count : 2 * count] = rng.uniform(-0.2, 0.2, count).tolist()
+    return system, data, start
+
+
+class MovedMotion:
+    """A motion's sequence of configurations, followed in fifty digits from moved numbers."""
+
+    def __init__(self, system: System, motion: ns.Trajectory) -> None:
+        self.system, self.motion = system, motion
+        self.transitions = transitions_behind(motion)
+
+    def difference(
+        self, parameters: dict[str, float], start: np.ndarray, times: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Derivatives of event times (n - 1,) and of states (m, N) at fixed times.
+
+        Parameters
+        ----------
+        parameters : dict of str to float
+            Direction; of what is left out nothing changes.
+        start : array (N,)
+            Direction.
+        times : array (m,)
+
+        Returns
+        -------
+        event_times, states : array
+        """
+        with Balls.working(BITS):
+            above, below = (
+                self._followed(parameters, start, times, sign * STEP) for sign in (1, -1)
+            )
+            width = arb(2 * STEP.numerator) / STEP.denominator
+            return tuple(
+                np.array([float(((a - b) / width).mid()) for a, b in zip(up, down, strict=True)])
+                for up, down in zip(above, below, strict=True)
+            )
+
+    def _followed(
+        self, parameters: dict[str, float], start: np.ndarray, times: np.ndarray, step: Fraction
+    ) -> tuple[list[arb], list[arb]]:
+        motion, run = self.motion, self.motion.run
+        data = {
+            name: as_value(Fraction(float(value)) + step * Fraction(parameters.get(name, 0.0)))
+            for name, value in motion.parameters.items()
+        }
+        tables = piecewise_in(self.system, data, Balls())
+        moved = [
+            _exact(Fraction(x) + step * Fraction(dx))
+            for x, dx in zip(run.states[0].tolist(), start.tolist(), strict=True)
+        ]
+        state, now, events, states = arb_mat([[x] for x in [*moved, arb(1)]]), arb(0), [], []
+        size = len(moved)
+        generators = [arb_mat([*field.tolist(), [0] * (size + 1)]) for field in tables.fields]
+        dwell = np.diff(run.times).tolist()
+        for k in range(len(run.times)):
+            field = generators[int(run.configurations[k])]
+            last = run.times[k + 1] if k < len(dwell) else np.inf
+            for time in times[(times >= run.times[k]) & (times < last)].tolist():
+                states += (field * (arb(time) - now)).exp().__mul__(state).entries()[:-1]
+            if k == len(dwell):
+                return events, states
+            row = arb_mat([tables.rows[self.transitions.rows[k]].tolist()])
+            time = arb(dwell[k])
+            end = ((field * time).exp() * state).mid()
+            for _ in range(20):
+                change = ((row * end)[0, 0] / (row * (field * end))[0, 0]).mid()
+                time = (time - change).mid()
+                end = ((field * time).exp() * state).mid()
+                if abs(change) < arb(10) ** -55:
+                    break
+            else:
+                raise RuntimeError(f"no event near entry {k + 1}")
+            now = (now + time).mid()
+            events.append(now)
+            reset = arb_mat(tables.resets[self.transitions.resets[k]].tolist())
+            state = arb_mat([[x] for x in [*(reset * end).mid().entries(), arb(1)]])
+        raise AssertionError
+
+
+def compared_with_digits(rng: np.random.Generator, name: str, transitions: int) -> float | None:
+    """Largest error of a random motion's derivatives, in units of its condition and of the largest.
+
+    Parameters
+    ----------
+    rng : Generator
+    name : str
+        Of the system.
+    transitions : int
+
+    Returns
+    -------
+    float or None
+        None where the motion has no derivative.
+    """
+    system, data, start = random_oscillator(rng, name)
+    motion = ns.simulate(system, data, start, transitions=transitions)
+    times = np.sort(rng.uniform(0, motion.end, 3))
+    try:
+        found = motion.derivatives(times=times)
+    except ns.InputError:
+        return None
+    along = dict(zip(found.by, rng.normal(size=len(found.by)).tolist(), strict=True))
+    moved = np.array([along.get(f"{state}0", 0.0) for state in motion.names])
+    parameters = {key: along[key] for key in data}
+    events, states = MovedMotion(system, motion).difference(parameters, moved, times)
+    forward = found.jvp(along)
+    errors = forward["event_times"] - events, forward["states"].ravel() - states
+    largest = max(float(np.abs(part).max()) for part in (events, states))
+    missed = max(float(np.nanmax(np.abs(error))) for error in errors)
+    return missed / max(largest, 1.0) / found.condition
+
+
+def _exact(value: Fraction) -> arb:
+    return arb(value.numerator) / value.denominator
