@@ -30,12 +30,10 @@ _PRIOR = re.compile(r"(?P<mean>.+?)\s*(?:\+-|±)\s*(?P<deviation>.+)")
 
 @app.command(
     epilog="Examples:\n\n"
-    "nonsmooth fit impact_oscillator.py impacts.csv sigma=0.1 w=2.4 r=0.5:1 x0=-1:0 v0=-1:1"
-    " --from x=-0.5,v=0 --events wall --plot fit.png --save fit.json\n\n"
-    "nonsmooth fit rigid-stop slow.csv fast.csv:k2=6 m1=1 m2=2 k1=1 k2=5 r=0.5:1"
-    " --from x1=0,x2=0,v1=1.5,v2=0 --outputs gap=x1-x2 --sigma gap=0.01\n\n"
-    "nonsmooth fit rigid-stop record.csv m1=1 m2=2 k1=0.5:2 k2=1:10 r=0.5:1"
-    " --from x1=0,x2=0,v1=1.5,v2=0 --prior k1=1+-0.1 --loss soft_l1 --starts 8 --seed 1"
+    "nonsmooth fit identification.py impacts.csv c=0.05 h=0.2 w=2.1 k=2.3:2.7 r=0.7:1"
+    " v0=-0.3:0.3 --from x=-0.6 --starts 4 --plot fit.png --save fit.json\n\n"
+    "nonsmooth fit identification.py impacts.csv:w=2.1 c=0.05 h=0.2 k=2:2.5:3 r=0.5:0.8:1"
+    " --from x=-0.6,v=0.1 --sigma 0.002 --prior k=2.5+-0.1 --loss soft_l1"
 )
 @answering
 def fit(

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.finding.found import Found
     from nonsmooth.runtime.explore.finding.sweep import Sweep
     from nonsmooth.runtime.explore.fitting.fit_record import Fit
+    from nonsmooth.runtime.explore.fitting.measurements import Experiment
     from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.orbits.orbit_arrays import Orbits
@@ -218,6 +219,17 @@ def _found(found: Found) -> Summary:
     ]
 
 
+def _experiment(experiment: Experiment) -> Summary:
+    data, start = experiment.data, experiment.start
+    columns = list(map(str, data)) if isinstance(data, Mapping) else [str(data)]
+    return f"experiment {experiment.name}".rstrip(), [
+        ("measured", _first(columns)),
+        ("given", _given(experiment.parameters)),
+        ("starts", [] if start is None else _given(start)),
+        ("offset", [] if experiment.offset is None else [f"{experiment.offset:.8g}"]),
+    ]
+
+
 def _fit(fit: Fit) -> Summary:
     errors = fit.standard_errors.tolist()
     found = [
@@ -358,6 +370,7 @@ _KINDS: Mapping[str, Callable[[Any], Summary]] = {
     "Check": _check,
     "Event": _event,
     "EventCertificate": _event_certificate,
+    "Experiment": _experiment,
     "Fit": _fit,
     "Found": _found,
     "Locus": _locus,

@@ -15,7 +15,7 @@ from nonsmooth.runtime.explore.fitting.losses import check_loss
 from nonsmooth.runtime.explore.fitting.measurements import (
     Experiment,
     Measured,
-    Series,
+    MeasuredSeries,
     boundary_named,
     measured,
 )
@@ -279,7 +279,7 @@ def _same_sequence(experiment: Measured, prediction: Prediction, offset: float) 
     recorded: list[tuple[float, str]] = []
     predicted: list[tuple[float, str]] = []
     motion = prediction.motion
-    events: list[Series] = [each for each in experiment.series if each.kind == "event"]
+    events: list[MeasuredSeries] = [each for each in experiment.series if each.kind == "event"]
     if not events:
         return None
     for each in events:

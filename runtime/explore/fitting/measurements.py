@@ -10,18 +10,19 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.json_codec import AnyRow, Integers, Row
+from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.explore.fitting.affine_outputs import affine_row
 from nonsmooth.runtime.explore.fitting.tables import TIMES, read_table
 from nonsmooth.runtime.model.structure import Structure
 
-__all__ = ["Experiment", "Measured", "Series", "boundary_named", "measured"]
+__all__ = ["Experiment", "Measured", "MeasuredSeries", "boundary_named", "measured"]
 
 _SIGMA = "sigma_"
 _CONSTANT = 1e-12
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Experiment:
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Experiment(Shown):
     """A record of one motion, with what is known of it alone.
 
     Attributes
@@ -52,7 +53,7 @@ class Experiment:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Series:
+class MeasuredSeries:
     """One column of measurements, without what is missing.
 
     Attributes
@@ -95,14 +96,14 @@ class Measured:
         Known in it alone.
     start : mapping or None
     offset : float or None
-    series : tuple of Series
+    series : tuple of MeasuredSeries
     """
 
     name: str
     parameters: dict[str, object]
     start: Mapping[str, object] | None
     offset: float | None
-    series: tuple[Series, ...]
+    series: tuple[MeasuredSeries, ...]
 
     @property
     def last(self) -> float:
@@ -182,7 +183,7 @@ def _measured(
         if column.startswith(_SIGMA) and column not in outputs
     }
     known: dict[str, object] = {}
-    series: list[Series] = []
+    series: list[MeasuredSeries] = []
     for column, values in table.items():
         if column in events or (column in boundaries and column not in outputs):
             own = _deviations(column, values, deviations, sigma)
@@ -249,7 +250,7 @@ def _output(
     times: np.ndarray | None,
     values: np.ndarray,
     sigma: np.ndarray,
-) -> Series:
+) -> MeasuredSeries:
     if times is None:
         raise InputError(f"column {column!r} needs times: a column t or time")
     if len(values) != len(times):
@@ -263,7 +264,7 @@ def _output(
     if np.isinf(values).any():
         raise InputError(f"column {column!r} is not finite")
     there = np.flatnonzero(~np.isnan(values))
-    return Series(
+    return MeasuredSeries(
         name=column,
         kind="output",
         expression=expression,
@@ -275,7 +276,7 @@ def _output(
     )
 
 
-def _events(column: str, boundary: str, values: np.ndarray, sigma: np.ndarray) -> Series:
+def _events(column: str, boundary: str, values: np.ndarray, sigma: np.ndarray) -> MeasuredSeries:
     """Times of events: a blank between them is an event whose time was not recorded."""
     there = np.flatnonzero(~np.isnan(values))
     times = values[there]
@@ -283,7 +284,7 @@ def _events(column: str, boundary: str, values: np.ndarray, sigma: np.ndarray) -
         raise InputError(f"column {column!r} is not finite")
     if not (np.diff(times) > 0).all():
         raise InputError(f"the times of {column} do not increase")
-    return Series(
+    return MeasuredSeries(
         name=column,
         kind="event",
         expression=boundary,

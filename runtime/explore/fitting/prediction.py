@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
-from nonsmooth.runtime.explore.fitting.measurements import Measured, Series
-from nonsmooth.runtime.explore.fitting.unknowns import Condition, Unknown, Unknowns
+from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries
+from nonsmooth.runtime.explore.fitting.unknowns import FreeNumber, MotionSettings, Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
@@ -106,14 +106,16 @@ def predict(
     return Prediction(motion, tuple(values), tuple(jacobians))
 
 
-def motion_under(kernels: SystemKernels, experiment: Measured, condition: Condition) -> Trajectory:
+def motion_under(
+    kernels: SystemKernels, experiment: Measured, condition: MotionSettings
+) -> Trajectory:
     """Follow the motion of an experiment, as far as it was recorded.
 
     Parameters
     ----------
     kernels : SystemKernels
     experiment : Measured
-    condition : Condition
+    condition : MotionSettings
 
     Returns
     -------
@@ -132,7 +134,7 @@ def motion_under(kernels: SystemKernels, experiment: Measured, condition: Condit
             f"{experiment.name}: data at {experiment.first:.12g} are before the motion starts,"
             f" at {condition.offset:.12g}"
         )
-    wanted: Series | None = None
+    wanted: MeasuredSeries | None = None
     events = [series for series in experiment.series if series.kind == "event"]
     for factor in _LONGER if events else _LONGER[:1]:
         until = length * (factor + _PAST)
@@ -169,7 +171,7 @@ def times_of_events(motion: Trajectory, boundary: str) -> np.ndarray:
     return np.array([i for i, names in enumerate(motion.boundaries) if boundary in names], int)
 
 
-def _lacks(motion: Trajectory, series: Series) -> bool:
+def _lacks(motion: Trajectory, series: MeasuredSeries) -> bool:
     return len(times_of_events(motion, series.expression)) <= int(series.places[-1])
 
 
@@ -193,7 +195,7 @@ def _asked(
     return by, columns, clock
 
 
-def _name(entry: Unknown, starts: dict[str, str]) -> str:
+def _name(entry: FreeNumber, starts: dict[str, str]) -> str:
     return entry.target if entry.kind == "parameter" else starts[entry.target]
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nonsmooth.runtime.core.errors import NonsmoothError
-from nonsmooth.runtime.explore.fitting.measurements import Measured, Series
+from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries
 from nonsmooth.runtime.explore.fitting.prediction import Prediction, predict
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
@@ -52,7 +52,7 @@ class FitProblem:
     unknowns: Unknowns
 
     @property
-    def series(self) -> tuple[tuple[int, Series], ...]:
+    def series(self) -> tuple[tuple[int, MeasuredSeries], ...]:
         """All series, each with the number of its experiment."""
         return tuple((n, each) for n, e in enumerate(self.experiments) for each in e.series)
 
@@ -61,12 +61,12 @@ class FitProblem:
         """How many numbers were measured."""
         return sum(len(series.values) for _, series in self.series)
 
-    def sigma(self, series: Series, noise: Noise) -> np.ndarray:
+    def sigma(self, series: MeasuredSeries, noise: Noise) -> np.ndarray:
         """Standard deviations of a series.
 
         Parameters
         ----------
-        series : Series
+        series : MeasuredSeries
         noise : mapping of str to float
 
         Returns

@@ -16,7 +16,7 @@ from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.structure import structure_of
 
-__all__ = ["Condition", "Unknown", "Unknowns", "unknowns_of"]
+__all__ = ["FreeNumber", "MotionSettings", "Unknowns", "unknowns_of"]
 
 OFFSET = "offset"
 _VANISHING = 1e-6  # of the size of the guess
@@ -24,7 +24,7 @@ Bounds = Mapping[str, tuple[object, object]]
 
 
 @dataclass(frozen=True)
-class Unknown:
+class FreeNumber:
     """A number that is fitted.
 
     Attributes
@@ -59,7 +59,7 @@ class Unknown:
 
 
 @dataclass(frozen=True)
-class Condition:
+class MotionSettings:
     """What is known of one experiment at one point: parameters, start and clock."""
 
     parameters: dict[str, object]
@@ -73,20 +73,20 @@ class Unknowns:
 
     Attributes
     ----------
-    entries : tuple of Unknown
+    entries : tuple of FreeNumber
     guess, lower, upper : array (q,)
     priors : tuple of (int, float, float)
         Which, its mean and its standard deviation.
-    fixed : tuple of Condition
+    fixed : tuple of MotionSettings
         One for each experiment, without what is fitted.
     """
 
-    entries: tuple[Unknown, ...]
+    entries: tuple[FreeNumber, ...]
     guess: np.ndarray
     lower: np.ndarray
     upper: np.ndarray
     priors: tuple[tuple[int, float, float], ...]
-    fixed: tuple[Condition, ...]
+    fixed: tuple[MotionSettings, ...]
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -107,7 +107,7 @@ class Unknowns:
         usual = np.where(self.guess != 0, abs(self.guess), 1.0)
         return np.where(abs(point) > _VANISHING * usual, abs(point), usual)
 
-    def condition(self, point: np.ndarray, experiment: int) -> Condition:
+    def condition(self, point: np.ndarray, experiment: int) -> MotionSettings:
         """Give the conditions of an experiment at a point.
 
         Parameters
@@ -117,7 +117,7 @@ class Unknowns:
 
         Returns
         -------
-        Condition
+        MotionSettings
         """
         fixed = self.fixed[experiment]
         parameters, start, offset = dict(fixed.parameters), dict(fixed.start), fixed.offset
@@ -130,7 +130,7 @@ class Unknowns:
                 start[entry.target] = value
             else:
                 offset = value
-        return Condition(parameters, start, offset)
+        return MotionSettings(parameters, start, offset)
 
 
 def unknowns_of(
@@ -186,18 +186,18 @@ def unknowns_of(
             raise InputError(f"{name} is free twice")
         if starts.get(name) in forced and name not in tables:
             raise InputError(f"{name} belongs to the forcing: free the offset of the clock instead")
-    entries: list[Unknown] = []
+    entries: list[FreeNumber] = []
     for name in free:
         if name in tables:
             for each in experiments:
                 if name in each.parameters:
                     raise InputError(f"parameter {name} is free, and known in {each.name}")
-            entries.append(Unknown(name, "parameter", name, None))
+            entries.append(FreeNumber(name, "parameter", name, None))
             continue
         kind: Literal["start", "offset"] = "offset" if name == OFFSET else "start"
         for place in range(len(experiments)):
             label = name if len(experiments) == 1 else f"{name}@{place + 1}"
-            entries.append(Unknown(label, kind, starts.get(name, OFFSET), place))
+            entries.append(FreeNumber(label, kind, starts.get(name, OFFSET), place))
     missing = [
         name
         for name in tables
@@ -215,7 +215,7 @@ def unknowns_of(
                 raise unknown_name("parameter", name, tables)
         begin = each.start if each.start is not None else start
         fixed.append(
-            Condition(
+            MotionSettings(
                 {name: as_value(own[name]) for name in tables if name in own},
                 dict(begin),
                 float(as_value(each.offset if each.offset is not None else offset)),
@@ -235,13 +235,13 @@ def unknowns_of(
     return Unknowns(tuple(entries), np.array(guesses), lower, upper, beliefs, tuple(fixed))
 
 
-def _based(entries: Sequence[Unknown]) -> list[tuple[Unknown, str]]:
+def _based(entries: Sequence[FreeNumber]) -> list[tuple[FreeNumber, str]]:
     """Each with the name by which bounds and priors know it."""
     return [(entry, entry.name.partition("@")[0]) for entry in entries]
 
 
 def _bounds(
-    entry: Unknown,
+    entry: FreeNumber,
     base: str,
     bounds: Bounds,
     tables: Mapping[str, ParameterTable],
@@ -278,8 +278,8 @@ def _prior(name: str, given: tuple[object, object]) -> tuple[float, float]:
 
 
 def _guess(
-    entry: Unknown,
-    fixed: Sequence[Condition],
+    entry: FreeNumber,
+    fixed: Sequence[MotionSettings],
     lower: float,
     upper: float,
     mean: float | None,
