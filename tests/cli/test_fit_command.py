@@ -129,7 +129,7 @@ def test_columns_of_events_by_other_names(change: tuple[str, str, str]) -> None:
         (f"{FIT} --starts 0", "starts = 0 is not an integer from 1"),
         (f"{FIT} --plot fit.txt", "does not end in"),
         (f"{FIT} c10=0:1", "c10 belongs to the forcing: free the offset of the clock instead"),
-        (FIT.replace(" w=2.1", " w=0.01"), "impacts.csv: the motion comes to wall-reaches-stop"),
+        (FIT.replace(" w=2.1", " w=0.01"), "there is no fit from the guess"),
     ],
 )
 def test_what_is_wrong_is_one_line(command: str, told: str) -> None:
