@@ -250,7 +250,8 @@ def test_the_sequence_of_the_data_is_compared() -> None:
     times = impacts()
     same = fitted({WALL: times}, "k", sigma=1e-3)
     assert same.same_sequence is True
-    assert same.experiments[0].boundaries == same.motion().transitions * (WALL,)
+    assert same.experiments[0].boundaries == len(times) * (WALL,)
+    assert same.motion().transitions == len(times)
     assert fitted(series(), "k", sigma=1e-3).same_sequence is None
 
 

@@ -28,12 +28,13 @@ from nonsmooth.runtime.explore.fitting.unknowns import Bounds, Unknowns, unknown
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.simulation.simulate import checked_count
+from nonsmooth.runtime.simulation.simulate import checked_count, simulate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["fit"]
 
 _AT_BOUND = 1e-6  # of the width between the bounds
+_PAST = 1e-9  # of the length of a record: a motion ends behind its last event
 _NOTHING = 1e-13  # of a residual's change, for a change of the unknown by its own size
 
 
@@ -255,7 +256,10 @@ def _experiment(
     experiment = problem.experiments[number]
     prediction: Prediction = found.residuals.predictions[number]
     condition = unknowns.condition(found.point, number)
-    motion = prediction.motion
+    # no farther than the record: what the motion does later concerns no datum
+    last = [float(values.max()) - condition.offset for values in prediction.values]
+    length = max([experiment.last - condition.offset, *last]) * (1 + _PAST)
+    motion = simulate(problem.kernels, condition.parameters, condition.start, until=length)
     series = [
         FittedSeries(**{**vars(each), "sigma": problem.sigma(each, found.noise)}, fitted=values)
         for each, values in zip(experiment.series, prediction.values, strict=True)
