@@ -544,8 +544,9 @@ FITS = (
         "counts[each.expression] > each.places[-1] + 1",
         _FITTED,
     ),
-    Mutation(f"{_FITTING}/unknowns.py", "_guess", "lower <= value <= upper", "value <= upper",
-             _FITTED),
+    Mutation(
+        f"{_FITTING}/unknowns.py", "_guess", "lower <= value <= upper", "value <= upper", _FITTED
+    ),
     Mutation(
         "runtime/cli/fitting.py",
         "_take_guesses",
