@@ -99,8 +99,8 @@ MAKE: dict[str, Callable[[Path, Path], None]] = {
 LOAD: dict[str, Callable[[Path], Any]] = {
     "orbit": ns.load, "sharp": ns.load, "found": ns.load_found, "motion": ns.load_trajectory,
     "branch": ns.load_branch, "sweep": ns.load_sweep, "fit": ns.load_fit,
-    "proof": ns.load_certificate, "map": ns.load_box_certificate, "events": ns.load_event_certificates,
-    "census": ns.load_census,
+    "proof": ns.load_certificate, "map": ns.load_box_certificate,
+    "events": ns.load_event_certificates, "census": ns.load_census,
 }  # fmt: skip
 COMMANDS = (
     "list orbit.json found.json",
