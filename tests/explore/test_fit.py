@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from scipy.stats import norm
+from scipy.stats import t as student
 
 import nonsmooth as ns
 from nonsmooth.derive import Parameter, RigidStop, oscillator
@@ -115,6 +116,17 @@ def test_noise_is_estimated_for_each_column() -> None:
     assert (only.standard_errors > found.standard_errors).all()
 
 
+def test_estimated_noise_is_unbiased() -> None:
+    found = fitted(series(0.02, 6), "k", "r", parameters=GUESS)
+    (only,) = found.experiments[0].series
+    left = only.values - only.fitted
+    assert found.noise["x"] == pytest.approx(np.sqrt(left @ left / (60 - 2)), rel=1e-6)
+    given = fitted(series(0.02, 6), "k", "r", parameters=GUESS, sigma=found.noise["x"])
+    np.testing.assert_allclose(found.covariance, given.covariance, rtol=1e-5)
+    quantile = (found.upper - found.estimates) / found.standard_errors
+    np.testing.assert_allclose(quantile, student.ppf(0.975, 58), rtol=1e-10)
+
+
 def test_clock_and_start_are_found() -> None:
     shifted = {**series(), "t": TIMES + 3.0, WALL: np.r_[impacts(5) + 3.0, [np.nan] * 55]}
     found = fitted(
@@ -195,6 +207,16 @@ def test_outliers_weigh_little_with_a_robust_loss() -> None:
     robust = fitted(data, "k", "r", parameters=GUESS, loss="soft_l1")
     assert abs(robust["k"] - 4) < 0.02 < abs(plain["k"] - 4)
     assert robust.standard_errors[0] < plain.standard_errors[0] / 3
+
+
+def test_errors_with_a_robust_loss_are_those_of_an_m_estimate() -> None:
+    data = series(0.02, 8)
+    robust = fitted(data, "k", "r", parameters=GUESS, sigma=0.02, loss="soft_l1")
+    plain = fitted(data, "k", "r", parameters=GUESS, sigma=0.02)
+    z = robust.residuals
+    influence, slope = z / np.sqrt(1 + z**2), (1 + z**2) ** -1.5
+    factor = (influence @ influence) / (60 - 2) / slope.mean() ** 2
+    np.testing.assert_allclose(robust.covariance, factor * plain.covariance, rtol=0.05)
 
 
 def test_bounds_hold_and_are_told() -> None:
@@ -286,6 +308,10 @@ def test_distance_to_grazing_of_a_slow_arrival() -> None:
     slope = 2 * 0.25 / 0.4
     expected = near.margin / (slope * found.standard_errors[0])
     assert near.standard_errors == pytest.approx(expected, rel=1e-6)
+    # the height (x0^2 - 0.2^2) / 0.4 does not depend on k
+    known["k"] = 4.1
+    stiff = fitted({WALL: times}, "k", parameters=known, sigma=1e-3, start={"x": -0.25, "v": 0})
+    assert stiff.grazing.standard_errors > 1e6
 
 
 # --- bad input
@@ -358,6 +384,8 @@ def test_files_give_the_same_fit(tmp_path: Path) -> None:
     xarray = pytest.importorskip("xarray")
     sources.append(xarray.Dataset({n: ("t", v) for n, v in data.items() if n != "t"},
                                   coords={"t": data["t"]}))  # fmt: skip
+    sources[-1].to_netcdf(tmp_path / "data.nc", engine="scipy")
+    sources.append(tmp_path / "data.nc")
     for source in sources:
         found = fitted(source, "k", "r", parameters=GUESS)
         np.testing.assert_array_equal(found.estimates, expected.estimates)

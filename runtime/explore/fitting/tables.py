@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import os
+import warnings
 import zipfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -87,9 +88,11 @@ def _from_file(path: Path) -> Table:
     if not path.exists():
         raise InputError("no such file")
     try:
-        opened = xarray.open_zarr(path) if ending == ".zarr" else xarray.open_dataset(path)
-        with opened as dataset:
-            return _from_dataset(dataset.load())
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of metadata that are in several places, or not
+            opened = xarray.open_zarr(path) if ending == ".zarr" else xarray.open_dataset(path)
+            with opened as dataset:
+                return _from_dataset(dataset.load())
     except InputError:
         raise
     except Exception as problem:  # backends raise what they like
