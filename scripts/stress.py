@@ -20,6 +20,7 @@ import numpy as np
 from rich.console import Console
 from rich.progress import Progress
 from stressing_chains import chains_chunk
+from stressing_derivatives import derivatives_chunk
 from stressing_fits import fits_chunk
 from stressing_motions import (
     ELASTIC,
@@ -155,6 +156,7 @@ SECTIONS = {
     "integrator": Section(_judged(against_integrator, ("plain", "elastic"), 20), 5, 50),
     "chains": Section(chains_chunk, 10, 1_000),
     "fit": Section(fits_chunk, 100, 100),
+    "derivatives": Section(derivatives_chunk, 5, 200),
 }
 
 if __name__ == "__main__":

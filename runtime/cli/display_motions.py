@@ -13,10 +13,18 @@ from nonsmooth.runtime.explore.finding.settled import settled_texts
 from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.model.naming import itinerary_text, shown_name
 from nonsmooth.runtime.proof.motion.motion_proof import Proof
+from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
 from nonsmooth.runtime.simulation.observables import Observables
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["show_found", "show_motion", "show_observables", "show_proof", "show_sweep"]
+__all__ = [
+    "show_derivatives",
+    "show_found",
+    "show_motion",
+    "show_observables",
+    "show_proof",
+    "show_sweep",
+]
 
 _ROWS = 40  # of a long motion: the first and the last half of them
 _DIGITS = 8
@@ -61,6 +69,24 @@ def show_motion(motion: Trajectory) -> None:
         out.print(
             f"touched without crossing: {shape.name} at {_number(g.time)}, depth {g.depth:.1e}"
         )
+
+
+def show_derivatives(found: MotionDerivatives) -> None:
+    """Show the derivatives of the last transition's time, and of the state behind it.
+
+    Parameters
+    ----------
+    found : MotionDerivatives
+    """
+    out = console_as_wide()
+    motion = found.trajectory
+    names = ["time", *(f"{name} behind it" for name in motion.names)]
+    table = listing("by", *names, right=tuple(names))
+    times = np.concatenate([np.zeros((1, len(found.by))), found.event_times])[-1]
+    for name, time, states in zip(found.by, times, found.behind[-1].T, strict=True):
+        table.add_row(name, *map(_number, (time, *states)))
+    out.print(f"derivatives of {'the last transition' if motion.transitions else 'the start'}:")
+    show_table(table, out)
 
 
 def show_found(found: Found) -> None:

@@ -50,7 +50,9 @@ _FORCING = "forcing-phase"
     "nonsmooth simulate dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
     " --from x1=0,x2=0,v1=0,v2=0 --until 100 --save motion.npz --plot motion.png\n\n"
     "nonsmooth simulate elastic-stop m1=1 m2=2 k1=1 k2=5 k3=10 --from x1=0,x2=0,v1=2,v2=0"
-    " --transitions 40 --observe --prove"
+    " --transitions 40 --observe --prove\n\n"
+    "nonsmooth simulate rigid-stop m1=1 m2=2 k1=1 k2=5 r=0.8"
+    " --from x1=0,x2=0.5,v1=1,v2=0 --transitions 5 --derivatives k1,r,v10"
 )
 @answering
 def simulate(
@@ -80,6 +82,14 @@ def simulate(
     since: Annotated[
         str | None, typer.Option("--since", metavar="TIME", help="Where --observe begins.")
     ] = None,
+    derivatives: Annotated[
+        str | None,
+        typer.Option(
+            "--derivatives",
+            metavar="NAMES",
+            help="Derivatives by parameters and starts: k1,x10; or by all.",
+        ),
+    ] = None,
     prove: Annotated[
         bool,
         typer.Option("--prove", help="Prove the sequence of configurations by ball arithmetic."),
@@ -88,8 +98,18 @@ def simulate(
     as_json: AsJson = False,
 ) -> int:
     """Follow a motion from event to event, exactly: no event is missed."""
-    from nonsmooth.runtime.cli.display_motions import show_motion, show_observables, show_proof
-    from nonsmooth.runtime.cli.report_motions import motion_json, observables_json, proof_json
+    from nonsmooth.runtime.cli.display_motions import (
+        show_derivatives,
+        show_motion,
+        show_observables,
+        show_proof,
+    )
+    from nonsmooth.runtime.cli.report_motions import (
+        derivatives_json,
+        motion_json,
+        observables_json,
+        proof_json,
+    )
     from nonsmooth.runtime.core.files import check_ending, check_target
     from nonsmooth.runtime.core.values import parse
     from nonsmooth.runtime.simulation.simulate import simulate as follow
@@ -110,7 +130,10 @@ def simulate(
     motion = follow(system, values, state, configuration, until=end, transitions=transitions)
     written = Written()
     written.save(motion.save, save)
-    observed = proof = None
+    observed = proof = changes = None
+    if derivatives is not None:
+        by = None if derivatives == "all" else split([derivatives])
+        changes = motion.derivatives(by)
     if observe:
         from nonsmooth.runtime.simulation.observables import observe as observe_motion
 
@@ -133,6 +156,8 @@ def simulate(
         found = motion_json(motion)
         if observed is not None:
             found["observables"] = observables_json(observed)
+        if changes is not None:
+            found["derivatives"] = derivatives_json(changes)
         if proof is not None:
             found["proof"] = proof_json(proof)
         return found
@@ -141,6 +166,8 @@ def simulate(
         show_motion(motion)
         if observed is not None:
             show_observables(observed)
+        if changes is not None:
+            show_derivatives(changes)
         if proof is not None:
             show_proof(proof)
 

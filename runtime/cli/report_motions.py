@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding.settled import settled_texts
 from nonsmooth.runtime.explore.finding.sweep import Sweep
 from nonsmooth.runtime.proof.motion.motion_proof import Proof
+from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
 from nonsmooth.runtime.simulation.extremes import Extreme
 from nonsmooth.runtime.simulation.lyapunov import Exponent, lyapunov
 from nonsmooth.runtime.simulation.observables import Observables
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["motion_json", "observables_json", "proof_json", "sweep_json"]
+__all__ = ["derivatives_json", "motion_json", "observables_json", "proof_json", "sweep_json"]
 
 
 def motion_json(motion: Trajectory) -> dict[str, Any]:
@@ -56,6 +59,31 @@ def motion_json(motion: Trajectory) -> dict[str, Any]:
             }
             for g in motion.grazings
         ],
+    }
+
+
+def derivatives_json(found: MotionDerivatives) -> dict[str, Any]:
+    """Derivatives of a motion: for each transition and state one number by each of `by`.
+
+    Parameters
+    ----------
+    found : MotionDerivatives
+
+    Returns
+    -------
+    dict
+        Ready for JSON. A transition's time that has no derivative is nan.
+    """
+
+    def texts(values: np.ndarray) -> Any:
+        return [texts(part) for part in values] if values.ndim else repr(float(values))
+
+    return {
+        "by": list(found.by),
+        "event_times": texts(found.event_times),
+        "before": texts(found.before),
+        "behind": texts(found.behind),
+        "condition": repr(found.condition),
     }
 
 

@@ -11,6 +11,7 @@
 `last_cycle`              `itinerary_of`: the cycle at the end of a motion
 `lyapunov`                `lyapunov`: exponents of a motion, with their errors
 `observables`             `observe`: peaks, averages, contact and friction forces
+`observable_derivatives`  derivatives of extremes, averages, times in configurations
 `one_sided`               where a motion has one-sided derivatives alone
 `phase_functions`         affine functions of the state along the phases of a motion
 `recurrence`              the phases after which a motion comes back

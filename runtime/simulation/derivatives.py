@@ -21,6 +21,10 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives
 from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation, input_names
+from nonsmooth.runtime.simulation.observable_derivatives import (
+    ObservableDerivatives,
+    observable_derivatives,
+)
 from nonsmooth.runtime.simulation.one_sided import CUT, check_sides
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -93,7 +97,13 @@ class MotionDerivatives:
 
     @property
     def end(self) -> np.ndarray:
-        """Derivative (q,) of the time at which the simulation ended."""
+        """Derivative (q,) of the time at which the simulation ended.
+
+        Raises
+        ------
+        InputError
+            If it ended where it cannot go on.
+        """
         if self.trajectory.status in CUT:
             raise InputError(
                 f"the motion ends at t = {self.trajectory.end!r}: {self.trajectory.message};"
@@ -183,6 +193,25 @@ class MotionDerivatives:
             + np.tensordot(tables.resets, resets, axes=3)
             + start @ starts
         )
+
+    def observables(self, since: float = 0.0) -> ObservableDerivatives:
+        """Differentiate what `nonsmooth.observe` tells of the motion.
+
+        Parameters
+        ----------
+        since : float
+            Where to begin; it stays.
+
+        Returns
+        -------
+        ObservableDerivatives
+
+        Raises
+        ------
+        InputError
+            As for `nonsmooth.observe`, or where the motion ended where it cannot go on.
+        """
+        return observable_derivatives(self, since)
 
     @cached_property
     def condition(self) -> float:

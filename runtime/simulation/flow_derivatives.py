@@ -20,9 +20,9 @@ import numpy as np
 from nonsmooth.runtime.model.factored_flows import matrices_of
 from nonsmooth.runtime.model.flows import functions_of, parts_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.phase_functions import fastest
+from nonsmooth.runtime.simulation.phase_functions import Phases, fastest
 
-__all__ = ["ConfigurationFlows", "configuration_flows"]
+__all__ = ["ConfigurationFlows", "configuration_flows", "quadrature"]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 _ANGLE = 10.0
@@ -115,6 +115,33 @@ def configuration_flows(
             part = here[low : low + step]
             flows = ConfigurationFlows(system, configuration, durations[part], starts[part])
             yield configuration, part, flows
+
+
+def quadrature(
+    system: PiecewiseLinear, phases: Phases
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Nodes of a rule that integrates products of two states along phases.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    phases : Phases
+
+    Returns
+    -------
+    places : array (n,) of int
+        Phase of each node.
+    times, weights : array (n,)
+        Of the motion.
+    """
+    parts = []
+    for place, configuration in enumerate(phases.configurations.tolist()):
+        duration = phases.durations[place]
+        nodes, weights = _nodes(1 + int(fastest(system, configuration) * duration / _ANGLE))
+        times = phases.begins[place] + duration * nodes
+        parts.append((np.full(len(nodes), place), times, duration * weights))
+    places, times, weights = (np.concatenate(part) for part in zip(*parts, strict=True))
+    return places, times, weights
 
 
 def _convolutions(

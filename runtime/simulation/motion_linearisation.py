@@ -16,6 +16,8 @@ from nonsmooth.runtime.simulation.transition_derivatives import Transitions, tra
 
 __all__ = ["MotionLinearisation", "input_names"]
 
+_ERROR = 64 * np.finfo(float).eps
+
 
 class MotionLinearisation:
     """A motion's phases, transitions and tables, linearised once for all directions."""
@@ -23,7 +25,7 @@ class MotionLinearisation:
     def __init__(self, trajectory: Trajectory, times: np.ndarray) -> None:
         self.trajectory, self.times = trajectory, times
         run, count = trajectory.run, len(trajectory.times)
-        self.transitions: Transitions = transitions_behind(trajectory)
+        self.transitions: Transitions = transitions_behind(trajectory, together=True)
         phases = np.searchsorted(run.times, times, side="right") - 1
         # phases up to their transitions, then those of the times
         self.phases = np.concatenate([np.arange(count - 1), phases])
@@ -60,22 +62,50 @@ class MotionLinearisation:
         columns = dict(zip((*names, *starts), np.hstack([moved, allowed]).T, strict=True))
         places = [names.index(name) if name in names else len(names) for name in by]
         padded = TableDerivatives(
-            *(np.concatenate([part, np.zeros_like(part[:1])])[places] for part in tables)
+            *(np.concatenate([part, np.zeros((1, *part.shape[1:]))])[places] for part in tables)
         )
         return padded, np.array([columns[name] for name in by]).reshape(len(by), -1).T
 
     @cached_property
     def saltations(self) -> tuple[np.ndarray, np.ndarray]:
-        """Derivatives of transitions by what is in front: (n - 1, N, N), and (n - 1, N) by rows.
+        """Derivatives of transitions by what is in front, and by boundary functions.
 
-        The second is what a change of the boundary function adds.
+        (n - 1, N + 1, N + 1) and (n - 1, N + 1): of the state, then of the transition's time. What
+        follows a transition at once, as its boundary is passed there, has that one's time.
         """
         system, found = self.trajectory.system, self.transitions
-        sudden = ~found.smooth
-        late = np.zeros_like(found.jumps)
-        late[sudden] = found.jumps[sudden] / found.speeds[sudden, None]
-        slopes = system.rows[found.rows][:, None, :-1]
-        return system.resets[found.resets][..., :-1] + late[..., None] * slopes, late
+        size = len(self.trajectory.names)
+        linear = system.resets[found.resets][..., :-1]
+        rates = np.zeros(len(linear))
+        np.divide(-1.0, found.speeds, out=rates, where=(found.speeds != 0) & ~self.instants)
+        late = np.empty((len(linear), size + 1))
+        late[:, :size] = np.where(found.smooth[:, None], 0.0, -found.jumps * rates[:, None])
+        late[:, size] = rates
+        steps = np.zeros((len(linear), size + 1, size + 1))
+        steps[..., :size] = late[..., None] * system.rows[found.rows][:, None, :-1]
+        steps[:, :size, :size] += linear
+        steps[self.instants, :size, size] = -found.jumps[self.instants]
+        steps[self.instants, size, size] = 1.0
+        return steps, late
+
+    @cached_property
+    def instants(self) -> np.ndarray:
+        """Which transitions (n - 1,) follow another one, or the start, without any time between."""
+        found, dwell = self.transitions, np.diff(self.trajectory.times)
+        rows = self.trajectory.system.rows[found.rows]
+        beyond = (rows * found.before).sum(axis=1) > _ERROR * np.abs(rows * found.before).sum(
+            axis=1
+        )
+        beyond[1:] = True
+        return np.asarray((dwell == 0) & beyond)
+
+    @cached_property
+    def carried(self) -> np.ndarray:
+        """The flows' matrices (n - 1, N + 1, N + 1), with the time of the transition before."""
+        count, size = len(self.trajectory.times) - 1, len(self.trajectory.names)
+        found = np.zeros((count, size + 1, size + 1))
+        found[:, :size, :size], found[:, size, size] = self.matrices[:count], 1.0
+        return found
 
     def forward(self, tables: TableDerivatives, starts: np.ndarray) -> tuple[np.ndarray, ...]:
         """Derivatives of states, times of transitions, and states on both sides of these."""
@@ -84,22 +114,20 @@ class MotionLinearisation:
         added = np.empty((len(self.phases), size, q))
         for configuration, places, flows in self.groups:
             added[places] = flows.changes(tables.fields[:, configuration])
-        moved = _along(tables.rows, found.rows, found.before)
-        reset = _along(tables.resets, found.resets, found.before)
         saltations, late = self.saltations
         inside = slice(0, count - 1)
-        steps = saltations @ self.matrices[inside]
-        offsets = saltations @ added[inside] + reset + late[..., None] * moved[:, None]
-        # at the fixed times of the transitions
-        beginnings = np.empty((count, size, q))
-        beginnings[0] = starts
+        steps = saltations @ self.carried
+        moved = _along(tables.rows, found.rows, found.before)
+        offsets = saltations[..., :size] @ added[inside] + late[..., None] * moved[:, None]
+        offsets[:, :size] += _along(tables.resets, found.resets, found.before)
+        # at the fixed times of the transitions, and last the changes of these
+        changes = np.zeros((count, size + 1, q))
+        changes[0, :size] = starts
         for k in range(count - 1):
-            np.matmul(steps[k], beginnings[k], out=beginnings[k + 1])
-            beginnings[k + 1] += offsets[k]
+            np.matmul(steps[k], changes[k], out=changes[k + 1])
+            changes[k + 1] += offsets[k]
+        beginnings, events = changes[:, :size], changes[1:, size].copy()
         ends = self.matrices[inside] @ beginnings[:-1] + added[inside]
-        slopes = trajectory.system.rows[found.rows][:, None, :-1]
-        with np.errstate(divide="ignore", invalid="ignore"):
-            events = ((slopes @ ends)[:, 0] + moved) / -found.speeds[:, None]
         events[found.smooth & (found.speeds == 0)] = np.nan
         before, after = beginnings.copy(), beginnings.copy()
         before[1:] = ends + found.velocities[..., None] * events[:, None]
@@ -113,36 +141,33 @@ class MotionLinearisation:
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Gradients of a combination by fields, rows, resets and the start."""
         trajectory, found = self.trajectory, self.transitions
-        system, count = trajectory.system, len(trajectory.times)
-        slopes = system.rows[found.rows][:, :-1]
+        system, count, size = trajectory.system, *trajectory.states.shape
         saltations, late = self.saltations
-        matrices = self.matrices[: count - 1]
-        # factors of the transitions' times, then of the states at these, which are fixed
-        direct = (
+        # factors of the states at fixed times, and of the times
+        factors = np.zeros((count, size + 1))
+        factors[:, :size] = behind
+        factors[0, :size] += before[0]
+        factors[1:, size] = (
             event_times
             + (before[1:] * found.velocities).sum(axis=1)
             + (behind[1:] * found.behind).sum(axis=1)
         )
-        rates = np.zeros(count - 1)
-        np.divide(-direct, found.speeds, out=rates, where=direct != 0)
-        own = before[1:] + rates[:, None] * slopes
-        beginnings = behind.copy()
-        beginnings[0] += before[0]
-        beginnings[:-1] += (own[:, None] @ matrices)[:, 0]
+        factors[:-1, :size] += (before[1:, None] @ self.matrices[: count - 1])[:, 0]
         pulled = (states[:, None] @ self.matrices[count - 1 :])[:, 0]
-        np.add.at(beginnings, self.phases[count - 1 :], pulled)
-        steps = (saltations @ matrices).swapaxes(1, 2)
+        np.add.at(factors[:, :size], self.phases[count - 1 :], pulled)
+        steps = (saltations @ self.carried).swapaxes(1, 2)
         for k in range(count - 2, -1, -1):
-            beginnings[k] += steps[k] @ beginnings[k + 1]
-        factors = np.concatenate([own + (beginnings[1:, None] @ saltations)[:, 0], states])
-        rates += (beginnings[1:] * late).sum(axis=1)
+            factors[k] += steps[k] @ factors[k + 1]
+        ends = before[1:] + (factors[1:, None] @ saltations)[:, 0, :size]
+        ends = np.concatenate([ends, states])
         fields = np.zeros_like(system.fields)
         for configuration, places, flows in self.groups:
-            fields[configuration] += flows.gradients(factors[places])
+            fields[configuration] += flows.gradients(ends[places])
         rows, resets = np.zeros_like(system.rows), np.zeros_like(system.resets)
+        rates = (factors[1:] * late).sum(axis=1)
         np.add.at(rows, found.rows, rates[:, None] * found.before)
-        np.add.at(resets, found.resets, beginnings[1:, :, None] * found.before[:, None])
-        return fields, rows, resets, beginnings[0]
+        np.add.at(resets, found.resets, factors[1:, :size, None] * found.before[:, None])
+        return fields, rows, resets, factors[0, :size]
 
     def condition(self) -> float:
         """See `MotionDerivatives.condition`."""
@@ -153,10 +178,12 @@ class MotionLinearisation:
         slopes = system.rows[found.rows][:, :-1]
         sources = trajectory.run.configurations[:-1]
         turning = np.abs((slopes[:, None] @ system.fields[sources][..., :-1])[:, 0]) @ sizes
-        sudden = ~found.smooth
+        sudden = ~found.smooth & ~self.instants
         fragile = np.ones(len(turning))
         fragile[sudden] += turning[sudden] / np.abs(found.speeds[sudden])
-        steps = self.saltations[0] @ self.matrices[: len(turning)] * sizes / sizes[:, None]
+        size = len(sizes)
+        steps = self.saltations[0][:, :size, :size] @ self.matrices[: len(turning)]
+        steps = steps * sizes / sizes[:, None]
         errors, largest = np.eye(len(sizes)), 1.0
         for step, factor in zip(steps, fragile.tolist(), strict=True):
             errors = step @ errors @ step.T + np.eye(len(sizes))

@@ -20,7 +20,7 @@ from nonsmooth.runtime.simulation.extremes import Extreme, extremes
 from nonsmooth.runtime.simulation.phase_functions import Phases, panels, phases_of, values_at
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["ContactObservables", "Observables", "observe"]
+__all__ = ["ContactObservables", "Observables", "contact_rows", "observe", "sticking"]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 _ANGLE = 2.0
@@ -148,7 +148,7 @@ class Observables:
             raise unknown_name("contact", name, shapes)
         states = self.trajectory(times)
         phases = np.searchsorted(self.trajectory.times, np.asarray(times, float), side="right") - 1
-        rows = _contact_rows(system, shapes[name])[self.trajectory.run.configurations[phases]]
+        rows = contact_rows(system, shapes[name])[self.trajectory.run.configurations[phases]]
         found = (rows[..., :-1] @ states[..., None])[..., 0] + rows[..., -1]
         return found[..., 0], found[..., 1], found[..., 2]
 
@@ -187,7 +187,7 @@ def observe(trajectory: Trajectory, since: float = 0.0) -> Observables:
     size = len(structure.states)
     identity = np.hstack([np.eye(size), np.zeros((size, 1))])
     parts = [np.tile(identity, (len(structure.configurations), 1, 1))]
-    parts += [_contact_rows(system, contact) for contact in structure.contacts]
+    parts += [contact_rows(system, contact) for contact in structure.contacts]
     rows = np.concatenate(parts, axis=1)
     forces = [size + 3 * i for i in range(len(structure.contacts))]
     minima, maxima = extremes(system, phases, rows[:, [*range(size), *forces]])
@@ -215,7 +215,7 @@ def observe(trajectory: Trajectory, since: float = 0.0) -> Observables:
         _named(structure.states, means[:size].tolist()),
         _named(structure.states, np.sqrt(np.diag(moments)[:size] / duration).tolist()),
         _named(structure.configurations, (spent / spent.sum()).tolist()),
-        _sticking(structure, spent / spent.sum()),
+        sticking(structure, spent / spent.sum()),
         contacts,
     )
 
@@ -224,8 +224,19 @@ def _named(names: tuple[str, ...], values: list[Any]) -> dict[str, Any]:
     return dict(zip(names, values, strict=True))
 
 
-def _contact_rows(system: PiecewiseLinear, contact: ContactShape) -> np.ndarray:
-    """Force, velocity and surface of a contact: (configurations, 3, N + 1)."""
+def contact_rows(system: PiecewiseLinear, contact: ContactShape) -> np.ndarray:
+    """Force, velocity and surface of a contact.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    contact : ContactShape
+
+    Returns
+    -------
+    array (configurations, 3, N + 1)
+        Affine functions ``n y + c``: n, then c.
+    """
     return np.array(
         [
             [
@@ -258,7 +269,18 @@ def _moments(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> np.nd
     return total
 
 
-def _sticking(structure: Structure, fractions: np.ndarray) -> dict[str, float]:
+def sticking(structure: Structure, fractions: np.ndarray) -> dict[str, float]:
+    """Part of the time in configurations that hold a position, for each that some hold.
+
+    Parameters
+    ----------
+    structure : Structure
+    fractions : array (configurations,)
+
+    Returns
+    -------
+    dict of str to float
+    """
     held = sorted({position for positions in structure.held for position in positions})
     return {
         structure.states[position]: float(

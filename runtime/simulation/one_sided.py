@@ -22,6 +22,7 @@ from nonsmooth.runtime.simulation.transition_derivatives import extended, field_
 __all__ = ["CUT", "check_sides"]
 
 CUT = (Status.UNDECLARED, Status.IMMEDIATE, Status.OVERFLOW, Status.AMBIGUOUS)
+_TOGETHER = 1e-9  # by which linearised boundary functions may differ that vanish together
 _ERROR = 64 * np.finfo(float).eps
 
 
@@ -61,14 +62,16 @@ def check_sides(
                 " it has no derivative there"
             )
     touches = [*_grazings(trajectory), *_beginnings(trajectory), *_coincidences(trajectory, times)]
-    if not touches:
+    sets = trajectory.run.sets
+    if not touches and not (sets & (sets - 1)).any():
         return
     at = np.array([touch.time for touch in touches])
     linearisation = MotionLinearisation(trajectory, at)
     tables, starts = linearisation.directions(by)
-    states, events, *_ = linearisation.forward(tables, starts)
+    states, events, before, _ = linearisation.forward(tables, starts)
     sign = {None: 0.0, "+": 1.0, "-": -1.0}[one_sided]
     smooth = linearisation.transitions.smooth
+    _check_together(linearisation, by, tables.rows, events, before)
     for touch, change, state in zip(touches, states, trajectory(at), strict=True):
         if touch.row is None:
             rises = np.where(smooth[touch.transition], 0.0, events[touch.transition])
@@ -83,6 +86,36 @@ def check_sides(
             raise InputError(
                 f"{touch.told} at t = {touch.time!r}: the motion has no {what} by {name} there"
             )
+
+
+def _check_together(
+    linearisation: MotionLinearisation,
+    by: tuple[str, ...],
+    rows: np.ndarray,
+    events: np.ndarray,
+    before: np.ndarray,
+) -> None:
+    """Refuse boundaries that are reached together unless they stay together."""
+    trajectory = linearisation.trajectory
+    system, run = trajectory.system, trajectory.run
+    for entry in np.flatnonzero(run.sets & (run.sets - 1)).tolist():
+        shapes = system.structure.boundaries[int(run.configurations[entry - 1])]
+        state = extended(run.before[entry])
+        for place, shape in enumerate(shapes):
+            if not int(run.sets[entry]) >> place & 1:
+                continue
+            row = system.rows[shape.row]
+            parts = row[:-1, None] * before[entry], rows[:, shape.row].T * state[:, None]
+            size = sum(np.abs(part).sum(axis=0) for part in parts)
+            size = size + np.abs(row[:-1]) @ np.abs(linearisation.transitions.velocities[entry - 1])
+            left = np.abs(sum(part.sum(axis=0) for part in parts))
+            apart = np.flatnonzero(left > _TOGETHER * size * max(1.0, np.abs(events).max()))
+            if apart.size:
+                raise InputError(
+                    f"{' and '.join(trajectory.boundaries[entry])} are reached together"
+                    f" at t = {float(run.times[entry])!r}: the motion has no derivative by"
+                    f" {by[apart[0]]} there"
+                )
 
 
 def _grazings(trajectory: Trajectory) -> Iterator[_Touch]:

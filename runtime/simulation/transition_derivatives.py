@@ -83,7 +83,9 @@ def extended(states: np.ndarray) -> np.ndarray:
     return np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)
 
 
-def transitions_behind(trajectory: Trajectory, first: int = 0) -> Transitions:
+def transitions_behind(
+    trajectory: Trajectory, first: int = 0, *, together: bool = False
+) -> Transitions:
     """What the derivatives of the transitions behind an entry need.
 
     Parameters
@@ -91,6 +93,8 @@ def transitions_behind(trajectory: Trajectory, first: int = 0) -> Transitions:
     trajectory : Trajectory
     first : int
         Index of the entry.
+    together : bool
+        Take the first of boundaries that are reached at once, which is refused otherwise.
 
     Returns
     -------
@@ -121,13 +125,14 @@ def transitions_behind(trajectory: Trajectory, first: int = 0) -> Transitions:
     for place, (source, target, number) in enumerate(kinds.T.tolist()):
         here = np.flatnonzero(kind.ravel() == place)
         reached = int(masks[number])
-        if reached & (reached - 1):
+        if reached & (reached - 1) and not together:
             entry = int(here[0]) + first + 1
             raise InputError(
                 f"{' and '.join(trajectory.boundaries[entry])} are reached together"
                 f" at t = {float(run.times[entry])!r}: the motion has no derivative there"
             )
-        shape = system.structure.boundaries[source][reached.bit_length() - 1]
+        lowest = (reached & -reached).bit_length() - 1
+        shape = system.structure.boundaries[source][lowest]
         row, now, then = system.rows[shape.row], before[here], behind[here]
         resets = _resets(system, source, target, reached, now, then)
         velocities, after = field_at(system, source, now), field_at(system, target, then)
@@ -138,7 +143,8 @@ def transitions_behind(trajectory: Trajectory, first: int = 0) -> Transitions:
             + np.abs(system.fields[target]).sum(axis=0) @ extended(np.abs(then)).T
         )
         smooth = np.abs(jumps).max(axis=1) <= error
-        tangential[here] = ~smooth & (np.abs(speeds) <= error * np.abs(row[:-1]).max())
+        slow = np.abs(speeds) <= error * np.abs(row[:-1]).max()
+        tangential[here] = ~smooth & slow & (run.times[here + first + 1] > run.times[here + first])
         parts = (shape.row, resets, extended(now), velocities, after, jumps, speeds, smooth)
         for own, part in zip(found, parts, strict=True):
             own[here] = part

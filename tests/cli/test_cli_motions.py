@@ -430,3 +430,15 @@ def test_help_has_an_example_of_each():
 def test_a_chart_of_motions_says_what_its_start_needs(tmp_path):
     command = f"chart rigid-stop --simulate r=0.5:0.9:3 --out {tmp_path / 'F.zarr'}"
     refused(command, "such as --from x1=0,x2=0,v1=0,v2=0")
+
+
+def test_simulate_writes_derivatives() -> None:
+    found = told(*SIMULATE.split(), "--derivatives", "r,v10")["derivatives"]
+    motion = simulate("rigid-stop", values(STOP), [0, 0.5, 1, 0], transitions=6)
+    expected = motion.derivatives(["r", "v10"])
+    assert found["by"] == ["r", "v10"]
+    np.testing.assert_array_equal(np.array(found["event_times"], float), expected.event_times)
+    np.testing.assert_array_equal(np.array(found["behind"], float), expected.behind)
+    assert len(told(*SIMULATE.split(), "--derivatives", "all")["derivatives"]["by"]) == 9
+    assert "v1 behind it" in run(*SIMULATE.split(), "--derivatives", "r")[1]
+    refused(f"{SIMULATE} --derivatives rr", "unknown parameter or start 'rr'")

@@ -152,3 +152,10 @@ def test_phases_of_forcings_move_on_their_circle() -> None:
 def test_random_oscillators_agree_with_differences_in_fifty_digits(seed: int) -> None:
     found = compared_with_digits(np.random.default_rng([7, seed]), f"random-{seed}", 60)
     assert found is None or found < 1e-11
+
+
+def test_what_follows_an_impact_at_once_has_its_time() -> None:
+    # an impact turns the velocity, so that the slider sticks at the same instant
+    found = compared_with_digits(np.random.default_rng([11, 25]), "long-25", 40)
+    assert found is not None
+    assert found < 1e-11

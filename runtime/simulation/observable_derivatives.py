@@ -1,0 +1,215 @@
+"""Derivatives of observables of a motion: extremes, averages, times in configurations, works.
+
+An extreme inside a phase moves with the state at its time, which may be held fixed (the envelope
+theorem); one at a transition moves with the state on that side of it. An integral changes by that
+of its integrand's change, and at the ends of phases by what the transitions' times add.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.simulation.extremes import Extreme
+from nonsmooth.runtime.simulation.flow_derivatives import quadrature
+from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation
+from nonsmooth.runtime.simulation.observables import contact_rows, observe, sticking
+from nonsmooth.runtime.simulation.phase_functions import phases_of
+from nonsmooth.runtime.simulation.transition_derivatives import extended
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
+
+__all__ = ["ContactDerivatives", "ObservableDerivatives", "observable_derivatives"]
+
+
+@dataclass(frozen=True, eq=False)
+class ContactDerivatives:
+    """Derivatives (q,) of what passes through one contact; see `ContactObservables`.
+
+    Attributes
+    ----------
+    minimum, maximum, mean, work, dissipated : array (q,)
+    """
+
+    minimum: np.ndarray
+    maximum: np.ndarray
+    mean: np.ndarray
+    work: np.ndarray
+    dissipated: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class ObservableDerivatives:
+    """Derivatives of a motion's observables by q numbers; see `Observables`.
+
+    Where two extremes of one function are equal they are those of one of them.
+
+    Attributes
+    ----------
+    by : tuple of str
+    duration : array (q,)
+    minima, maxima, means, rms : dict of state to array (q,)
+    fractions : dict of configuration to array (q,)
+    sticking : dict of position to array (q,)
+    contacts : dict of str to ContactDerivatives
+    """
+
+    by: tuple[str, ...]
+    duration: np.ndarray
+    minima: dict[str, np.ndarray]
+    maxima: dict[str, np.ndarray]
+    means: dict[str, np.ndarray]
+    rms: dict[str, np.ndarray]
+    fractions: dict[str, np.ndarray]
+    sticking: dict[str, np.ndarray]
+    contacts: dict[str, ContactDerivatives]
+
+
+def observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> ObservableDerivatives:
+    """Differentiate the observables of a motion from a time on, which stays.
+
+    Parameters
+    ----------
+    found : MotionDerivatives
+    since : float
+
+    Returns
+    -------
+    ObservableDerivatives
+
+    Raises
+    ------
+    InputError
+        As for `observe`, or where the motion ended where it cannot go on.
+    """
+    trajectory, by = found.trajectory, found.by
+    system, structure = trajectory.system, trajectory.structure
+    values, phases = observe(trajectory, since), phases_of(trajectory, since)
+    contacts = [values.contacts[contact.name] for contact in structure.contacts]
+    wanted = [*values.minima.values(), *values.maxima.values()]
+    wanted += [part for contact in contacts for part in (contact.minimum, contact.maximum)]
+    places, nodes, weights = quadrature(system, phases)
+    first = len(trajectory.times) - len(phases.begins)
+    begins = np.concatenate([np.zeros((1, len(by))), found.event_times])[first:]
+    begins[0] = 0.0
+    ends = np.concatenate([begins[1:], found.end[None]])
+    tables, starts = found.linearisation.directions(by)
+    at = np.concatenate([nodes, [extreme.time for extreme in wanted]])
+    linear = MotionLinearisation(trajectory, np.minimum(at, trajectory.end))
+    changes = linear.forward(tables, starts)[0]
+    # functions: the states, then force, velocity and surface of each contact
+    size = len(structure.states)
+    rows = _rows(found, system.rows)
+    moved = [_rows(found, part) for part in tables.rows]
+    for part in moved:
+        part[:, :size] = 0.0
+    slopes = np.array(moved).reshape(len(by), *rows.shape)
+
+    own = phases.configurations[places]
+    states = extended(trajectory(nodes))
+    g = (rows[own] @ states[..., None])[..., 0]
+    change = rows[own][..., :-1] @ changes[: len(nodes)] + np.einsum(
+        "qnki,ni->nkq", slopes[:, own], states
+    )
+    borders = [
+        (rows[phases.configurations] @ extended(part)[..., None])[..., 0]
+        for part in (phases.starts, phases.ends)
+    ]
+
+    def integral(one: int, other: int | None = None) -> tuple[float, np.ndarray]:
+        """Integral of a function, or of the product of two, and its derivatives."""
+        product = g[:, one] if other is None else g[:, one] * g[:, other]
+        inside = change[:, one]
+        left, right = (part[:, one] for part in borders)
+        if other is not None:
+            inside = inside * g[:, other, None] + change[:, other] * g[:, one, None]
+            left, right = (part[:, one] * part[:, other] for part in borders)
+        return float(weights @ product), weights @ inside + right @ ends - left @ begins
+
+    duration, by_duration = values.duration, ends[-1]
+
+    def mean(one: int, other: int | None = None) -> np.ndarray:
+        total, slope = integral(one, other)
+        return np.asarray((slope - total / duration * by_duration) / duration)
+
+    def extreme(one: int, which: int) -> np.ndarray:
+        return _extreme(found, rows, slopes, one, wanted[which], changes[len(nodes) + which])
+
+    names = structure.states
+    spent = np.zeros((len(structure.configurations), len(by)))
+    np.add.at(spent, phases.configurations, ends - begins)
+    times = np.array([values.fractions[name] for name in structure.configurations])
+    fractions = (spent - times[:, None] * by_duration) / duration
+    squares = {name: mean(i, i) for i, name in enumerate(names)}
+    told: dict[str, ContactDerivatives] = {}
+    for i, contact in enumerate(structure.contacts):
+        force = size + 3 * i
+        work, belt = integral(force, force + 1)[1], integral(force, force + 2)[1]
+        told[contact.name] = ContactDerivatives(
+            extreme(force, 2 * size + 2 * i),
+            extreme(force, 2 * size + 2 * i + 1),
+            mean(force),
+            work,
+            belt - work,
+        )
+    with np.errstate(divide="ignore", invalid="ignore"):  # what rests has no slope
+        rms = {name: part / (2 * values.rms[name]) for name, part in squares.items()}
+    return ObservableDerivatives(
+        by,
+        by_duration,
+        {name: extreme(i, i) for i, name in enumerate(names)},
+        {name: extreme(i, size + i) for i, name in enumerate(names)},
+        {name: mean(i) for i, name in enumerate(names)},
+        rms,
+        dict(zip(structure.configurations, fractions, strict=True)),
+        _columns(sticking(structure, part) for part in fractions.T),
+        told,
+    )
+
+
+def _rows(found: MotionDerivatives, rows: np.ndarray) -> np.ndarray:
+    """The functions by configuration (configurations, K, N + 1), from rows or their changes."""
+    system = replace(found.trajectory.system, rows=rows)
+    structure = system.structure
+    size = len(structure.states)
+    parts = [np.tile(np.eye(size, size + 1), (len(structure.configurations), 1, 1))]
+    parts += [contact_rows(system, contact) for contact in structure.contacts]
+    return np.concatenate(parts, axis=1)
+
+
+def _extreme(
+    found: MotionDerivatives,
+    rows: np.ndarray,
+    slopes: np.ndarray,
+    one: int,
+    extreme: Extreme,
+    change: np.ndarray,
+) -> np.ndarray:
+    """Derivatives of an extreme: of the state at its time, or on a side of a transition."""
+    trajectory = found.trajectory
+    run, time = trajectory.run, extreme.time
+    phase = int(np.searchsorted(run.times, time, side="right")) - 1
+    state = trajectory(min(time, trajectory.end))
+    where = int(run.configurations[phase])
+    near = np.abs(run.times[1:] - time) <= 64 * np.spacing(max(time, 1.0))
+    best = np.inf
+    for entry in np.flatnonzero(near) + 1:
+        sides = (
+            (int(run.configurations[entry - 1]), run.before[entry], found.before[entry]),
+            (int(run.configurations[entry]), run.states[entry], found.behind[entry]),
+        )
+        for configuration, border, moved in sides:
+            missed = abs(rows[configuration, one] @ extended(border) - extreme.value)
+            if missed < best:
+                best, where, state, change = missed, configuration, border, moved
+    return np.asarray(rows[where, one, :-1] @ change + slopes[:, where, one] @ extended(state))
+
+
+def _columns(parts: Iterable[dict[str, Any]]) -> dict[str, np.ndarray]:
+    """Arrays (q,) by name from q dicts of numbers."""
+    listed = list(parts)
+    return {name: np.array([part[name] for part in listed]) for name in (listed or [{}])[0]}

@@ -1,0 +1,46 @@
+"""Derivatives of random motions against central differences in fifty digits."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from tests.moved_motions import compared_with_digits
+
+__all__ = ["derivatives_chunk"]
+
+TRANSITIONS = 200
+ALLOWED = 1e-9  # in units of the motion's condition
+
+
+def derivatives_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
+    """Verdicts on random oscillators, and what is told of those that do not agree.
+
+    Parameters
+    ----------
+    seed, count : int
+
+    Returns
+    -------
+    Counter of str, list of str
+    """
+    verdicts: Counter[str] = Counter()
+    told = []
+    for place in range(count):
+        random, name = np.random.default_rng([seed, place]), f"random-{seed}-{place}"
+        try:
+            missed = compared_with_digits(random, name, TRANSITIONS)
+        except RuntimeError as error:  # the sequence of configurations is another one in digits
+            verdicts["set aside"] += 1
+            told.append(f"set aside: seed [{seed}, {place}], {error}")
+            continue
+        verdict = "refused" if missed is None else "agree" if missed < ALLOWED else "wrong"
+        verdicts[verdict] += 1
+        if verdict == "wrong":
+            told.append(f"wrong: seed [{seed}, {place}], off by {missed:.1e} of the condition")
+    return verdicts, told

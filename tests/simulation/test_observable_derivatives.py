@@ -1,0 +1,44 @@
+"""Derivatives of observables against differences, on random oscillators."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from tests.moved_motions import random_oscillator
+
+STEP = 1e-6
+
+
+def _numbers(found: Any) -> Iterator[Any]:
+    """All observables, or their derivatives, in one order."""
+    yield found.duration
+    for name in ("minima", "maxima", "means", "rms", "fractions", "sticking"):
+        yield from getattr(found, name).values()
+    for contact in found.contacts.values():
+        for name in ("minimum", "maximum", "mean", "work", "dissipated"):
+            yield getattr(contact, name)
+
+
+def _values(found: ns.Trajectory) -> np.ndarray:
+    parts = _numbers(ns.observe(found, 2.0))
+    return np.array([getattr(part, "value", part) for part in parts])
+
+
+@pytest.mark.parametrize("end", [{"until": 15.0}, {"transitions": 9}], ids=["time", "transition"])
+@pytest.mark.parametrize("seed", [0, 1, 6])  # slider and soft stop, friction, both stops
+def test_observables_follow_all_parameters(seed: int, end: dict[str, Any]) -> None:
+    system, data, start = random_oscillator(np.random.default_rng([7, seed]), f"random-{seed}")
+    names = list(data)
+    found = ns.simulate(system, data, start, **end).derivatives(names).observables(2.0)
+    exact = np.array(list(_numbers(found)))
+    for place, name in enumerate(names):
+        above, below = (
+            _values(ns.simulate(system, data | {name: data[name] + step}, start, **end))
+            for step in (STEP, -STEP)
+        )
+        np.testing.assert_allclose(exact[:, place], (above - below) / (2 * STEP), atol=5e-7)
