@@ -24,6 +24,7 @@ from benchmark_continuation import branch
 from benchmark_declared import declared
 from benchmark_derivatives import derivatives
 from benchmark_gradients import gradients
+from benchmark_fits import fits
 from benchmark_peers import peers
 from benchmark_simulation import composed, many, sequences, simulation
 from benchmark_size import size
@@ -379,6 +380,7 @@ SECTIONS = {
             branch,
             size,
             gradients,
+            fits,
             peers,
         ),
     )

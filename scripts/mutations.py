@@ -468,7 +468,95 @@ COMMANDS = (
              ("tests/cli/test_certify_command.py",)),
 )  # fmt: skip
 
+_FITTING = "runtime/explore/fitting"
+_FITTED = ("tests/explore/test_fit.py",)
+FITS = (
+    Mutation(
+        f"{_FITTING}/prediction.py",
+        "predict",
+        "jacobian[:, clock] = -rates[places] @ row",
+        "jacobian[:, clock] = rates[places] @ row",
+        _FITTED,
+    ),
+    Mutation(
+        f"{_FITTING}/prediction.py",
+        "predict",
+        "derivatives.event_times[reached - 1]",
+        "derivatives.event_times[reached - 2]",
+        _FITTED,
+    ),
+    Mutation(
+        f"{_FITTING}/prediction.py",
+        "predict",
+        "times_of_events(motion, series.expression)[series.places]",
+        "times_of_events(motion, series.expression)[: len(series.places)]",
+        _FITTED,
+    ),
+    Mutation(
+        f"{_FITTING}/prediction.py",
+        "motion_under",
+        "_LONGER if events else _LONGER[:1]",
+        "_LONGER[:1]",
+        _FITTED,
+    ),
+    Mutation(
+        f"{_FITTING}/residuals.py",
+        "FitProblem.weighted",
+        "np.eye(1, len(point), place) / deviation",
+        "np.eye(1, len(point), place)",
+        _FITTED,
+    ),
+    Mutation(
+        f"{_FITTING}/minimise.py", "_noise", "1 - leverage[here]", "1 + leverage[here]", _FITTED
+    ),
+    Mutation(
+        f"{_FITTING}/statistics.py",
+        "statistics",
+        "inner[unknown, unknown] = np.inf",
+        "inner[unknown, unknown] = 0.0",
+        _FITTED,
+    ),
+    Mutation(
+        f"{_FITTING}/statistics.py",
+        "_factor",
+        "total / freedom / slope**2",
+        "total / freedom * slope**2",
+        _FITTED,
+    ),
+    Mutation(
+        f"{_FITTING}/nearest_grazing.py",
+        "_gradients",
+        "-(normal @ states[next(inside)] + tables.rows[:, row] @ at)",
+        "-(tables.rows[:, row] @ at)",
+        _FITTED,
+    ),
+    Mutation(
+        f"{_FITTING}/nearest_grazing.py",
+        "_of_arrival",
+        "speed * speeds / -bend + speed**2 * bends / (2 * bend**2)",
+        "speed * speeds / bend",
+        _FITTED,
+    ),
+    Mutation(
+        f"{_FITTING}/fit.py",
+        "_same_sequence",
+        "counts[each.expression] == each.places[-1] + 1",
+        "counts[each.expression] > each.places[-1] + 1",
+        _FITTED,
+    ),
+    Mutation(
+        f"{_FITTING}/unknowns.py", "_guess", "lower <= value <= upper", "value <= upper", _FITTED
+    ),
+    Mutation(
+        "runtime/cli/fitting.py",
+        "_take_guesses",
+        "known[name] = guess",
+        "known[name] = 1",
+        ("tests/cli/test_fit_command.py",),
+    ),
+)
+
 MUTATIONS = (
     *DERIVATION, *EMITTERS, *ENGINES, *NEWTON, *JUDGING, *PROOFS, *CHECKS, *BRANCHES,
-    *KEEPING, *COMMANDS,
+    *KEEPING, *COMMANDS, *FITS,
 )  # fmt: skip

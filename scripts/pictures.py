@@ -37,6 +37,11 @@ ORBITS = {
 }
 MOTIONS = {
     "bouncing_ball": ({"gravity": 1, "r": "0.7"}, {"x": 1, "v": 0}, 9),
+    "identification": (
+        {"c": "0.05", "h": "0.2", "k": "2.5", "r": "0.8", "w": "2.1"},
+        {"x": "-0.6", "v": "0.1"},
+        25,
+    ),
     "spring_and_ground": (
         {"m": "1e-3", "k": 100, "gravity": "9.81", "e": "0.9"},
         {"x": 1, "v": 0},

@@ -1,5 +1,7 @@
 """Try to break the engines: random searches, motions and starts against independent references.
 
+Fits to synthetic measurements are judged by how often their intervals hold the truth.
+
 Exit status 1 if an engine is wrong anywhere. Wrong motions are printed with all their digits.
 """
 
@@ -19,6 +21,7 @@ from rich.console import Console
 from rich.progress import Progress
 from stressing_chains import chains_chunk
 from stressing_derivatives import derivatives_chunk
+from stressing_fits import fits_chunk
 from stressing_motions import (
     ELASTIC,
     FRICTION,
@@ -152,6 +155,7 @@ SECTIONS = {
     ),
     "integrator": Section(_judged(against_integrator, ("plain", "elastic"), 20), 5, 50),
     "chains": Section(chains_chunk, 10, 1_000),
+    "fit": Section(fits_chunk, 100, 100),
     "derivatives": Section(derivatives_chunk, 5, 200),
 }
 

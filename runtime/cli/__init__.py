@@ -17,8 +17,10 @@
 `display_census`        how many orbits there are, for people
 `display_certificates`  certificates, maps and events for people
 `display_checks`        checks of certificates for people
+`display_fits`          fits for people
 `display_motions`       motions and found orbits for people
 `doctor`                `doctor`
+`fitting`               `fit`
 `generating`            `generate`
 `motions`               `simulate`, `find`, `sweep`
 `report_motions`        motions as JSON

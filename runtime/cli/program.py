@@ -20,6 +20,7 @@ from nonsmooth.runtime.cli import (  # noqa: F401 - their commands join the appl
     charting,
     continuing,
     doctor,
+    fitting,
     generating,
     motions,
 )

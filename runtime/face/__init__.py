@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.finding.find import find_orbits
     from nonsmooth.runtime.explore.finding.found import Found
     from nonsmooth.runtime.explore.finding.sweep import Sweep, sweep
+    from nonsmooth.runtime.explore.fitting.fit import fit
+    from nonsmooth.runtime.explore.fitting.fit_record import Fit
+    from nonsmooth.runtime.explore.fitting.measurements import Experiment
     from nonsmooth.runtime.orbits.many import Orbits, solve_many
     from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.orbit import Orbit
@@ -39,6 +42,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.present.files.censuses import load_census
     from nonsmooth.runtime.present.files.certificates import load_certificate
     from nonsmooth.runtime.present.files.event_certificates import load_event_certificates
+    from nonsmooth.runtime.present.files.fits import load_fit
     from nonsmooth.runtime.present.files.found import load_found
     from nonsmooth.runtime.present.files.loci import load_locus
     from nonsmooth.runtime.present.files.motions import load_trajectory
@@ -74,6 +78,8 @@ __all__ = [
     "DifferentiableFunction",
     "Event",
     "EventCertificate",
+    "Experiment",
+    "Fit",
     "Found",
     "InputError",
     "Interrupted",
@@ -101,6 +107,7 @@ __all__ = [
     "continue_event",
     "continue_orbit",
     "find_orbits",
+    "fit",
     "itinerary_of",
     "load",
     "load_box_certificate",
@@ -109,6 +116,7 @@ __all__ = [
     "load_certificate",
     "load_chart",
     "load_event_certificates",
+    "load_fit",
     "load_found",
     "load_locus",
     "load_sweep",
@@ -136,6 +144,8 @@ _HOMES = {
     "Branch": "explore.continuation.branch",
     "Event": "explore.continuation.event",
     "EventCertificate": "proof.events.event_certificate",
+    "Experiment": "explore.fitting.measurements",
+    "Fit": "explore.fitting.fit_record",
     "Found": "explore.finding.found",
     "InputError": "core.errors",
     "Interrupted": "core.errors",
@@ -162,6 +172,7 @@ _HOMES = {
     "continue_event": "explore.continuation.continue_event",
     "continue_orbit": "explore.continuation.continue_orbit",
     "find_orbits": "explore.finding.find",
+    "fit": "explore.fitting.fit",
     "itinerary_of": "simulation.last_cycle",
     "load": "present.files.orbits:load_orbit_file",
     "load_box_certificate": "present.files.box_certificates",
@@ -170,6 +181,7 @@ _HOMES = {
     "load_chart": "explore.charting.chart",
     "load_event_certificates": "present.files.event_certificates",
     "load_branch": "present.files.branches",
+    "load_fit": "present.files.fits",
     "load_found": "present.files.found",
     "load_locus": "present.files.loci",
     "load_sweep": "present.files.sweeps",
@@ -195,6 +207,7 @@ register(
         "draw_box": "present.pictures.proven_maps",
         "draw_branch": "present.pictures.branches",
         "draw_locus": "present.pictures.branches",
+        "fit_json": "present.files.fits",
         "found_held": "present.files.found",
         "found_html": "present.notebook",
         "held_found": "present.files.found",
@@ -203,6 +216,7 @@ register(
         "orbit_html": "present.notebook",
         "orbit_json": "present.report",
         "orbit_latex": "present.notebook",
+        "plot_fit": "present.pictures.fits",
         "plot_orbit": "present.pictures.plot",
         "plot_trajectory": "present.pictures.scenes",
         "save_box": "present.files.box_certificates",
@@ -210,6 +224,7 @@ register(
         "save_census": "present.files.censuses",
         "save_certificate": "present.files.certificates",
         "save_events": "present.files.event_certificates",
+        "save_fit": "present.files.fits",
         "save_found": "present.files.found",
         "save_locus": "present.files.loci",
         "save_orbit": "present.files.orbits",

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.locus import Locus
     from nonsmooth.runtime.explore.finding.found import Found
     from nonsmooth.runtime.explore.finding.sweep import Sweep
+    from nonsmooth.runtime.explore.fitting.fit_record import Fit
+    from nonsmooth.runtime.explore.fitting.measurements import Experiment
     from nonsmooth.runtime.orbits.motion import Motion
     from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.orbits.orbit_arrays import Orbits
@@ -217,6 +219,42 @@ def _found(found: Found) -> Summary:
     ]
 
 
+def _experiment(experiment: Experiment) -> Summary:
+    data, start = experiment.data, experiment.start
+    columns = list(map(str, data)) if isinstance(data, Mapping) else [str(data)]
+    return f"experiment {experiment.name}".rstrip(), [
+        ("measured", _first(columns)),
+        ("given", _given(experiment.parameters)),
+        ("starts", [] if start is None else _given(start)),
+        ("offset", [] if experiment.offset is None else [f"{experiment.offset:.8g}"]),
+    ]
+
+
+def _fit(fit: Fit) -> Summary:
+    errors = fit.standard_errors.tolist()
+    found = [
+        f"{name} = {value:.8g} +- {error:.2g}"
+        for name, value, error in zip(fit.names, fit.estimates.tolist(), errors, strict=True)
+    ]
+    left = f"chi2 {fit.chi2:.6g} with {_many(fit.degrees_of_freedom, 'degree')} of freedom"
+    grazing = fit.grazing
+    sequence = {None: [], True: ["that of the data"], False: ["not that of the data"]}
+    return f"fit of {shown_name(fit.system)} to {_many(fit.data, 'number')}, {fit.status}", [
+        ("found", found),
+        ("left", [left, *(f"noise of {n} {x:.3g}" for n, x in fit.noise.items())]),
+        ("not told", list(fit.unidentified)),
+        ("at a bound", list(fit.at_bound)),
+        ("events", sequence[fit.same_sequence]),
+        (
+            "grazing",
+            []
+            if grazing is None
+            else [f"{grazing.boundary} {grazing.standard_errors:.3g} standard errors away"],
+        ),
+        ("ended", [f"{fit.message}, {_many(fit.evaluations, 'evaluation')}"]),
+    ]
+
+
 def _trajectory(motion: Trajectory) -> Summary:
     state = zip(motion.names, motion.states[0], strict=True)
     return f"motion of {shown_name(motion.name)}, {_many(motion.transitions, 'transition')}", [
@@ -332,6 +370,8 @@ _KINDS: Mapping[str, Callable[[Any], Summary]] = {
     "Check": _check,
     "Event": _event,
     "EventCertificate": _event_certificate,
+    "Experiment": _experiment,
+    "Fit": _fit,
     "Found": _found,
     "Locus": _locus,
     "Motion": _motion,

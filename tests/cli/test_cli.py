@@ -166,6 +166,10 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
     if "impact_oscillator.py" in example:
         shutil.copy(CHECKOUT / "docs" / "gallery" / "impact_oscillator.py", tmp_path)
         monkeypatch.setenv("NONSMOOTH_CACHE", "")
+    elif "identification.py" in example:
+        for name in ("identification.py", "impacts.csv"):
+            shutil.copy(CHECKOUT / "docs" / "gallery" / name, tmp_path)
+        monkeypatch.setenv("NONSMOOTH_CACHE", "")
     elif "my_oscillator.py" in example:
         if "--compile" in example and shutil.which("cc") is None:
             pytest.skip("no C compiler")

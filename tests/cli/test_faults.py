@@ -27,6 +27,10 @@ FRICTION = "dry-friction V=0.6773 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur
 SWEPT = FRICTION.replace("V=0.6773", "V=0.6:0.7:2")
 REST = "--from x1=0,x2=0,v1=0,v2=0"
 
+FIT = (
+    "fit rigid-stop impacts.csv m1=1 m2=2 k1=1 k2=5 r=0.7:1 --from x1=0,x2=0,v1=1.5,v2=0"
+    " --sigma 0.01"
+)
 # each option that names a file or a folder to be written, and a command that asks for little
 WRITERS = {
     ("equations", "--out"): "equations mine.py --format markdown --out TARGET",
@@ -46,6 +50,8 @@ WRITERS = {
     ("find", "--save"): f"find {FRICTION} --starts 1 --transitions 30 --save TARGET",
     ("find", "--plot"): f"find {FRICTION} --starts 1 --transitions 30"
     " --basins x1=-1:1:2,v1=-1:1:2 --plot TARGET.png",
+    ("fit", "--save"): f"{FIT} --save TARGET",
+    ("fit", "--plot"): f"{FIT} --plot TARGET.png",
     ("sweep", "--save"): f"sweep {SWEPT} --state x1 --at slip-stick {REST} --save TARGET",
     ("sweep", "--out"): f"sweep {SWEPT} --state x1 --at slip-stick {REST} --out TARGET.png",
 }
@@ -78,6 +84,9 @@ def place(
     monkeypatch.chdir(folder)
     declare(folder)
     ns.solve(ORBIT).save("orbit.json")
+    data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.8"}
+    times = ns.simulate("rigid-stop", data, [0, 0, 1.5, 0], transitions=4).times[1:].tolist()
+    Path("impacts.csv").write_text("\n".join(["first-reaches-stop", *map(repr, times)]))
     return folder
 
 
@@ -147,7 +156,7 @@ def test_a_lost_scheduler_leaves_nothing(place: Path) -> None:
     "command",
     [
         *(WRITERS[name, "--save"] for name in ("solve", "certify", "continue", "simulate")),
-        *(WRITERS[name, "--save"] for name in ("find", "sweep")),
+        *(WRITERS[name, "--save"] for name in ("find", "fit", "sweep")),
         f"certify {ORBIT} us1=1 us2=1 --save TARGET",
         f"certify {ORBIT} V=0.99:1.01 --events --save TARGET",
         f"certify {ORBIT} --all tau=1.99:2.01 tau1=1.56:1.57 --save TARGET",

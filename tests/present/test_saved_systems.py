@@ -57,6 +57,15 @@ def branch(source: Path) -> ns.Branch:
     return ns.continue_orbit(ns.solve(f"{source}:one"), "w", (1.98, 2.01))
 
 
+def fit(source: Path) -> Any:
+    motion = ns.simulate(source, DATA, {"x": -1, "v": 0}, transitions=5)
+    times = np.linspace(0.1, motion.end, 20)
+    data = {"t": times, "x": motion(times)[:, 0]}
+    return ns.fit(
+        source, data, parameters=DATA, free=["x0"], start={"x": -1.01, "v": 0}, sigma=1e-3
+    )
+
+
 def events(source: Path, path: Path) -> None:
     near = ns.solve(f"{source}:one", {"gap": "-0.332"})
     found = ns.continue_orbit(near, "gap", (-0.335, -0.33))
@@ -77,6 +86,7 @@ MAKE: dict[str, Callable[[Path, Path], None]] = {
     ).save(path),
     "branch.json": lambda source, path: branch(source).save(path),
     "sweep.json": lambda source, path: sweep(source).save(path),
+    "fit.json": lambda source, path: fit(source).save(path),
     "proof.json": lambda source, path: ns.certify(ns.solve(f"{source}:one")).save(path),
     "map.json": lambda source, path: ns.certify_box(
         ns.solve(f"{source}:one"), {"r": ("0.799", "0.801")}, tiles=2
@@ -88,9 +98,9 @@ MAKE: dict[str, Callable[[Path, Path], None]] = {
 }  # fmt: skip
 LOAD: dict[str, Callable[[Path], Any]] = {
     "orbit": ns.load, "sharp": ns.load, "found": ns.load_found, "motion": ns.load_trajectory,
-    "branch": ns.load_branch, "sweep": ns.load_sweep, "proof": ns.load_certificate,
-    "map": ns.load_box_certificate, "events": ns.load_event_certificates,
-    "census": ns.load_census,
+    "branch": ns.load_branch, "sweep": ns.load_sweep, "fit": ns.load_fit,
+    "proof": ns.load_certificate, "map": ns.load_box_certificate,
+    "events": ns.load_event_certificates, "census": ns.load_census,
 }  # fmt: skip
 COMMANDS = (
     "list orbit.json found.json",
@@ -100,6 +110,7 @@ COMMANDS = (
     "plot motion.csv --out a.png",
     "plot branch.json --out a.png",
     "plot sweep.json --out a.png",
+    "plot fit.json --out a.png",
     "plot map.json --out a.png",
     "solve orbit.json --digits 30",
     "solve found.json:1",

@@ -60,6 +60,12 @@ def result(kind: str) -> Any:
             names = {"state": "x1", "configuration": "slip-stick", "transient": 20}
             fixed = {name: value for name, value in DATA.items() if name != "V"}
             return ns.sweep("dry-friction", fixed, "V", [0.6, 0.7], REST, **names)
+        case "Experiment":
+            return ns.Experiment(data={"t": [1, 2], "x1": [0, 1]}, parameters={"r": 1}, offset=3)
+        case "Fit":
+            motion = ns.simulate("rigid-stop", RIGID, START, transitions=4)
+            data = {"first-reaches-stop": motion.times[1:]}
+            return ns.fit("rigid-stop", data, parameters=RIGID, free=["r"], start=START, sigma=1)
         case "Branch":
             return branch()
         case "Event":

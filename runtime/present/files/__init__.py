@@ -11,6 +11,7 @@
 `declared_table`      the table of an orbit without kernels, as a declaration would have it
 `declaring`           found orbits as named itineraries in the file that declares their system
 `event_certificates`  certificates of events
+`fits`                fits of parameters to measurements
 `found`               orbits that were found
 `kernel_orbits`       orbits with kernels: what was given and solved for
 `loci`                curves of events

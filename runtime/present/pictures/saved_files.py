@@ -1,4 +1,4 @@
-"""Pictures of what is in a file: orbits, a branch, a proven map, a motion, a chart."""
+"""Pictures of what is in a file: orbits, a branch, a proven map, a motion, a fit, a chart."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def figure_of(path: Path, kind: str, periods: int, view: BranchView | None = Non
     ----------
     path : Path
         JSON of an orbit, one of several as ``FILE.json:N``, a branch, a curve of events, a
-        proven map, found orbits or a sweep; .npz or .csv of a motion; folder of a chart.
+        proven map, found orbits, a sweep or a fit; .npz or .csv of a motion; folder of a chart.
     kind : str
         As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
         and what is drawn in one way only "all".
@@ -141,9 +141,18 @@ def _sweep(path: Path) -> Drawn:
     return {"system": diagram.system}, draw_sweep(diagram)
 
 
+def _fit(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.fits import load_fit
+    from nonsmooth.runtime.present.pictures.fits import fit_figure
+
+    fit = load_fit(path)
+    return {"system": fit.system}, fit_figure(fit)
+
+
 _IN_ONE_WAY: dict[str | None, tuple[str, Callable[[Path], Drawn]]] = {
     _BRANCH: ("a branch", _branch),
     "nonsmooth locus": ("a curve of events", _locus),
     "nonsmooth box certificate": ("a proven map", _proven_map),
     "nonsmooth sweep": ("a sweep", _sweep),
+    "nonsmooth fit": ("a fit", _fit),
 }

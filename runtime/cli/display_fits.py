@@ -1,0 +1,73 @@
+"""What the command that fits shows to people."""
+
+from __future__ import annotations
+
+import math
+
+from rich.text import Text
+
+from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.explore.fitting.fit_record import Fit
+from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing
+from nonsmooth.runtime.model.naming import shown_name
+
+__all__ = ["show_fit"]
+
+
+def show_fit(fit: Fit) -> None:
+    """Show estimates with their uncertainties, what is left, and what the fitted motion does.
+
+    Parameters
+    ----------
+    fit : Fit
+    """
+    out = console_as_wide()
+    count = f"{len(fit.experiments)} experiment{'s' * (len(fit.experiments) != 1)}"
+    out.print(Text(f"{shown_name(fit.system)}, {fit.data} numbers of {count}", style="bold"))
+    table = listing(
+        "found", "estimate", "standard error", "95 % interval", right=("estimate", "standard error")
+    )
+    errors = fit.standard_errors.tolist()
+    for place, name in enumerate(fit.names):
+        ends = f"{_number(fit.lower[place])} ... {_number(fit.upper[place])}"
+        told = "at its bound" if name in fit.at_bound else ends
+        if math.isinf(errors[place]):
+            told = "not told by the data"
+        table.add_row(name, f"{fit.estimates[place]:.10g}", f"{errors[place]:.2g}", told)
+    show_table(table, out)
+    out.print(f"chi2 {fit.chi2:.6g} with {fit.degrees_of_freedom} degrees of freedom")
+    for name, size in fit.noise.items():
+        out.print(f"noise of {name}: {size:.3g}, estimated")
+    for text in fit.unidentified:
+        out.print(Text(f"nothing measured tells {text}", style="red"))
+    weak = [each for each in fit.identified if 1 <= each[1] < math.inf]
+    for text, _ in weak:
+        out.print(f"hardly told: {text}")
+    for each in fit.experiments:
+        phases = len(each.configurations)
+        sequence = {
+            None: "",
+            True: ", events in the order of the data",
+            False: ", events not in the order or number of the data",
+        }
+        out.print(
+            f"{shown_name(each.name)}: {phases} phase{'s' * (phases != 1)}"
+            f"{sequence[each.same_sequence]}{_grazing_text(each.grazing)}"
+        )
+    tried = "" if len(fit.costs) < 2 else f", best of {len(fit.costs)} searches"
+    out.print(f"{fit.status}: {fit.message}; {fit.evaluations} evaluations{tried}")
+
+
+def _grazing_text(grazing: NearestGrazing | None) -> str:
+    if grazing is None:
+        return ""
+    distance = grazing.standard_errors
+    far = "" if not math.isfinite(distance) else f", {distance:.3g} standard errors away"
+    return (
+        f"; nearest grazing: {grazing.boundary}, {grazing.kind} at {grazing.time:.6g},"
+        f" by {grazing.margin:.3g}{far}"
+    )
+
+
+def _number(value: float) -> str:
+    return f"{value:.8g}"

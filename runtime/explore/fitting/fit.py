@@ -1,0 +1,309 @@
+"""`fit`: parameters, starts and clocks from what was measured of motions."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, cast
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.explore.fitting.fit_record import Fit, FittedExperiment, FittedSeries
+from nonsmooth.runtime.explore.fitting.losses import check_loss
+from nonsmooth.runtime.explore.fitting.measurements import (
+    Experiment,
+    Measured,
+    MeasuredSeries,
+    boundary_named,
+    measured,
+)
+from nonsmooth.runtime.explore.fitting.minimise import Minimum, minimise
+from nonsmooth.runtime.explore.fitting.nearest_grazing import nearest_grazing
+from nonsmooth.runtime.explore.fitting.prediction import Prediction, times_of_events
+from nonsmooth.runtime.explore.fitting.residuals import FitProblem
+from nonsmooth.runtime.explore.fitting.statistics import combination_text, statistics
+from nonsmooth.runtime.explore.fitting.unknowns import Bounds, Unknowns, unknowns_of
+from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.simulation.simulate import checked_count, simulate
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["fit"]
+
+_AT_BOUND = 1e-6  # of the width between the bounds
+_PAST = 1e-9  # of the length of a record: a motion ends behind its last event
+_NOTHING = 1e-13  # of a residual's change, for a change of the unknown by its own size
+
+
+def fit(
+    system: str | SystemKernels | DeclaredSystem,
+    data: Any,
+    *,
+    free: Sequence[str] = (),
+    parameters: Mapping[str, object] | None = None,
+    bounds: Bounds | None = None,
+    priors: Mapping[str, tuple[object, object]] | None = None,
+    start: Mapping[str, object] | None = None,
+    offset: float = 0.0,
+    outputs: Mapping[str, str] | None = None,
+    events: Sequence[str] | Mapping[str, str] = (),
+    sigma: Mapping[str, float] | float | None = None,
+    loss: str = "linear",
+    starts: int = 1,
+    seed: int = 0,
+    progress: Callable[[int, int], None] = lambda done, total: None,
+) -> Fit:
+    """Find parameters from measured series and event times, by least squares.
+
+    The derivatives are exact, through all events. A trial point without a motion as long as the
+    record, or at which it grazes a boundary, is answered by a shorter step.
+
+    Parameters
+    ----------
+    system : str, System or SystemKernels
+    data : path, mapping of str to array, xarray.Dataset, Experiment, or a list of these
+        One table for each experiment (`Experiment` says which columns). Missing values are NaN,
+        or blank in a CSV file.
+    free : sequence of str
+        What is sought: parameters, states at the start (``x10`` of ``x1``), ``offset``; those that
+        have bounds when omitted. Starts and offsets are sought for each experiment.
+    parameters : mapping of str to number
+        All other parameters, and guesses of free ones.
+    bounds : mapping of str to (lower, upper), optional
+        None or infinity for no bound. A free one without a guess starts in their middle.
+    priors : mapping of str to (mean, standard deviation), optional
+        What is known of free ones before, as further residuals.
+    start : mapping of state to number
+        Where motions start; guesses of free ones.
+    offset : float
+        What the clock of the data shows when the motion starts, in the system's unit of time.
+    outputs : mapping of str to str, optional
+        From columns to affine expressions of the states; a column with the name of a state is it.
+    events : sequence of str, or mapping of str to str, optional
+        Columns that hold times of events, and the boundaries that are reached then. A column with
+        the name of a boundary needs no mention. The n-th entry belongs to the n-th time at which
+        the motion reaches it; NaN stands for one that was not recorded.
+    sigma : mapping of str to float, or float, optional
+        Standard deviations of columns that have no ``sigma_NAME`` beside them. Estimated from the
+        residuals of each column where they are not given.
+    loss : {"linear", "soft_l1", "huber", "cauchy"}
+        The latter three heed outliers less.
+    starts : int
+        Searches: from the guess, and from points drawn between the bounds or from the priors.
+    seed : int
+        Of these points.
+    progress : callable, optional
+        Told how many searches are done, and of how many.
+
+    Returns
+    -------
+    Fit
+
+    Raises
+    ------
+    InputError
+        For wrong names or numbers, too few data, a free parameter on which nothing measured
+        depends, or no motion at the guess. One line, which names the file and the column.
+    Interrupted
+        By Ctrl-C, once a search is done; its `partial` is the best Fit until then.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import nonsmooth as ns
+    >>> known = {"m1": 1, "m2": 2, "k1": 1, "k2": 5}
+    >>> motion = ns.simulate("rigid-stop", known | {"r": "0.8"}, [0, 0, 1.5, 0], until=12)
+    >>> times = np.linspace(0.1, 12, 60)
+    >>> start = {"x1": 0, "x2": 0, "v1": 1.5, "v2": 0}
+    >>> found = ns.fit(
+    ...     "rigid-stop", {"t": times, "x1": motion(times)[:, 0]},
+    ...     parameters=known, bounds={"r": (0.5, 1)}, start=start,
+    ... )
+    >>> round(found["r"], 9)
+    0.8
+    """
+    kernels = kernels_of(system)
+    structure = structure_of(kernels)
+    check_loss(loss)
+    count = checked_count("starts", starts, 1)
+    wanted = outputs or {}
+    where = events if isinstance(events, Mapping) else {name: name for name in events}
+    reached = {column: boundary_named(structure, name) for column, name in where.items()}
+    tables = [
+        each if isinstance(each, Experiment) else Experiment(data=each) for each in _each(data)
+    ]
+    if not tables:
+        raise InputError("there are no data")
+    names = [table.name for table in kernels.parameters]
+    experiments = tuple(
+        measured(
+            each, each.name or f"experiment {number}", structure, names, wanted, reached, sigma
+        )
+        for number, each in enumerate(tables, 1)
+    )
+    limits = bounds or {}
+    unknowns = unknowns_of(
+        kernels,
+        experiments,
+        parameters=parameters or {},
+        free=list(free) or list(limits),
+        bounds=limits,
+        priors=priors or {},
+        start=start or {},
+        offset=offset,
+    )
+    problem = FitProblem(kernels, experiments, unknowns)
+    _check_count(problem)
+    try:
+        found = minimise(problem, loss, count, seed, progress)
+    except Interrupted as stopped:
+        partial = cast("Minimum", stopped.partial)
+        raise Interrupted(_fit(problem, partial, loss)) from None
+    return _fit(problem, found, loss)
+
+
+def _each(data: Any) -> list[Any]:
+    """The experiments one by one."""
+    if isinstance(data, Mapping | str | os.PathLike | Experiment) or hasattr(data, "data_vars"):
+        return [data]
+    try:
+        return list(data)
+    except TypeError:
+        raise InputError(f"data are no table: {type(data).__name__}") from None
+
+
+def _check_count(problem: FitProblem) -> None:
+    count = problem.data + len(problem.unknowns.priors)
+    needed = len(problem.unknowns.names)
+    estimated = any(np.isnan(series.sigma).any() for _, series in problem.series)
+    if count < needed + estimated:
+        what = "one more, as the noise is estimated too" if estimated else "so many"
+        raise InputError(
+            f"{problem.data} measured numbers are too few for {needed} free ones"
+            f" ({', '.join(problem.unknowns.names)}): {needed + estimated} are needed, {what}"
+        )
+
+
+def _check_columns(problem: FitProblem, found: Minimum) -> None:
+    """Refuse an unknown on which nothing that was measured depends."""
+    size = problem.unknowns.sizes(found.point)
+    moved = abs(found.residuals.jacobian[: problem.data] * size).max(axis=0)
+    for name, value, change in zip(problem.unknowns.names, found.point, moved, strict=True):
+        if change <= _NOTHING:
+            raise InputError(
+                f"nothing that was measured depends on {name} (at {name} = {value:.6g}):"
+                " leave it out of what is free"
+            )
+
+
+def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
+    """The record of a minimum."""
+    _check_columns(problem, found)
+    unknowns, point, residuals = problem.unknowns, found.point, found.residuals
+    width = np.where(
+        np.isfinite(unknowns.upper - unknowns.lower), unknowns.upper - unknowns.lower, np.inf
+    )
+    near = _AT_BOUND * np.where(np.isinf(width), np.maximum(abs(point), 1), width)
+    held = (point - unknowns.lower <= near) | (unknowns.upper - point <= near)
+    told = statistics(
+        unknowns.sizes(point),
+        residuals.values,
+        residuals.jacobian,
+        problem.data,
+        loss=loss,
+        given=not found.noise,
+        held=held,
+    )
+    names = unknowns.names
+    return Fit(
+        system=problem.kernels.name,
+        names=names,
+        estimates=point,
+        lower=point - told.half_widths,
+        upper=point + told.half_widths,
+        covariance=told.covariance,
+        bounds=np.stack([unknowns.lower, unknowns.upper], axis=1),
+        at_bound=tuple(name for name, on in zip(names, held, strict=True) if on),
+        priors={names[place]: (mean, deviation) for place, mean, deviation in unknowns.priors},
+        chi2=float((residuals.values**2).sum()),
+        data=problem.data,
+        degrees_of_freedom=len(residuals.values) - len(names),
+        noise=found.noise,
+        loss=loss,
+        singular_values=told.singular_values,
+        combinations=told.combinations,
+        unidentified=tuple(
+            combination_text(names, told.combinations[place]) for place in told.unidentified
+        ),
+        experiments=tuple(
+            _experiment(problem, unknowns, number, found, told.covariance)
+            for number in range(len(problem.experiments))
+        ),
+        status="converged" if found.converged else "not converged",
+        message=found.message,
+        evaluations=found.evaluations,
+        starts=found.starts,
+        costs=found.costs,
+    )
+
+
+def _experiment(
+    problem: FitProblem, unknowns: Unknowns, number: int, found: Minimum, covariance: np.ndarray
+) -> FittedExperiment:
+    experiment = problem.experiments[number]
+    prediction: Prediction = found.residuals.predictions[number]
+    condition = unknowns.condition(found.point, number)
+    # no farther than the record: what the motion does later concerns no datum
+    last = [float(values.max()) - condition.offset for values in prediction.values]
+    length = max([experiment.last - condition.offset, *last]) * (1 + _PAST)
+    motion = simulate(problem.kernels, condition.parameters, condition.start, until=length)
+    series = [
+        FittedSeries(**{**vars(each), "sigma": problem.sigma(each, found.noise)}, fitted=values)
+        for each, values in zip(experiment.series, prediction.values, strict=True)
+    ]
+    return FittedExperiment(
+        name=experiment.name,
+        parameters={name: as_value(value) for name, value in condition.parameters.items()},
+        start=motion.states[0],
+        offset=condition.offset,
+        until=motion.end,
+        series=tuple(series),
+        configurations=motion.configurations,
+        boundaries=tuple("+".join(names) for names in motion.boundaries[1:]),
+        same_sequence=_same_sequence(experiment, prediction, condition.offset),
+        grazing=nearest_grazing(problem.kernels, motion, unknowns, number, covariance),
+    )
+
+
+def _same_sequence(experiment: Measured, prediction: Prediction, offset: float) -> bool | None:
+    """Whether recorded events have the order and the number of the motion's, up to the last."""
+    recorded: list[tuple[float, str]] = []
+    predicted: list[tuple[float, str]] = []
+    motion = prediction.motion
+    events: list[MeasuredSeries] = [each for each in experiment.series if each.kind == "event"]
+    if not events:
+        return None
+    for each in events:
+        recorded += [(time, each.expression) for time in each.values.tolist()]
+        reached = _reached(motion, each.expression, offset)
+        predicted += [(time, each.expression) for time in reached[each.places].tolist()]
+        blank = np.setdiff1d(np.arange(each.places[-1] + 1), each.places)
+        recorded += [(time, each.expression) for time in reached[blank].tolist()]
+        predicted += [(time, each.expression) for time in reached[blank].tolist()]
+    order = [name for _, name in sorted(recorded)]
+    if order != [name for _, name in sorted(predicted)]:
+        return False
+    # what the motion does until the last recorded event, half a gap left out
+    last = max(time for time, _ in predicted)
+    counts = {
+        each.expression: int((_reached(motion, each.expression, offset) <= last).sum())
+        for each in events
+    }
+    return all(counts[each.expression] == each.places[-1] + 1 for each in events)
+
+
+def _reached(motion: Trajectory, boundary: str, offset: float) -> np.ndarray:
+    return np.asarray(offset + motion.times[times_of_events(motion, boundary)])

@@ -1,0 +1,285 @@
+"""`Fit`: estimates with their uncertainties, and how well the motion says what was measured."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.json_codec import AnyRow, AnyTable, Digits, Integers, Row, Table
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing
+from nonsmooth.runtime.explore.fitting.statistics import combination_text
+from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["Fit", "FittedExperiment", "FittedSeries"]
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class FittedSeries:
+    """One column of measurements beside what the fitted motion says of it.
+
+    Attributes
+    ----------
+    name : str
+        Of the column.
+    kind : {"output", "event"}
+    expression : str
+        The output as an expression of the states, or the boundary's name.
+    row : array (N + 1,)
+        The output's coefficients and its constant; empty for events.
+    places : array (m,) of int
+        Rows of the table; of events how many of this boundary were before.
+    times, values, fitted, sigma : array (m,)
+        Times on the clock of the data, what was measured and what the motion says, and the
+        standard deviations that weighted it, given or estimated.
+    """
+
+    name: str
+    kind: Literal["output", "event"]
+    expression: str
+    row: Row
+    places: Integers
+    times: Row
+    values: Row
+    fitted: Row
+    sigma: Row
+
+    @property
+    def residuals(self) -> np.ndarray:
+        """Measured minus fitted, in standard deviations, (m,)."""
+        return np.asarray((self.values - self.fitted) / self.sigma)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class FittedExperiment:
+    """One experiment at the fit.
+
+    Attributes
+    ----------
+    name : str
+    parameters : dict of str to Value
+        All of them, as fitted or known.
+    start : array (N,)
+        State at the start of the motion.
+    offset : float
+        What the clock of the data shows there.
+    until : float
+        Time at which the motion ends, on its own clock.
+    series : tuple of FittedSeries
+    configurations : tuple of str
+        That the fitted motion goes through.
+    boundaries : tuple of str
+        That lead from one to the next; those reached together joined by ``+``.
+    same_sequence : bool or None
+        Whether the motion reaches the boundaries whose times were recorded as often as, and in the
+        order in which, the data have them; None where no times of events were recorded.
+    grazing : NearestGrazing or None
+        Where it comes closest to grazing a boundary.
+    """
+
+    name: str
+    parameters: Mapping[str, Value]
+    start: Row
+    offset: Digits
+    until: Digits
+    series: tuple[FittedSeries, ...]
+    configurations: tuple[str, ...]
+    boundaries: tuple[str, ...]
+    same_sequence: bool | None
+    grazing: NearestGrazing | None
+
+
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Fit(Shown):
+    """Parameters that were identified from measurements; q of them are free.
+
+    Attributes
+    ----------
+    system : str
+    names : tuple of str
+        Of the free numbers.
+    estimates : array (q,)
+    lower, upper : array (q,)
+        Ends of the 95 % intervals: by Student's t with the degrees of freedom, or by the normal
+        law where all standard deviations were given and the loss is linear. Infinite where the
+        data do not tell; NaN at a bound.
+    covariance : array (q, q)
+        To first order, at the estimates.
+    bounds : array (q, 2)
+    at_bound : tuple of str
+        Those that the data push against a bound.
+    priors : dict of str to (float, float)
+        Means and standard deviations.
+    chi2 : float
+        Sum of the squared residuals in standard deviations, those of priors too.
+    data : int
+        How many numbers were measured.
+    degrees_of_freedom : int
+        Data and priors, less the free numbers.
+    noise : dict of str to float
+        Estimated standard deviations of columns that were given none.
+    loss : str
+    singular_values : array (k,)
+        Of the Jacobian of the residuals by relative changes of the unknowns that are not at a
+        bound: by how many standard deviations the data move for each of the combinations.
+    combinations : array (k, q)
+        Of relative changes, in rows, as unit vectors.
+    unidentified : tuple of str
+        Combinations that nothing measured tells, in words.
+    experiments : tuple of FittedExperiment
+    status : {"converged", "not converged"}
+    message : str
+        Why the search ended.
+    evaluations : int
+    starts : array (n, q)
+        Where the searches began.
+    costs : array (n,)
+        Half the loss at which each ended; NaN where it was not begun.
+    """
+
+    system: str
+    names: tuple[str, ...]
+    estimates: Row
+    lower: AnyRow
+    upper: AnyRow
+    covariance: AnyTable
+    bounds: AnyTable
+    at_bound: tuple[str, ...]
+    priors: Mapping[str, tuple[Digits, Digits]]
+    chi2: Digits
+    data: int
+    degrees_of_freedom: int
+    noise: Mapping[str, Digits]
+    loss: str
+    singular_values: Row
+    combinations: Table
+    unidentified: tuple[str, ...]
+    experiments: tuple[FittedExperiment, ...]
+    status: Literal["converged", "not converged"]
+    message: str
+    evaluations: int
+    starts: Table
+    costs: AnyRow
+
+    def __getitem__(self, name: str) -> float:
+        """Give the estimate of a free number."""
+        if name not in self.names:
+            raise KeyError(name)
+        return float(self.estimates[self.names.index(name)])
+
+    @property
+    def standard_errors(self) -> np.ndarray:
+        """Standard errors of the estimates, (q,)."""
+        return np.sqrt(np.diag(self.covariance))
+
+    @property
+    def correlation(self) -> np.ndarray:
+        """Correlations of the estimates, (q, q)."""
+        errors = self.standard_errors
+        with np.errstate(invalid="ignore"):
+            return np.asarray(self.covariance / np.outer(errors, errors))
+
+    @property
+    def residuals(self) -> np.ndarray:
+        """Measured minus fitted, in standard deviations, of all series in order, (m,)."""
+        parts = [series.residuals for each in self.experiments for series in each.series]
+        return np.concatenate(parts)
+
+    @property
+    def same_sequence(self) -> bool | None:
+        """Whether all recorded events follow each other as in the data; None without any."""
+        found = [each.same_sequence for each in self.experiments]
+        known = [each for each in found if each is not None]
+        return all(known) if known else None
+
+    @property
+    def grazing(self) -> NearestGrazing | None:
+        """The nearest grazing of all experiments, in standard errors."""
+        found = [each.grazing for each in self.experiments if each.grazing is not None]
+        if not found:
+            return None
+
+        def far(each: NearestGrazing) -> tuple[float, float]:
+            distance = each.standard_errors
+            return (np.inf if np.isnan(distance) else distance, each.margin)
+
+        return min(found, key=far)
+
+    @property
+    def identified(self) -> tuple[tuple[str, float], ...]:
+        """Combinations and their relative standard errors before scaling, best known first."""
+        return tuple(
+            (combination_text(self.names, row), 1 / float(size) if size else float("inf"))
+            for row, size in zip(self.combinations, self.singular_values, strict=True)
+        )
+
+    def motion(self, experiment: int = 0) -> Trajectory:
+        """Follow the fitted motion of an experiment.
+
+        Parameters
+        ----------
+        experiment : int
+            Its number, from 0.
+
+        Returns
+        -------
+        Trajectory
+            On its own clock: time zero is `offset` on that of the data.
+
+        Raises
+        ------
+        InputError
+            If there is no such experiment.
+        """
+        if not -len(self.experiments) <= experiment < len(self.experiments):
+            raise InputError(f"there are {len(self.experiments)} experiments, from 0")
+        found = self.experiments[experiment]
+        return simulate(
+            known_system(self.system), found.parameters, found.start.tolist(), until=found.until
+        )
+
+    def plot(self, axes: Any = None, *, experiment: int = 0) -> Any:
+        """Draw what was measured over the fitted motion, and the residuals below.
+
+        Parameters
+        ----------
+        axes : sequence of two matplotlib Axes, optional
+            Where to draw; a figure of its own when omitted.
+        experiment : int
+            Its number, from 0.
+
+        Returns
+        -------
+        array of matplotlib Axes
+            What was drawn on.
+        """
+        return registered("plot_fit")(self, axes, experiment)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the fit to a file; `nonsmooth.load_fit` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
+        """
+        registered("save_fit")(self, path)
+
+    def to_json(self) -> dict[str, Any]:
+        """Give the fit ready for JSON, numbers as decimal strings with every digit.
+
+        Returns
+        -------
+        dict of str to object
+        """
+        found: dict[str, Any] = registered("fit_json")(self)
+        return found

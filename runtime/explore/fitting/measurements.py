@@ -1,0 +1,335 @@
+"""What was measured: experiments, and the series of outputs and of event times in each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.json_codec import AnyRow, Integers, Row
+from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.explore.fitting.affine_outputs import affine_row
+from nonsmooth.runtime.explore.fitting.tables import TIMES, read_table
+from nonsmooth.runtime.model.structure import Structure
+
+__all__ = ["Experiment", "Measured", "MeasuredSeries", "boundary_named", "measured"]
+
+_SIGMA = "sigma_"
+_CONSTANT = 1e-12
+
+
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Experiment(Shown):
+    """A record of one motion, with what is known of it alone.
+
+    Attributes
+    ----------
+    data : path, mapping of str to array, or xarray.Dataset
+        Columns: ``t`` or ``time``, outputs, times of events by the name of a boundary, their
+        standard deviations as ``sigma_NAME``, and known parameters, which are constant.
+    parameters : mapping of str to number
+        Known in this experiment, beside those that all share.
+    start : mapping of state to number, optional
+        Where the motion starts; that of all experiments when omitted.
+    offset : float, optional
+        What the clock of the data shows when the motion starts, in the system's unit of time.
+    name : str
+        For messages and pictures; its number when omitted.
+
+    Examples
+    --------
+    >>> Experiment(data={"t": [0.1, 0.2], "x": [0.99, 0.98]}, parameters={"k": 1}).name
+    ''
+    """
+
+    data: Any
+    parameters: Mapping[str, object] = field(default_factory=dict)
+    start: Mapping[str, object] | None = None
+    offset: float | None = None
+    name: str = ""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class MeasuredSeries:
+    """One column of measurements, without what is missing.
+
+    Attributes
+    ----------
+    name : str
+        Of the column.
+    kind : {"output", "event"}
+    expression : str
+        The output as an expression of the states, or the name of the boundary.
+    row : array (N + 1,)
+        The output's coefficients, then its constant; empty for events.
+    places : array (m,) of int
+        Rows of the table; of events how many of this boundary were before.
+    times : array (m,)
+        On the clock of the data, as all times here.
+    values : array (m,)
+        The measured values; of events their times.
+    sigma : array (m,)
+        Standard deviations that were given; NaN where none were.
+    """
+
+    name: str
+    kind: Literal["output", "event"]
+    expression: str
+    row: Row
+    places: Integers
+    times: Row
+    values: Row
+    sigma: AnyRow
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Measured:
+    """An experiment as it was read.
+
+    Attributes
+    ----------
+    name : str
+    parameters : dict of str to object
+        Known in it alone.
+    start : mapping or None
+    offset : float or None
+    series : tuple of MeasuredSeries
+    """
+
+    name: str
+    parameters: dict[str, object]
+    start: Mapping[str, object] | None
+    offset: float | None
+    series: tuple[MeasuredSeries, ...]
+
+    @property
+    def last(self) -> float:
+        """The last time on the clock."""
+        return max(float(series.times[-1]) for series in self.series)
+
+    @property
+    def first(self) -> float:
+        """The first time on the clock."""
+        return min(float(series.times[0]) for series in self.series)
+
+
+def measured(
+    experiment: Experiment,
+    name: str,
+    structure: Structure,
+    parameters: Sequence[str],
+    outputs: Mapping[str, str],
+    events: Mapping[str, str],
+    sigma: Mapping[str, float] | float | None,
+) -> Measured:
+    """Read an experiment and check it.
+
+    Parameters
+    ----------
+    experiment : Experiment
+    name : str
+        What it is called in messages.
+    structure : Structure
+    parameters : sequence of str
+        Names of the system's.
+    outputs : mapping of str to str
+        From columns to expressions of the states; a column named like a state is that state.
+    events : mapping of str to str
+        From columns of times to boundaries; a column named like a boundary belongs to it.
+    sigma : mapping of str to float, or float, or None
+        Standard deviations of columns that have no ``sigma_NAME`` beside them.
+
+    Returns
+    -------
+    Measured
+
+    Raises
+    ------
+    InputError
+        One line that names the experiment and the column.
+    """
+    try:
+        return _measured(experiment, name, structure, parameters, outputs, events, sigma)
+    except InputError as problem:
+        if isinstance(experiment.data, str) or hasattr(experiment.data, "__fspath__"):
+            told = str(experiment.data)
+            if str(problem).startswith(told):
+                raise
+            name = told
+        raise InputError(f"{name}: {problem}") from None
+
+
+def _measured(
+    experiment: Experiment,
+    name: str,
+    structure: Structure,
+    parameters: Sequence[str],
+    outputs: Mapping[str, str],
+    events: Mapping[str, str],
+    sigma: Mapping[str, float] | float | None,
+) -> Measured:
+    table = read_table(experiment.data)
+    clock = next((column for column in TIMES if column in table), None)
+    times = table.pop(clock) if clock else None
+    boundaries = {shape.name for shapes in structure.boundaries for shape in shapes}
+    if not table and times is not None and len(events) == 1:  # nothing but times of one event
+        table, times = {next(iter(events)): times}, None
+    deviations = {
+        column.removeprefix(_SIGMA): table.pop(column)
+        for column in [*table]
+        if column.startswith(_SIGMA) and column not in outputs
+    }
+    known: dict[str, object] = {}
+    series: list[MeasuredSeries] = []
+    for column, values in table.items():
+        if column in events or (column in boundaries and column not in outputs):
+            own = _deviations(column, values, deviations, sigma)
+            boundary = events.get(column, column)
+            series.append(_events(column, boundary, values, own))
+        elif column in outputs or column in structure.states:
+            own = _deviations(column, values, deviations, sigma)
+            expression = outputs.get(column, column)
+            series.append(_output(column, expression, structure, times, values, own))
+        elif column in parameters:
+            known[column] = _constant(column, values)
+        else:
+            raise InputError(
+                f"{unknown_name('column', column, [*structure.states, *boundaries])};"
+                " an output of another name needs its expression"
+            )
+    for column in [*outputs, *events]:
+        if column not in table and events.get(column) not in table:
+            raise unknown_name("column", column, table)
+    for column in deviations:
+        if column not in table:
+            raise unknown_name("column", column, table)
+    both = [one for one in known if one in experiment.parameters]
+    if both:
+        raise InputError(f"parameter {both[0]} is a column and given")
+    series = [each for each in series if len(each.values)]
+    if not series:
+        raise InputError("nothing is measured: no column of outputs or of event times has a number")
+    return Measured(
+        name=name,
+        parameters={**known, **experiment.parameters},
+        start=experiment.start,
+        offset=experiment.offset,
+        series=tuple(series),
+    )
+
+
+def _deviations(
+    column: str,
+    values: np.ndarray,
+    deviations: Mapping[str, np.ndarray],
+    sigma: Mapping[str, float] | float | None,
+) -> np.ndarray:
+    """Standard deviations of a column; NaN where none is given."""
+    if column in deviations:
+        found = np.array(deviations[column], dtype=float)
+        if len(found) != len(values):
+            raise InputError(f"{_SIGMA}{column} is not as long as {column}")
+        found = np.where(np.isnan(values), 1.0, found)
+    else:
+        given = sigma.get(column) if isinstance(sigma, Mapping) else sigma
+        if given is None:
+            return np.full(len(values), np.nan)
+        found = np.full(len(values), float(given))
+    if not (np.isfinite(found) & (found > 0)).all():
+        raise InputError(f"the sigma of {column} is not positive and finite everywhere")
+    return found
+
+
+def _output(
+    column: str,
+    expression: str,
+    structure: Structure,
+    times: np.ndarray | None,
+    values: np.ndarray,
+    sigma: np.ndarray,
+) -> MeasuredSeries:
+    if times is None:
+        raise InputError(f"column {column!r} needs times: a column t or time")
+    if len(values) != len(times):
+        raise InputError(f"column {column!r} has {len(values)} values for {len(times)} times")
+    if not np.isfinite(times).all():
+        raise InputError("a time is missing or not finite")
+    if not (np.diff(times) > 0).all():
+        place = int(np.flatnonzero(np.diff(times) <= 0)[0]) + 1
+        before, after = times[place - 1], times[place]
+        raise InputError(f"the times do not increase: {after:.12g} follows {before:.12g}")
+    if np.isinf(values).any():
+        raise InputError(f"column {column!r} is not finite")
+    there = np.flatnonzero(~np.isnan(values))
+    return MeasuredSeries(
+        name=column,
+        kind="output",
+        expression=expression,
+        row=affine_row(expression, structure.states),
+        places=there,
+        times=times[there],
+        values=values[there],
+        sigma=sigma[there],
+    )
+
+
+def _events(column: str, boundary: str, values: np.ndarray, sigma: np.ndarray) -> MeasuredSeries:
+    """Times of events: a blank between them is an event whose time was not recorded."""
+    there = np.flatnonzero(~np.isnan(values))
+    times = values[there]
+    if np.isinf(times).any():
+        raise InputError(f"column {column!r} is not finite")
+    if not (np.diff(times) > 0).all():
+        raise InputError(f"the times of {column} do not increase")
+    return MeasuredSeries(
+        name=column,
+        kind="event",
+        expression=boundary,
+        row=np.empty(0),
+        places=there,
+        times=times,
+        values=times,
+        sigma=sigma[there],
+    )
+
+
+def _constant(column: str, values: np.ndarray) -> float:
+    found = values[~np.isnan(values)]
+    if not len(found) or np.ptp(found) > _CONSTANT * abs(found).max():
+        raise InputError(f"column {column!r} is a parameter, and not constant")
+    return float(found[0])
+
+
+def boundary_named(structure: Structure, name: str) -> str:
+    """Give the boundary of a name, or the one by which an element of this name is reached.
+
+    Parameters
+    ----------
+    structure : Structure
+    name : str
+        Of a boundary, or of an element: ``wall`` for ``wall-reaches-stop``.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    InputError
+        If there is none, or more than one.
+    """
+    known = list(dict.fromkeys(s.name for shapes in structure.boundaries for s in shapes))
+    if name in known:
+        return name
+    found = [each for each in known if each.startswith(f"{name}-")]
+    arrivals = [each for each in found if each.startswith(f"{name}-reaches")]
+    if len(arrivals) == 1:
+        return arrivals[0]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise InputError(f"event {name!r} may be {' or '.join(found)}")
+    raise unknown_name("event", name, known)

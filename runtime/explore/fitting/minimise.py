@@ -1,0 +1,250 @@
+"""The search: SciPy's `least_squares` from one start or many, and the noise that was not given.
+
+Trust regions reject a trial point whose residuals are not finite and take a quarter of the step:
+so motions that do not exist, are too short or graze a boundary end no search. The noise of columns
+without standard deviations is estimated from their residuals, in turn with the parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, Interrupted, NoConvergence
+from nonsmooth.runtime.explore.fitting.losses import loss_of
+from nonsmooth.runtime.explore.fitting.residuals import FitProblem, Noise, Residuals
+
+__all__ = ["Minimum", "minimise"]
+
+_TOLERANCE = 1e-12
+_MOST = 200  # evaluations of one search
+_ROUNDS = 20  # of estimating the noise
+_SETTLED = 1e-6  # relative change of the noise
+_LEAST = 1e-12  # noise, as a part of the spread of the data
+_KEPT = 2  # trial points that are remembered: a derivative is asked for behind a value
+_DRAWS = 100  # of a start at which there is a motion
+_MEDIAN = 1.4826  # standard deviation of a normal variable over its median absolute value
+_MESSAGES = {
+    0: f"no minimum after {_MOST} evaluations",
+    1: "the gradient vanishes",
+    2: "the sum of squares does not change any more",
+    3: "the unknowns do not change any more",
+    4: "neither the sum of squares nor the unknowns change any more",
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Minimum:
+    """Where a search ended.
+
+    Attributes
+    ----------
+    point : array (q,)
+    residuals : Residuals
+        There.
+    noise : dict of str to float
+        Of columns without standard deviations.
+    converged : bool
+    message : str
+    evaluations : int
+        Of all searches.
+    starts : array (n, q)
+        Where searches began.
+    costs : array (n,)
+        Half the loss where each ended; NaN where there is no motion.
+    """
+
+    point: np.ndarray
+    residuals: Residuals
+    noise: dict[str, float]
+    converged: bool
+    message: str
+    evaluations: int
+    starts: np.ndarray
+    costs: np.ndarray
+
+
+def minimise(
+    problem: FitProblem,
+    loss: str,
+    starts: int,
+    seed: int,
+    progress: Callable[[int, int], None],
+) -> Minimum:
+    """Search for the smallest loss.
+
+    Parameters
+    ----------
+    problem : FitProblem
+    loss : str
+    starts : int
+        The first is the guess, the others are drawn between the bounds, or from the priors.
+    seed : int
+    progress : callable
+        Told how many searches are done, and of how many.
+
+    Returns
+    -------
+    Minimum
+        The best.
+
+    Raises
+    ------
+    InputError
+        If there is no motion to begin with.
+    Interrupted
+        By Ctrl-C; its `partial` is the best until then.
+    """
+    noise = _spreads(problem)
+    points = _starts(problem, starts, seed)
+    best: Any = None
+    costs = np.full(len(points), np.nan)
+    evaluations = 0
+    stopped = False
+    try:
+        for place, point in enumerate(points):
+            found = _search(problem, point, noise, loss)
+            evaluations += found.nfev
+            costs[place] = found.cost
+            if best is None or found.cost < best.cost:
+                best = found
+            progress(place + 1, len(points))
+    except KeyboardInterrupt:
+        if best is None:
+            raise
+        stopped = True
+    for _ in range(_ROUNDS if noise else 0):
+        known, noise = noise, _noise(problem, problem.residuals(best.x, noise), noise, loss)
+        best = _search(problem, best.x, noise, loss)
+        evaluations += best.nfev
+        if all(abs(noise[name] - known[name]) <= _SETTLED * known[name] for name in noise):
+            break
+    result = Minimum(
+        point=best.x,
+        residuals=problem.residuals(best.x, noise),
+        noise=noise,
+        converged=best.status > 0,
+        message=_MESSAGES[best.status],
+        evaluations=evaluations,
+        starts=points,
+        costs=costs,
+    )
+    if stopped:
+        raise Interrupted(result)
+    return result
+
+
+def _search(problem: FitProblem, point: np.ndarray, noise: Noise, loss: str) -> Any:
+    from scipy.optimize import least_squares
+
+    known: dict[bytes, Residuals] = {}
+
+    def at(x: np.ndarray) -> Residuals:
+        key = x.tobytes()
+        if key not in known:
+            found = problem.residuals(x, noise)
+            for old in [*known][:-_KEPT]:
+                del known[old]
+            known[key] = found
+        return known[key]
+
+    unknowns = problem.unknowns
+    return least_squares(
+        lambda x: at(x).values,
+        point,
+        jac=lambda x: at(x).jacobian,
+        bounds=(unknowns.lower, unknowns.upper),
+        method="trf",
+        x_scale="jac",
+        loss=loss_of(loss, problem.data),
+        ftol=_TOLERANCE,
+        xtol=_TOLERANCE,
+        gtol=_TOLERANCE,
+        max_nfev=_MOST,
+    )
+
+
+def _starts(problem: FitProblem, count: int, seed: int) -> np.ndarray:
+    """The guess, and points drawn from the bounds or priors at which there are motions."""
+    unknowns = problem.unknowns
+    inside = _inside(unknowns.guess, unknowns.lower, unknowns.upper)
+    points = []
+    try:
+        problem.predictions(inside)
+        points.append(inside)
+    except (InputError, NoConvergence) as problem_there:
+        if count == 1:
+            raise InputError(f"there is no fit from the guess: {problem_there}") from None
+    generator = np.random.default_rng(seed)
+    believed = {place: (mean, deviation) for place, mean, deviation in unknowns.priors}
+    for _ in range(count - 1):
+        for _ in range(_DRAWS):
+            point = unknowns.guess.copy()
+            for place, name in enumerate(unknowns.names):
+                low, high = unknowns.lower[place], unknowns.upper[place]
+                if place in believed:
+                    point[place] = generator.normal(*believed[place])
+                elif np.isfinite([low, high]).all():
+                    point[place] = generator.uniform(low, high)
+                else:
+                    raise InputError(f"several starts need both bounds, or a prior, of {name}")
+            point = _inside(point, unknowns.lower, unknowns.upper)
+            if np.isfinite(problem.residuals(point, _spreads(problem)).values).all():
+                points.append(point)
+                break
+    if not points:
+        raise InputError(f"at none of {1 + _DRAWS * (count - 1)} starts is there such a motion")
+    return np.array(points)
+
+
+def _inside(point: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
+    """The nearest point that is not on a bound."""
+    width = np.where(np.isfinite(upper - lower), upper - lower, 1.0)
+    return np.asarray(np.clip(point, lower + 1e-6 * width, upper - 1e-6 * width))
+
+
+def _spreads(problem: FitProblem) -> dict[str, float]:
+    """A first measure of the noise of columns without standard deviations."""
+    found: dict[str, float] = {}
+    for name, values in _without(problem).items():
+        spread = float(np.std(values))
+        found[name] = spread or float(abs(values).max()) or 1.0
+    return found
+
+
+def _without(problem: FitProblem) -> dict[str, np.ndarray]:
+    """Values of columns without standard deviations, those of all experiments together."""
+    found: dict[str, list[np.ndarray]] = {}
+    for _, series in problem.series:
+        if np.isnan(series.sigma).all():
+            found.setdefault(series.name, []).append(series.values)
+    return {name: np.concatenate(values) for name, values in found.items()}
+
+
+def _noise(problem: FitProblem, residuals: Residuals, noise: Noise, loss: str) -> dict[str, float]:
+    """Standard deviations of the residuals of each such column; robust where the loss is."""
+    counts = [len(series.values) for _, series in problem.series]
+    which = np.repeat(np.arange(len(counts)), counts)
+    values = residuals.values[: problem.data]
+    leverage = _leverage(residuals.jacobian)[: problem.data]
+    spreads, found = _spreads(problem), {}
+    for name in noise:
+        own = [place for place, (_, series) in enumerate(problem.series) if series.name == name]
+        here = np.isin(which, own)
+        if loss == "linear":
+            freedom = max(float((1 - leverage[here]).sum()), 1e-3)
+            size = float(np.sqrt((values[here] ** 2).sum() / freedom))
+        else:
+            size = _MEDIAN * float(np.median(abs(values[here])))
+        found[name] = max(size * noise[name], _LEAST * spreads[name])
+    return found
+
+
+def _leverage(jacobian: np.ndarray) -> np.ndarray:
+    """What part of its own prediction each residual determines, (m + p,)."""
+    scale = np.linalg.norm(jacobian, axis=0)
+    basis, sizes, _ = np.linalg.svd(jacobian / np.where(scale > 0, scale, 1.0), full_matrices=False)
+    return np.asarray((basis[:, sizes > 1e-12 * sizes.max(initial=0)] ** 2).sum(axis=1))

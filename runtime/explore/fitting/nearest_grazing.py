@@ -1,0 +1,240 @@
+"""How far a fitted motion stays from grazing, up to where its derivatives hold.
+
+Two things lead to a grazing: a boundary function whose maximum inside a phase is nearly zero, and
+a boundary that is reached so slowly that the function would turn soon behind it. The margin is how
+far the maximum, found or continued, is from zero, in the unit of the boundary function; to first
+order it moves with the unknowns as the function at a fixed time does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import NonsmoothError
+from nonsmooth.runtime.core.json_codec import AnyDigits, Digits
+from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.naming import start_names
+from nonsmooth.runtime.model.table_derivatives import TableDerivatives, table_derivatives
+from nonsmooth.runtime.simulation.phase_functions import fastest
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["NearestGrazing", "nearest_grazing"]
+
+_POINTS = 24  # in a radian-sized piece of a phase, at least
+_MOST = 20_000  # points of a phase
+_NEWTON = 8
+_KEPT = 50  # approaches whose derivatives are asked for
+
+
+@dataclass(frozen=True, kw_only=True)
+class NearestGrazing:
+    """Where a fitted motion comes closest to grazing a boundary.
+
+    Attributes
+    ----------
+    kind : {"missed", "slowly reached"}
+    boundary, configuration : str
+    time : float
+        Of the motion, in the system's unit.
+    margin : float
+        Of the boundary function.
+    standard_errors : float
+        How many of its own the margin is: so far the unknowns may move, to first order. Infinite
+        where no unknown moves it; NaN where the uncertainty is not known.
+    """
+
+    kind: Literal["missed", "slowly reached"]
+    boundary: str
+    configuration: str
+    time: Digits
+    margin: Digits
+    standard_errors: AnyDigits
+
+
+@dataclass(frozen=True)
+class _Approach:
+    """A place where a boundary function nearly has the maximum zero."""
+
+    kind: Literal["missed", "slowly reached"]
+    phase: int
+    boundary: int
+    time: float
+    margin: float
+
+
+def nearest_grazing(
+    kernels: SystemKernels,
+    motion: Trajectory,
+    unknowns: Unknowns,
+    number: int,
+    covariance: np.ndarray,
+) -> NearestGrazing | None:
+    """Find where a motion is the fewest standard errors from grazing.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    motion : Trajectory
+    unknowns : Unknowns
+    number : int
+        Of the experiment.
+    covariance : array (q, q)
+
+    Returns
+    -------
+    NearestGrazing or None
+        None where no boundary function has a maximum in a phase.
+    """
+    found = sorted(_approaches(motion), key=lambda each: each.margin)[:_KEPT]
+    if not found:
+        return None
+    gradients = _gradients(kernels, motion, unknowns, number, found)
+    distances = [
+        _distance(each.margin, gradient, covariance)
+        for each, gradient in zip(found, gradients, strict=True)
+    ]
+    order = [np.inf if np.isnan(distance) else distance for distance in distances]
+    place = int(np.lexsort(([each.margin for each in found], order))[0])
+    best, structure = found[place], motion.structure
+    configuration = int(motion.run.configurations[best.phase])
+    return NearestGrazing(
+        kind=best.kind,
+        boundary=structure.boundaries[configuration][best.boundary].name,
+        configuration=structure.configurations[configuration],
+        time=best.time,
+        margin=best.margin,
+        standard_errors=distances[place],
+    )
+
+
+def _distance(margin: float, gradient: np.ndarray, covariance: np.ndarray) -> float:
+    moved = np.flatnonzero(gradient)
+    variance = float(gradient[moved] @ covariance[np.ix_(moved, moved)] @ gradient[moved])
+    if not variance >= 0:  # NaN: an unknown that nothing tells, or at its bound
+        return float("nan")
+    return margin / float(np.sqrt(variance)) if variance > 0 else float("inf")
+
+
+def _approaches(motion: Trajectory) -> Iterator[_Approach]:
+    """Maxima of boundary functions inside phases, and slow arrivals at their ends."""
+    system, run = motion.system, motion.run
+    ends = [*motion.times[1:].tolist(), motion.end]
+    for phase, (begin, end) in enumerate(zip(motion.times.tolist(), ends, strict=True)):
+        configuration = int(run.configurations[phase])
+        shapes = motion.structure.boundaries[configuration]
+        if not shapes or not end > begin:
+            continue
+        rows = system.rows[[shape.row for shape in shapes]]
+        field = system.fields[configuration]
+        speeds = np.hstack([rows[:, :-1] @ field[:, :-1], (rows[:, :-1] @ field[:, -1])[:, None]])
+        bends = np.hstack(
+            [speeds[:, :-1] @ field[:, :-1], (speeds[:, :-1] @ field[:, -1])[:, None]]
+        )
+        start = motion.states[phase]
+
+        def along(row: np.ndarray, since: np.ndarray) -> np.ndarray:
+            states = flow_states(system, configuration, since, start)  # noqa: B023
+            return np.asarray(states @ row[:-1] + row[-1])
+
+        if phase + 1 < len(motion.before):
+            last = motion.before[phase + 1]
+            for place, shape in enumerate(shapes):
+                if shape.name not in motion.boundaries[phase + 1]:
+                    continue
+                speed = float(speeds[place, :-1] @ last + speeds[place, -1])
+                bend = float(bends[place, :-1] @ last + bends[place, -1])
+                if speed > 0 > bend:
+                    yield _Approach("slowly reached", phase, place, end, speed**2 / (-2 * bend))
+        length = end - begin
+        count = int(min(_POINTS * (1 + fastest(system, configuration) * length), _MOST))
+        grid = np.linspace(0, length, count + 1)
+        for place in range(len(shapes)):
+            slopes = along(speeds[place], grid)
+            for peak in np.flatnonzero((slopes[:-1] > 0) & (slopes[1:] <= 0)).tolist():
+                low, high = grid[peak], grid[peak + 1]
+                at = (low + high) / 2
+                for _ in range(_NEWTON):
+                    slope, bend = (
+                        float(along(row[place], np.array([at]))[0]) for row in (speeds, bends)
+                    )
+                    at = float(np.clip(at - slope / bend, low, high)) if bend else at
+                margin = -float(along(rows[place], np.array([at]))[0])
+                if margin > 0:
+                    yield _Approach("missed", phase, place, begin + at, margin)
+
+
+def _gradients(
+    kernels: SystemKernels,
+    motion: Trajectory,
+    unknowns: Unknowns,
+    number: int,
+    found: list[_Approach],
+) -> np.ndarray:
+    """Derivatives of the margins by the unknowns, (n, q): zero by other experiments' unknowns."""
+    entries = [
+        (column, entry)
+        for column, entry in enumerate(unknowns.entries)
+        if entry.concerns(number) and entry.kind != "offset"
+    ]
+    gradients = np.zeros((len(found), len(unknowns.entries)))
+    if not entries:
+        return gradients
+    starts = dict(
+        zip(motion.names, start_names(motion.names, list(motion.parameters)), strict=True)
+    )
+    by = [e.target if e.kind == "parameter" else starts[e.target] for _, e in entries]
+    columns = [column for column, _ in entries]
+    missed = [each for each in found if each.kind == "missed"]
+    try:
+        derivatives = motion.derivatives(by, times=np.array([each.time for each in missed]))
+        states, before = derivatives.states, derivatives.before
+    except NonsmoothError:
+        return np.full_like(gradients, np.nan)
+    tables = _tables(kernels, motion, by)
+    inside = iter(range(len(missed)))
+    for place, each in enumerate(found):
+        configuration = int(motion.run.configurations[each.phase])
+        row = motion.structure.boundaries[configuration][each.boundary].row
+        if each.kind == "missed":
+            normal, at = motion.system.rows[row, :-1], np.append(motion(each.time), 1.0)
+            gradients[place, columns] = -(normal @ states[next(inside)] + tables.rows[:, row] @ at)
+        else:
+            gradients[place, columns] = _of_arrival(
+                motion, each.phase, row, tables, before[each.phase + 1]
+            )
+    return gradients
+
+
+def _of_arrival(
+    motion: Trajectory, phase: int, row: int, tables: TableDerivatives, before: np.ndarray
+) -> np.ndarray:
+    """Derivatives of the height speed^2 / (-2 bend) that the motion would reach behind a boundary.
+
+    Derivatives `before` (N, q) are those of the state in front of the transition, which moves.
+    """
+    configuration = int(motion.run.configurations[phase])
+    field, normal = motion.system.fields[configuration], motion.system.rows[row, :-1]
+    matrix, at = field[:, :-1], np.append(motion.before[phase + 1], 1.0)
+    rate = field @ at
+    speed, bend = float(normal @ rate), float(normal @ matrix @ rate)
+    fields, normals = tables.fields[:, configuration], tables.rows[:, row, :-1]
+    rates = fields @ at + (matrix @ before).T
+    speeds = normals @ rate + rates @ normal
+    bends = normals @ matrix @ rate + fields[..., :-1] @ rate @ normal + rates @ matrix.T @ normal
+    return np.asarray(speed * speeds / -bend + speed**2 * bends / (2 * bend**2))
+
+
+def _tables(kernels: SystemKernels, motion: Trajectory, by: list[str]) -> TableDerivatives:
+    """Derivatives of the tables by names; zero by those that are no parameters."""
+    names = [table.name for table in kernels.parameters]
+    tables = table_derivatives(kernels, np.array([float(motion.parameters[n]) for n in names]))
+    places = [names.index(name) if name in names else len(names) for name in by]
+    return TableDerivatives(
+        *(np.concatenate([part, np.zeros_like(part[:1])])[places] for part in tables)
+    )

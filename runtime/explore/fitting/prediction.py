@@ -1,0 +1,207 @@
+"""What a motion says of the measurements at a point of the unknowns, with exact derivatives.
+
+The clock of the data shows `offset` when the motion starts. Outputs are taken at fixed times of
+the clock. Events are matched by their order: the n-th recorded time of a boundary belongs to the
+n-th time at which the motion reaches it, a blank standing for one that was not recorded. Where a
+motion does not come that far, or has no derivative, as where it grazes a boundary, there is no
+prediction: a search takes a shorter step.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries
+from nonsmooth.runtime.explore.fitting.unknowns import FreeNumber, MotionSettings, Unknowns
+from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.naming import start_names
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear
+from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["Prediction", "motion_under", "predict", "times_of_events"]
+
+_LONGER = (1.0, 1.25, 2.0, 4.0)  # times as long as the record, while recorded events are missing
+_PAST = 1e-9  # of its length, beyond the last time
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """One experiment at one point of the unknowns.
+
+    Attributes
+    ----------
+    motion : Trajectory
+    values : tuple of array (m,)
+        For each series, on the clock of the data.
+    jacobians : tuple of array (m, q)
+        By all unknowns.
+    """
+
+    motion: Trajectory
+    values: tuple[np.ndarray, ...]
+    jacobians: tuple[np.ndarray, ...]
+
+
+def predict(
+    kernels: SystemKernels,
+    experiment: Measured,
+    unknowns: Unknowns,
+    number: int,
+    point: np.ndarray,
+) -> Prediction:
+    """Follow the motion of an experiment, and differentiate what is measured of it.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    experiment : Measured
+    unknowns : Unknowns
+    number : int
+        Of the experiment, from 0.
+    point : array (q,)
+
+    Returns
+    -------
+    Prediction
+
+    Raises
+    ------
+    NonsmoothError
+        Where the motion does not exist, is too short, or has no derivative.
+    """
+    condition = unknowns.condition(point, number)
+    motion = motion_under(kernels, experiment, condition)
+    outputs = [series for series in experiment.series if series.kind == "output"]
+    clocks = np.unique(np.concatenate([np.empty(0), *(series.times for series in outputs)]))
+    times = np.minimum(clocks - condition.offset, motion.end)
+    by, columns, clock = _asked(motion, unknowns, number)
+    derivatives = motion.derivatives(by, times=times) if by else None
+    states = motion(times)
+    rates = _rates(motion, times, states) if clock is not None and len(times) else None
+    values, jacobians = [], []
+    for series in experiment.series:
+        jacobian = np.zeros((len(series.values), len(point)))
+        if series.kind == "output":
+            places = np.searchsorted(clocks, series.times)
+            row = series.row[:-1]
+            values.append(states[places] @ row + series.row[-1])
+            if derivatives is not None:
+                jacobian[:, columns] = np.einsum("n,mnq->mq", row, derivatives.states[places])
+            if clock is not None and rates is not None:
+                jacobian[:, clock] = -rates[places] @ row
+        else:
+            reached = times_of_events(motion, series.expression)[series.places]
+            values.append(condition.offset + motion.times[reached])
+            if derivatives is not None:
+                jacobian[:, columns] = derivatives.event_times[reached - 1]
+            if clock is not None:
+                jacobian[:, clock] = 1.0
+        if not (np.isfinite(values[-1]).all() and np.isfinite(jacobian).all()):
+            raise NoConvergence(f"{experiment.name}: the motion is not finite")
+        jacobians.append(jacobian)
+    return Prediction(motion, tuple(values), tuple(jacobians))
+
+
+def motion_under(
+    kernels: SystemKernels, experiment: Measured, condition: MotionSettings
+) -> Trajectory:
+    """Follow the motion of an experiment, as far as it was recorded.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    experiment : Measured
+    condition : MotionSettings
+
+    Returns
+    -------
+    Trajectory
+
+    Raises
+    ------
+    NonsmoothError
+        Where it does not exist, ends before the data, or reaches a boundary less often.
+    """
+    length = experiment.last - condition.offset
+    if not length > 0:
+        raise InputError(f"{experiment.name}: all data are before the motion starts")
+    if experiment.first < condition.offset:
+        raise InputError(
+            f"{experiment.name}: data at {experiment.first:.12g} are before the motion starts,"
+            f" at {condition.offset:.12g}"
+        )
+    wanted: MeasuredSeries | None = None
+    events = [series for series in experiment.series if series.kind == "event"]
+    for factor in _LONGER if events else _LONGER[:1]:
+        until = length * (factor + _PAST)
+        motion = simulate(kernels, condition.parameters, condition.start, until=until)
+        needed = length if len(events) < len(experiment.series) else 0.0
+        if motion.end < needed:
+            raise NoConvergence(
+                f"{experiment.name}: the motion ends at {motion.end:.6g}, before the data do:"
+                f" {motion.message}"
+            )
+        wanted = next((each for each in events if _lacks(motion, each)), None)
+        if wanted is None:
+            return motion
+    assert wanted is not None
+    count, found = int(wanted.places[-1]) + 1, len(times_of_events(motion, wanted.expression))
+    raise NoConvergence(
+        f"{experiment.name}: the motion comes to {wanted.expression} {found} times until"
+        f" {motion.end:.6g}, where {count} are recorded"
+    )
+
+
+def times_of_events(motion: Trajectory, boundary: str) -> np.ndarray:
+    """Give the places among a motion's times at which it reaches a boundary.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    boundary : str
+
+    Returns
+    -------
+    array (n,) of int
+    """
+    return np.array([i for i, names in enumerate(motion.boundaries) if boundary in names], int)
+
+
+def _lacks(motion: Trajectory, series: MeasuredSeries) -> bool:
+    return len(times_of_events(motion, series.expression)) <= int(series.places[-1])
+
+
+def _asked(
+    motion: Trajectory, unknowns: Unknowns, number: int
+) -> tuple[list[str], list[int], int | None]:
+    """Names by which the motion is differentiated, their columns, and that of the clock."""
+    names = start_names(motion.names, list(motion.parameters))
+    starts = dict(zip(motion.names, names, strict=True))
+    by: list[str] = []
+    columns: list[int] = []
+    clock = None
+    for column, entry in enumerate(unknowns.entries):
+        if not entry.concerns(number):
+            continue
+        if entry.kind == "offset":
+            clock = column
+        else:
+            by.append(_name(entry, starts))
+            columns.append(column)
+    return by, columns, clock
+
+
+def _name(entry: FreeNumber, starts: dict[str, str]) -> str:
+    return entry.target if entry.kind == "parameter" else starts[entry.target]
+
+
+def _rates(motion: Trajectory, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+    """Derivatives of the states by time, (m, N)."""
+    system: PiecewiseLinear = motion.system
+    phases = np.searchsorted(motion.times, times, side="right") - 1
+    fields = system.fields[motion.run.configurations[phases]]
+    return np.asarray(np.einsum("mij,mj->mi", fields[..., :-1], states) + fields[..., -1])

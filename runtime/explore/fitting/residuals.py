@@ -1,0 +1,144 @@
+"""Weighted residuals of all experiments and priors, and their exact Jacobian."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import NonsmoothError
+from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries
+from nonsmooth.runtime.explore.fitting.prediction import Prediction, predict
+from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
+from nonsmooth.runtime.model.kernels import SystemKernels
+
+__all__ = ["FitProblem", "Residuals"]
+
+Noise = Mapping[str, float]  # standard deviations of columns that have none of their own
+
+
+@dataclass(frozen=True, eq=False)
+class Residuals:
+    """Residuals at one point: those of the data, then those of the priors.
+
+    Attributes
+    ----------
+    values : array (m + p,)
+        In standard deviations: predicted - measured.
+    jacobian : array (m + p, q)
+    predictions : tuple of Prediction
+        One for each experiment; none where there is no value.
+    """
+
+    values: np.ndarray
+    jacobian: np.ndarray
+    predictions: tuple[Prediction, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class FitProblem:
+    """A least squares problem.
+
+    Attributes
+    ----------
+    kernels : SystemKernels
+    experiments : tuple of Measured
+    unknowns : Unknowns
+    """
+
+    kernels: SystemKernels
+    experiments: tuple[Measured, ...]
+    unknowns: Unknowns
+
+    @property
+    def series(self) -> tuple[tuple[int, MeasuredSeries], ...]:
+        """All series, each with the number of its experiment."""
+        return tuple((n, each) for n, e in enumerate(self.experiments) for each in e.series)
+
+    @property
+    def data(self) -> int:
+        """How many numbers were measured."""
+        return sum(len(series.values) for _, series in self.series)
+
+    def sigma(self, series: MeasuredSeries, noise: Noise) -> np.ndarray:
+        """Standard deviations of a series.
+
+        Parameters
+        ----------
+        series : MeasuredSeries
+        noise : mapping of str to float
+
+        Returns
+        -------
+        array (m,)
+        """
+        given = series.sigma
+        return np.where(np.isnan(given), noise.get(series.name, np.nan), given)
+
+    def predictions(self, point: np.ndarray) -> tuple[Prediction, ...]:
+        """What all motions say of the data.
+
+        Parameters
+        ----------
+        point : array (q,)
+
+        Returns
+        -------
+        tuple of Prediction
+
+        Raises
+        ------
+        NonsmoothError
+            Where one of them says nothing.
+        """
+        return tuple(
+            predict(self.kernels, experiment, self.unknowns, number, point)
+            for number, experiment in enumerate(self.experiments)
+        )
+
+    def weighted(
+        self, point: np.ndarray, predictions: Sequence[Prediction], noise: Noise
+    ) -> Residuals:
+        """Residuals and Jacobian of known predictions.
+
+        Parameters
+        ----------
+        point : array (q,)
+        predictions : sequence of Prediction
+        noise : mapping of str to float
+
+        Returns
+        -------
+        Residuals
+        """
+        values, jacobians = [], []
+        for experiment, found in zip(self.experiments, predictions, strict=True):
+            for series, value, jacobian in zip(
+                experiment.series, found.values, found.jacobians, strict=True
+            ):
+                sigma = self.sigma(series, noise)
+                values.append((value - series.values) / sigma)
+                jacobians.append(jacobian / sigma[:, None])
+        for place, mean, deviation in self.unknowns.priors:
+            values.append(np.array([(point[place] - mean) / deviation]))
+            jacobians.append(np.eye(1, len(point), place) / deviation)
+        return Residuals(np.concatenate(values), np.concatenate(jacobians), tuple(predictions))
+
+    def residuals(self, point: np.ndarray, noise: Noise) -> Residuals:
+        """Residuals and Jacobian; NaN where there is no motion or no derivative.
+
+        Parameters
+        ----------
+        point : array (q,)
+        noise : mapping of str to float
+
+        Returns
+        -------
+        Residuals
+        """
+        try:
+            return self.weighted(point, self.predictions(point), noise)
+        except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
+            count = self.data + len(self.unknowns.priors)
+            return Residuals(np.full(count, np.nan), np.full((count, len(point)), np.nan), ())

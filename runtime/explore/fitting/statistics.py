@@ -1,0 +1,161 @@
+"""What a fit tells of its unknowns: covariance, intervals, and combinations that no data tell.
+
+The covariance is that of an M-estimate, (sum psi^2 / (m - q)) / mean(psi')^2 (J^T J)^-1 with the
+loss's influence psi; for least squares it is the variance of the residuals, or 1 where standard
+deviations were given, times (J^T J)^-1. P. J. Huber, Robust Statistics (1981); G. A. F. Seber and
+C. J. Wild, Nonlinear Regression (1989).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from nonsmooth.runtime.explore.fitting.losses import LOSSES
+
+__all__ = ["Statistics", "combination_text", "statistics"]
+
+_NOTHING = 1e-9  # of the largest singular value: below it a combination is not identified
+_TAKES_PART = 1e-4  # of a unit vector
+_LEVEL = 0.95
+
+
+@dataclass(frozen=True, eq=False)
+class Statistics:
+    """Uncertainties at a minimum; q unknowns.
+
+    Attributes
+    ----------
+    covariance : array (q, q)
+        Infinite variances where the data do not tell an unknown, NaN beside these; NaN for
+        unknowns at a bound.
+    half_widths : array (q,)
+        Of the 95 % intervals.
+    singular_values : array (q,)
+        Of the Jacobian, each column times its unknown's size: how many standard deviations the
+        data move where a combination of relative changes is 1.
+    combinations : array (q, q)
+        Unit vectors of relative changes, in rows.
+    unidentified : tuple of int
+        Rows of combinations that nothing tells.
+    """
+
+    covariance: np.ndarray
+    half_widths: np.ndarray
+    singular_values: np.ndarray
+    combinations: np.ndarray
+    unidentified: tuple[int, ...]
+
+
+def statistics(
+    scale: np.ndarray,
+    residuals: np.ndarray,
+    jacobian: np.ndarray,
+    data: int,
+    *,
+    loss: str,
+    given: bool,
+    held: np.ndarray,
+) -> Statistics:
+    """Uncertainties from the residuals and the Jacobian at a minimum.
+
+    Parameters
+    ----------
+    scale : array (q,)
+        What is a large change of each unknown.
+    residuals : array (m + p,)
+        Of data and priors.
+    jacobian : array (m + p, q)
+    data : int
+        m.
+    loss : str
+    given : bool
+        Whether all standard deviations were given.
+    held : array (q,) of bool
+        Unknowns at a bound.
+
+    Returns
+    -------
+    Statistics
+    """
+    from scipy.stats import norm, t
+
+    size = len(scale)
+    free = np.flatnonzero(~held)
+    weighted = jacobian[:, free] * scale[free]
+    _, values, rows = np.linalg.svd(weighted, full_matrices=True)
+    sizes = np.zeros(len(free))
+    sizes[: len(values)] = values
+    lost = sizes <= _NOTHING * sizes.max(initial=0)
+    inverse = np.where(lost, 0.0, 1 / np.where(lost, 1.0, sizes) ** 2)
+    freedom = len(residuals) - len(free)
+    factor = _factor(residuals, data, freedom, loss, given=given)
+    covariance = np.full((size, size), np.nan)
+    inner = factor * (rows.T * inverse) @ rows * np.outer(scale[free], scale[free])
+    unknown = (abs(rows[lost]) > _TAKES_PART).any(axis=0)
+    inner[unknown, :] = inner[:, unknown] = np.nan
+    inner[unknown, unknown] = np.inf
+    covariance[np.ix_(free, free)] = inner
+    exact = given and loss == "linear"
+    if exact:
+        quantile = float(norm.ppf((1 + _LEVEL) / 2))
+    else:
+        quantile = float(t.ppf((1 + _LEVEL) / 2, freedom)) if freedom > 0 else math.inf
+    combinations = np.zeros((len(free), size))
+    combinations[:, free] = rows
+    return Statistics(
+        covariance,
+        quantile * np.sqrt(np.diag(covariance)),
+        sizes,
+        combinations,
+        tuple(np.flatnonzero(lost).tolist()),
+    )
+
+
+def _factor(residuals: np.ndarray, data: int, freedom: int, loss: str, *, given: bool) -> float:
+    """Variance of the residuals, as the loss weights them."""
+    if given and loss == "linear":
+        return 1.0
+    if freedom <= 0:
+        return math.inf
+    own = residuals[:data]
+    _, first, second = LOSSES[loss](own**2)
+    influence, slope = first * own, float(np.mean(first + 2 * second * own**2))
+    total = float((influence**2).sum() + (residuals[data:] ** 2).sum())
+    return total / freedom / slope**2
+
+
+def combination_text(names: Sequence[str], combination: np.ndarray) -> str:
+    """Say a combination of relative changes in words.
+
+    Parameters
+    ----------
+    names : sequence of str
+    combination : array (q,)
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> combination_text(["k", "m", "r"], np.array([0.5, 0.5, 0.0]))
+    'k and m changed together (k by +1 %, m by +1 %)'
+    >>> combination_text(["k", "m"], np.array([0.0, -1.0]))
+    'm'
+    """
+    size = float(abs(combination).max())
+    parts = [
+        (name, float(share) / size)
+        for name, share in zip(names, combination, strict=True)
+        if abs(share) > _TAKES_PART * size
+    ]
+    if len(parts) == 1:
+        return parts[0][0]
+    sign = math.copysign(1.0, parts[0][1])
+    each = ", ".join(f"{name} by {sign * share:+.3g} %" for name, share in parts)
+    *most, last = (name for name, _ in parts)
+    return f"{', '.join(most)} and {last} changed together ({each})"

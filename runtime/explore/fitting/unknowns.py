@@ -1,0 +1,309 @@
+"""What is fitted: parameters of all experiments, and the start and clock of each."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.explore.fitting.measurements import Measured
+from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
+from nonsmooth.runtime.model.naming import start_names
+from nonsmooth.runtime.model.structure import structure_of
+
+__all__ = ["FreeNumber", "MotionSettings", "Unknowns", "unknowns_of"]
+
+OFFSET = "offset"
+_VANISHING = 1e-6  # of the size of the guess
+Bounds = Mapping[str, tuple[object, object]]
+
+
+@dataclass(frozen=True)
+class FreeNumber:
+    """A number that is fitted.
+
+    Attributes
+    ----------
+    name : str
+        As it is reported: ``k``, ``x10``, ``offset``; with ``@2`` behind it where each of
+        several experiments has its own.
+    kind : {"parameter", "start", "offset"}
+    target : str
+        The parameter, or the state that starts with it.
+    experiment : int or None
+        To which it belongs; None for all.
+    """
+
+    name: str
+    kind: Literal["parameter", "start", "offset"]
+    target: str
+    experiment: int | None
+
+    def concerns(self, experiment: int) -> bool:
+        """Tell whether an experiment depends on it.
+
+        Parameters
+        ----------
+        experiment : int
+
+        Returns
+        -------
+        bool
+        """
+        return self.experiment in (None, experiment)
+
+
+@dataclass(frozen=True)
+class MotionSettings:
+    """What is known of one experiment at one point: parameters, start and clock."""
+
+    parameters: dict[str, object]
+    start: dict[str, object]
+    offset: float
+
+
+@dataclass(frozen=True, eq=False)
+class Unknowns:
+    """All that is fitted, and what is fixed beside it.
+
+    Attributes
+    ----------
+    entries : tuple of FreeNumber
+    guess, lower, upper : array (q,)
+    priors : tuple of (int, float, float)
+        Which, its mean and its standard deviation.
+    fixed : tuple of MotionSettings
+        One for each experiment, without what is fitted.
+    """
+
+    entries: tuple[FreeNumber, ...]
+    guess: np.ndarray
+    lower: np.ndarray
+    upper: np.ndarray
+    priors: tuple[tuple[int, float, float], ...]
+    fixed: tuple[MotionSettings, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Their names."""
+        return tuple(entry.name for entry in self.entries)
+
+    def sizes(self, point: np.ndarray) -> np.ndarray:
+        """Give what is a large change of each: its own size, or that of its guess; 1 for zeros.
+
+        Parameters
+        ----------
+        point : array (q,)
+
+        Returns
+        -------
+        array (q,)
+        """
+        usual = np.where(self.guess != 0, abs(self.guess), 1.0)
+        return np.where(abs(point) > _VANISHING * usual, abs(point), usual)
+
+    def condition(self, point: np.ndarray, experiment: int) -> MotionSettings:
+        """Give the conditions of an experiment at a point.
+
+        Parameters
+        ----------
+        point : array (q,)
+        experiment : int
+
+        Returns
+        -------
+        MotionSettings
+        """
+        fixed = self.fixed[experiment]
+        parameters, start, offset = dict(fixed.parameters), dict(fixed.start), fixed.offset
+        for entry, value in zip(self.entries, point.tolist(), strict=True):
+            if not entry.concerns(experiment):
+                continue
+            if entry.kind == "parameter":
+                parameters[entry.target] = value
+            elif entry.kind == "start":
+                start[entry.target] = value
+            else:
+                offset = value
+        return MotionSettings(parameters, start, offset)
+
+
+def unknowns_of(
+    kernels: SystemKernels,
+    experiments: Sequence[Measured],
+    *,
+    parameters: Mapping[str, object],
+    free: Sequence[str],
+    bounds: Bounds,
+    priors: Mapping[str, tuple[object, object]],
+    start: Mapping[str, object],
+    offset: float,
+) -> Unknowns:
+    """Sort what is fitted from what is known.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    experiments : sequence of Measured
+    parameters : mapping of str to number
+        Known ones, and guesses of free ones.
+    free : sequence of str
+        Names of parameters, of states at the start (x10 of x1), and ``offset``.
+    bounds : mapping of str to (lower, upper)
+    priors : mapping of str to (mean, standard deviation)
+    start : mapping of state to number
+    offset : float
+
+    Returns
+    -------
+    Unknowns
+
+    Raises
+    ------
+    InputError
+        For unknown names, a parameter that is free and known, or bounds in the wrong order.
+    """
+    structure = structure_of(kernels)
+    tables = {table.name: table for table in kernels.parameters}
+    starts = dict(zip(start_names(structure.states, [*tables]), structure.states, strict=True))
+    forced = {structure.states[place] for pair in structure.forcing for place in pair}
+    for name in parameters:
+        if name not in tables:
+            raise unknown_name("parameter", name, tables)
+    if not free:
+        raise InputError("nothing is free: name the parameters that are to be found")
+    for name in [*free, *bounds, *priors]:
+        if name not in tables and name not in starts and name != OFFSET:
+            raise unknown_name("free parameter", name, [*tables, *starts, OFFSET])
+        if name not in free:
+            raise InputError(f"{name} has bounds or a prior, and is not free")
+        if list(free).count(name) > 1:
+            raise InputError(f"{name} is free twice")
+        if starts.get(name) in forced and name not in tables:
+            raise InputError(f"{name} belongs to the forcing: free the offset of the clock instead")
+    entries: list[FreeNumber] = []
+    for name in free:
+        if name in tables:
+            for each in experiments:
+                if name in each.parameters:
+                    raise InputError(f"parameter {name} is free, and known in {each.name}")
+            entries.append(FreeNumber(name, "parameter", name, None))
+            continue
+        kind: Literal["start", "offset"] = "offset" if name == OFFSET else "start"
+        for place in range(len(experiments)):
+            label = name if len(experiments) == 1 else f"{name}@{place + 1}"
+            entries.append(FreeNumber(label, kind, starts.get(name, OFFSET), place))
+    missing = [
+        name
+        for name in tables
+        if name not in free
+        and name not in parameters
+        and any(name not in each.parameters for each in experiments)
+    ]
+    if missing:
+        raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
+    fixed = []
+    for each in experiments:
+        own = {**parameters, **each.parameters}
+        for name in each.parameters:
+            if name not in tables:
+                raise unknown_name("parameter", name, tables)
+        begin = each.start if each.start is not None else start
+        fixed.append(
+            MotionSettings(
+                {name: as_value(own[name]) for name in tables if name in own},
+                dict(begin),
+                float(as_value(each.offset if each.offset is not None else offset)),
+            )
+        )
+    ends = [_bounds(entry, base, bounds, tables, experiments) for entry, base in _based(entries)]
+    beliefs = tuple(
+        (place, *_prior(base, priors[base]))
+        for place, (_, base) in enumerate(_based(entries))
+        if base in priors
+    )
+    guesses = [
+        _guess(entry, fixed, *ends[place], {p: m for p, m, _ in beliefs}.get(place))
+        for place, entry in enumerate(entries)
+    ]
+    lower, upper = (np.array(side, dtype=float) for side in zip(*ends, strict=True))
+    return Unknowns(tuple(entries), np.array(guesses), lower, upper, beliefs, tuple(fixed))
+
+
+def _based(entries: Sequence[FreeNumber]) -> list[tuple[FreeNumber, str]]:
+    """Each with the name by which bounds and priors know it."""
+    return [(entry, entry.name.partition("@")[0]) for entry in entries]
+
+
+def _bounds(
+    entry: FreeNumber,
+    base: str,
+    bounds: Bounds,
+    tables: Mapping[str, ParameterTable],
+    experiments: Sequence[Measured],
+) -> tuple[float, float]:
+    lower, upper = -math.inf, math.inf
+    if base in bounds:
+        low, high = bounds[base]
+        lower = -math.inf if low is None or _infinite(low) else float(as_value(low))
+        upper = math.inf if high is None or _infinite(high) else float(as_value(high))
+        if not lower < upper:
+            raise InputError(
+                f"the bounds of {base}, {lower:.12g} and {upper:.12g}, are not in order"
+            )
+    domain = tables[entry.target].ends if entry.kind == "parameter" else (-math.inf, math.inf)
+    if entry.kind == "offset":
+        assert entry.experiment is not None
+        domain = (-math.inf, experiments[entry.experiment].first)
+    lower, upper = max(lower, domain[0]), min(upper, domain[1])
+    if not lower < upper:
+        raise InputError(f"no {base} lies in its bounds and its domain")
+    return lower, upper
+
+
+def _infinite(number: object) -> bool:
+    return isinstance(number, float) and math.isinf(number)
+
+
+def _prior(name: str, given: tuple[object, object]) -> tuple[float, float]:
+    mean, deviation = float(as_value(given[0])), float(as_value(given[1]))
+    if not deviation > 0:
+        raise InputError(f"the prior of {name} has no positive standard deviation")
+    return mean, deviation
+
+
+def _guess(
+    entry: FreeNumber,
+    fixed: Sequence[MotionSettings],
+    lower: float,
+    upper: float,
+    mean: float | None,
+) -> float:
+    """Where the search for one begins: what was given, its prior, or the middle of its bounds."""
+    place = entry.experiment or 0
+    given: object | None
+    if entry.kind == "parameter":
+        given = fixed[place].parameters.get(entry.target)
+    elif entry.kind == "start":
+        given = fixed[place].start.get(entry.target)
+    else:
+        given = fixed[place].offset
+    if given is None:
+        given = mean
+    if given is not None:
+        value = float(as_value(given))
+        if entry.kind == "offset":
+            return min(max(value, lower), upper)
+        if not lower <= value <= upper:
+            raise InputError(
+                f"{entry.name} = {value:.12g} is not between {lower:.12g} and {upper:.12g}"
+            )
+        return value
+    if math.isfinite(lower) and math.isfinite(upper):
+        return (lower + upper) / 2
+    raise InputError(f"{entry.name} needs a guess, or bounds on both sides")

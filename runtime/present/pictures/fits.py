@@ -1,0 +1,179 @@
+"""Pictures of fits: what was measured over the fitted motion, and the residuals below."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.fitting.fit_record import Fit, FittedSeries
+from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.present.pictures.drawing import LINES, check_picture, finish
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["fit_figure", "plot_fit"]
+
+_WIDTH, _HEIGHT = 7.2, 5.2  # inches, of one experiment
+_MOST = 4  # experiments in one figure
+_MARKERS = ("o", "s", "^", "D")
+_USUAL = 2.0  # standard deviations
+_POINTS = 2000
+_TOLD = 3  # estimates in a title
+
+
+def fit_figure(fit: Fit) -> Figure:
+    """Draw a fit outside pyplot: a column for each of the first experiments.
+
+    Parameters
+    ----------
+    fit : Fit
+
+    Returns
+    -------
+    Figure
+
+    Raises
+    ------
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    check_picture("fit", ("fit",))
+    from matplotlib.figure import Figure
+
+    shown = fit.experiments[:_MOST]
+    figure = Figure(figsize=(_WIDTH * len(shown), _HEIGHT))
+    figure.set_layout_engine("constrained")
+    grid = figure.subplots(
+        2, len(shown), sharex="col", squeeze=False, gridspec_kw={"height_ratios": [2.4, 1]}
+    )
+    if len(fit.experiments) > 1:
+        figure.suptitle(_title(fit), x=0.01, ha="left", fontsize="medium")
+    for number in range(len(shown)):
+        _draw(fit, number, grid[0, number], grid[1, number])
+    return figure
+
+
+def plot_fit(fit: Fit, axes: Any = None, experiment: int = 0) -> Any:
+    """Draw one experiment of a fit into two Axes.
+
+    Parameters
+    ----------
+    fit : Fit
+    axes : sequence of two matplotlib Axes, optional
+        For the motion and the residuals; of a new figure when omitted.
+    experiment : int
+        Its number, from 0.
+
+    Returns
+    -------
+    array of matplotlib Axes
+
+    Raises
+    ------
+    InputError
+        If there is no such experiment, or not two Axes.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    check_picture("fit", ("fit",))
+    fit.motion(experiment)
+    if axes is None:
+        from matplotlib import pyplot
+
+        _, axes = pyplot.subplots(
+            2,
+            1,
+            sharex=True,
+            figsize=(_WIDTH, _HEIGHT),
+            layout="constrained",
+            gridspec_kw={"height_ratios": [2.4, 1]},
+        )
+    found = np.ravel(axes)
+    if len(found) != 2:
+        raise InputError(f"a fit is drawn into two Axes, not {len(found)}")
+    _draw(fit, experiment, found[0], found[1])
+    return found
+
+
+def _draw(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
+    """One experiment: its motion with the measurements, and the residuals."""
+    experiment, motion = fit.experiments[number], fit.motion(number)
+    outputs = [series for series in experiment.series if series.kind == "output"]
+    events = [series for series in experiment.series if series.kind == "event"]
+    times, states = motion.sample(_POINTS)
+    units = units_of(known_system(fit.system))
+    rows = {series.name: series.row for series in outputs} or _positions(motion)
+    colors = {name: LINES[place % len(LINES)][0] for place, name in enumerate(rows)}
+    for name, row in rows.items():
+        upper.plot(
+            times + experiment.offset,
+            states @ row[:-1] + row[-1],
+            color=colors[name],
+            linewidth=1.2,
+            label=f"{name}, fitted",
+        )
+    for place, series in enumerate(outputs):
+        upper.plot(
+            series.times,
+            series.values,
+            _MARKERS[place % len(_MARKERS)],
+            color=colors[series.name],
+            markersize=3.2,
+            markerfacecolor="none",
+            label=f"{series.name}, measured",
+        )
+    for place, series in enumerate(events):
+        _draw_events(upper, series, place)
+    for place, series in enumerate([*outputs, *events]):
+        lower.plot(
+            series.values if series.kind == "event" else series.times,
+            series.residuals,
+            _MARKERS[place % len(_MARKERS)],
+            color=colors.get(series.name, "black"),
+            markersize=3.2,
+            markerfacecolor="none" if series.kind == "output" else "black",
+        )
+    lower.axhspan(-_USUAL, _USUAL, color="#DDDDDD", zorder=0)
+    low, high = lower.get_ylim()
+    lower.set_ylim(min(low, -1.2 * _USUAL), max(high, 1.2 * _USUAL))
+    lower.axhline(0, color="#777777", linewidth=0.8, zorder=1)
+    lower.set_ylabel("residual / sigma")
+    lower.set_xlabel("time on the clock of the data")
+    upper.set_ylabel(", ".join(units.label(n) if n in motion.names else n for n in rows))
+    several = len(fit.experiments) > 1
+    finish(upper, shown_name(experiment.name) if several else _title(fit))
+    finish(lower, "")
+
+
+def _title(fit: Fit) -> str:
+    found = zip(fit.names, fit.estimates.tolist(), fit.standard_errors.tolist(), strict=True)
+    told = [f"{name} = {value:.5g} ± {error:.1g}" for name, value, error in found]
+    more = ", ..." if len(told) > _TOLD else ""
+    return f"{shown_name(fit.system)}: {', '.join(told[:_TOLD])}{more}"
+
+
+def _draw_events(upper: Axes, series: FittedSeries, place: int) -> None:
+    """Recorded times as marks along the lower edge."""
+    upper.plot(
+        series.values,
+        np.full(len(series.values), 0.03 + 0.06 * place),
+        "|",
+        transform=upper.get_xaxis_transform(),
+        color="black",
+        markersize=9,
+        label=f"{series.expression}, recorded",
+    )
+
+
+def _positions(motion: Trajectory) -> dict[str, np.ndarray]:
+    """Rows of the positions, where no output was measured."""
+    size = len(motion.names)
+    places = [place for place, _ in motion.structure.coordinates] or [0]
+    return {motion.names[place]: np.eye(size, size + 1)[place] for place in places[: len(LINES)]}

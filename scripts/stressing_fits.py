@@ -1,0 +1,106 @@
+"""Fits to synthetic measurements: how often the 95 % intervals hold the truth."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+
+__all__ = ["fits_chunk", "impacting"]
+
+WALL = "wall-reaches-stop"
+FEWEST, MOST = 0.90, 0.99  # of the intervals
+FREE = ("k", "r", "v0")
+EVENTS = 8
+STARTS = 4
+
+
+def impacting() -> Any:
+    """A forced and damped mass in front of a rigid stop."""
+    c, k = Parameter("c", "damping"), Parameter("k", "stiffness")
+    r, w = Parameter("r", "restitution", upper=1, upper_closed=True), Parameter("w", "frequency")
+    return oscillator(
+        "impacting",
+        ["x"],
+        mass=[[1]],
+        damping=[[c.symbol]],
+        stiffness=[[k.symbol]],
+        forcing=[Harmonic(w.symbol, cosine=[1])],
+        elements=[RigidStop("x", at="1/5", restitution=r.symbol, name="wall")],
+        parameters=[c, k, r, w],
+    )
+
+
+def truth_of(rng: np.random.Generator) -> tuple[dict[str, float], dict[str, float]]:
+    """Parameters and start of a motion."""
+    point = {"c": 0.05, "w": 2.1, "k": rng.uniform(2, 3.3), "r": rng.uniform(0.6, 0.9)}
+    return point, {"x": -0.6, "v": rng.uniform(-0.4, 0.4)}
+
+
+def by_series(motion: Any, rng: np.random.Generator) -> tuple[dict[str, np.ndarray], Any]:
+    """Positions at 80 times, some of them missing; the noise is not told."""
+    times = np.linspace(0.1, 12, 80)
+    values = motion(times)[:, 0] + 0.01 * rng.normal(size=80)
+    values[rng.random(80) < 0.1] = np.nan
+    return {"t": times, "x": values}, None
+
+
+def by_events(motion: Any, rng: np.random.Generator) -> tuple[dict[str, np.ndarray], Any]:
+    """Times of impacts; the noise is told."""
+    where = [WALL in names for names in motion.boundaries]
+    times = motion.times[where][:EVENTS]
+    return {WALL: times + 2e-3 * rng.normal(size=len(times))}, 2e-3
+
+
+KINDS: dict[str, Callable[..., tuple[dict[str, np.ndarray], Any]]] = {
+    "series": by_series,
+    "event times": by_events,
+}
+
+
+def fits_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
+    """Fit `count` motions of each kind, and judge the share of intervals that hold the truth."""
+    system, rng = impacting(), np.random.default_rng(seed)
+    found: Counter[str] = Counter()
+    told = []
+    for kind, measure in KINDS.items():
+        held, runs = Counter[str](), 0
+        while runs < count:
+            point, start = truth_of(rng)
+            motion = ns.simulate(system, point, start, until=30)
+            if sum(WALL in names for names in motion.boundaries) < EVENTS:
+                continue
+            data, sigma = measure(motion, rng)
+            guess = {name: point[name] * (1 + 0.02 * rng.normal()) for name in ("k", "r")}
+            guess["r"] = min(guess["r"], 0.99)
+            begin = {**start, "v": start["v"] + 0.02 * rng.normal()}
+            truth = np.array([point["k"], point["r"], start["v"]])
+            runs += 1
+            fit = ns.fit(
+                system,
+                data,
+                parameters={**point, **guess},
+                bounds={
+                    "k": (0.9 * point["k"], 1.1 * point["k"]),
+                    "r": (0.4, 1),
+                    "v0": (start["v"] - 0.3, start["v"] + 0.3),
+                },
+                start=begin,
+                sigma=sigma,
+                starts=STARTS,
+                seed=runs,
+            )
+            good = (fit.lower <= truth) & (truth <= fit.upper)
+            held.update(dict(zip(FREE, good.tolist(), strict=True)))
+            if fit.status != "converged" or not good.any():
+                told.append(f"{kind}: {fit.status}, {fit.estimates} for {truth}")
+        for name in FREE:
+            share = held[name] / count
+            verdict = "right" if FEWEST <= share <= MOST or count < 50 else "wrong"
+            found[f"{verdict} ({kind}, {name} in {100 * share:.0f} % of its intervals)"] += 1
+    return found, told

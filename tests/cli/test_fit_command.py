@@ -1,0 +1,139 @@
+"""`nonsmooth fit`: its answer, its files, and one line for what is wrong."""
+
+from __future__ import annotations
+
+import json
+import shlex
+import shutil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from tests.places import GALLERY
+
+KNOWN = "c=0.05 h=0.2 w=2.1"
+FIT = f"fit identification.py impacts.csv {KNOWN} k=2.3:2.7 r=0.7:1 --from x=-0.6,v=0.1"
+TRUTH = {"c": 0.05, "h": 0.2, "w": 2.1, "k": 2.5, "r": 0.8}
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("identification.py", "impacts.csv"):
+        shutil.copy(GALLERY / name, tmp_path)
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "cache"))
+    monkeypatch.chdir(tmp_path)
+
+
+def run(command: str) -> tuple[int, str, str]:
+    result = CliRunner().invoke(app, shlex.split(command))
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+def test_the_answer_holds_the_truth_and_is_kept() -> None:
+    pytest.importorskip("matplotlib")
+    code, out, err = run(f"{FIT} --starts 3 --seed 1 --save fit.json --plot fit.png --json")
+    assert (code, err) == (0, "")
+    told: dict[str, Any] = json.loads(out)
+    assert told["files"] == ["fit.json", "fit.png"]
+    for name, low, high in zip(told["names"], told["lower"], told["upper"], strict=True):
+        assert float(low) < TRUTH[name] < float(high)
+    assert told["same_sequence"] is True
+    kept = ns.load_fit("fit.json")
+    assert [repr(x) for x in kept.estimates.tolist()] == told["estimates"]
+    again = kept.to_json()
+    assert {n: x for n, x in again.items() if n != "system"} == {
+        n: x for n, x in told.items() if n not in ("system", "files")
+    }
+    assert kept.motion().boundaries[1] == ("wall-reaches-stop",)
+    shown = run(FIT)[1]
+    assert "events in the order of the data" in shown
+    assert "standard errors away" in shown
+
+
+def test_a_fit_is_loaded_without_its_declaration() -> None:
+    run(f"{FIT} --save fit.json")
+    Path("identification.py").unlink()
+    kept = ns.load_fit("fit.json")
+    fitted = kept.experiments[0].series[0].fitted
+    np.testing.assert_allclose(kept.motion().times[1:13], fitted, rtol=1e-12)
+
+
+def test_a_fit_that_was_edited_is_refused() -> None:
+    run(f"{FIT} --save fit.json")
+    text = Path("fit.json").read_text()
+    Path("fit.json").write_text(text.replace('"data": 12', '"data": 13'))
+    with pytest.raises(ns.InputError, match=r"fit\.json: edited or damaged"):
+        ns.load_fit("fit.json")
+
+
+def test_several_files_know_parameters_of_their_own() -> None:
+    for number, w in enumerate((2.1, 2.6)):
+        times = np.linspace(0.1, 9, 50)
+        motion = ns.simulate("identification.py", TRUTH | {"w": w}, {"x": -0.6, "v": 0.1}, until=9)
+        rows = [
+            f"{t!r},{2 * x!r}"
+            for t, x in zip(times.tolist(), motion(times)[:, 0].tolist(), strict=True)
+        ]
+        Path(f"{number}.csv").write_text("\n".join(["t,double", *rows]))
+    code, out, err = run(
+        "fit identification.py 0.csv:w=2.1 1.csv:w=2.6 c=0.05 h=0.2 k=2.3:2.45:2.7 r=0.5:0.78:1"
+        " --outputs double=2*x --sigma double=0.001 --prior k=2.6+-10 --from x=-0.6,v=0.1 --json"
+    )
+    assert (code, err) == (0, "")
+    told = json.loads(out)
+    assert [float(x) for x in told["estimates"]] == pytest.approx([2.5, 0.8], abs=1e-7)
+    assert [each["parameters"]["w"] for each in told["experiments"]] == ["2.1", "2.6"]
+    assert told["priors"] == {"k": ["2.6", "10.0"]}
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        ("wall-reaches-stop", "t", "--events wall"),
+        ("wall-reaches-stop", "wall", "--events wall"),
+        ("wall-reaches-stop", "hits", "--events hits=wall-reaches-stop"),
+    ],
+)
+def test_columns_of_events_by_other_names(change: tuple[str, str, str]) -> None:
+    old, new, option = change
+    text = Path("impacts.csv").read_text()
+    expected = json.loads(run(f"{FIT} --json")[1])["estimates"]
+    Path("impacts.csv").write_text(text.replace(old, new))
+    code, out, err = run(f"{FIT} {option} --json")
+    assert (code, err) == (0, "")
+    assert json.loads(out)["estimates"] == expected
+
+
+@pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        (FIT.replace("impacts.csv ", ""), "data are missing: name a file"),
+        (FIT.replace("impacts.csv", "other.csv"), "other.csv"),
+        (f"{FIT} data.txt", "'data.txt' is neither NAME=VALUE nor"),
+        (FIT.replace("k=2.3:2.7", "k=2.7:2.3"), "the bounds of k, 2.7 and 2.3, are not in order"),
+        (FIT.replace("k=2.3:2.7", "k=1:2:3:4"), "is not NAME=A:B or NAME=A:GUESS:B"),
+        (FIT.replace(" h=0.2", ""), "needs a value for: h"),
+        (f"{FIT} k=2", "parameter k is given twice"),
+        (f"{FIT} --prior k=3", "the prior k=3 is not NAME=MEAN+-SIGMA"),
+        (f"{FIT} --prior c=3+-1", "c has bounds or a prior, and is not free"),
+        (f"{FIT} --sigma 0", "the sigma of wall-reaches-stop is not positive"),
+        (f"{FIT} --events door", "unknown event 'door'"),
+        (f"{FIT} --loss other", "unknown loss 'other'; did you mean"),
+        (f"{FIT} --starts 0", "starts = 0 is not an integer from 1"),
+        (f"{FIT} --plot fit.txt", "does not end in"),
+        (f"{FIT} c10=0:1", "c10 belongs to the forcing: free the offset of the clock instead"),
+        (FIT.replace(" w=2.1", " w=0.01"), "there is no fit from the guess"),
+    ],
+)
+def test_what_is_wrong_is_one_line(command: str, told: str) -> None:
+    code, out, err = run(command)
+    assert (code, out) == (2, "")
+    (line,) = err.splitlines()
+    assert told in line

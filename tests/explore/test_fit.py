@@ -1,0 +1,413 @@
+"""Parameters from measurements, against the truth behind synthetic data."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.stats import norm
+from scipy.stats import t as student
+
+import nonsmooth as ns
+from nonsmooth.derive import Parameter, RigidStop, oscillator
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.explore.fitting import minimise
+
+k, m, r, c = sp.symbols("k m r c")
+SYSTEM = oscillator(
+    "struck",
+    ["x"],
+    mass=[[m]],
+    damping=[[c]],
+    stiffness=[[k]],
+    elements=[RigidStop("x", at=0.2, restitution=r, name="wall")],
+    parameters=[Parameter("c", "damping"), Parameter("k", "stiffness"), Parameter("m", "mass")],
+)
+TRUTH: dict[str, Any] = {"k": 4.0, "m": 1.0, "r": 0.9, "c": 0.02}
+START: dict[str, Any] = {"x": -1.0, "v": 0.0}
+WALL = "wall-reaches-stop"
+REACHED = ns.simulate(SYSTEM, TRUTH, START, transitions=20)
+TIMES = np.linspace(0.05, 8, 60)
+
+
+def impacts(count: int = 8, sigma: float = 0.0, seed: int = 0) -> np.ndarray:
+    times = [t for t, names in zip(REACHED.times, REACHED.boundaries, strict=True) if WALL in names]
+    return np.array(times[:count]) + sigma * np.random.default_rng(seed).normal(size=count)
+
+
+def series(sigma: float = 0.0, seed: int = 0) -> dict[str, np.ndarray]:
+    noise = sigma * np.random.default_rng(seed).normal(size=len(TIMES))
+    return {"t": TIMES, "x": ns.simulate(SYSTEM, TRUTH, START, until=9)(TIMES)[:, 0] + noise}
+
+
+def fitted(data: Any, *free: str, **options: Any) -> Any:
+    known = {**TRUTH, **options.pop("parameters", {})}
+    given = {"parameters": known, "free": free, "start": START, **options}
+    return ns.fit(SYSTEM, data, **given)
+
+
+GUESS = {"k": 4.2, "r": 0.87}
+
+
+# --- the truth comes back
+
+
+@pytest.mark.parametrize("data", [{WALL: impacts()}, series()], ids=["events", "series"])
+def test_exact_data_give_exact_parameters(data: dict[str, np.ndarray]) -> None:
+    found = fitted(data, "k", "r", "v0", parameters=GUESS, sigma=1e-3)
+    np.testing.assert_allclose(found.estimates, [4, 0.9, 0], rtol=0, atol=1e-9)
+    assert found.status == "converged"
+    assert found.chi2 < 1e-10
+    assert found.experiments[0].configurations[0] == "free"
+
+
+@pytest.mark.parametrize("kind", ["events", "series"])
+def test_errors_are_those_of_the_noise(kind: str) -> None:
+    scores = []
+    for seed in range(12):
+        data = {WALL: impacts(8, 2e-3, seed)} if kind == "events" else series(0.02, seed)
+        sigma = 2e-3 if kind == "events" else 0.02
+        found = fitted(data, "k", "r", parameters=GUESS, sigma=sigma)
+        scores += ((found.estimates - [4, 0.9]) / found.standard_errors).tolist()
+    # 24 scores of variance 1: their mean square is within 0.45 ... 1.9 in 99 of 100 cases
+    assert 0.45 < np.mean(np.square(scores)) < 1.9
+    assert np.mean(np.abs(scores) < 1.96) > 0.8
+
+
+def test_covariance_is_that_of_the_jacobian_by_differences() -> None:
+    found = fitted({WALL: impacts(8, 2e-3, 3)}, "k", "r", parameters=GUESS, sigma=2e-3)
+    step, columns = 1e-6, []
+    for name in ("k", "r"):
+        ends = []
+        for sign in (-1, 1):
+            point = {**TRUTH, "k": found["k"], "r": found["r"]}
+            point[name] += sign * step
+            motion = ns.simulate(SYSTEM, point, START, transitions=20)
+            where = [WALL in names for names in motion.boundaries]
+            ends.append(motion.times[where][:8])
+        columns.append((ends[1] - ends[0]) / (2 * step) / 2e-3)
+    jacobian = np.array(columns).T
+    expected = np.linalg.inv(jacobian.T @ jacobian)
+    np.testing.assert_allclose(found.covariance, expected, rtol=1e-6)
+    half = norm.ppf(0.975) * found.standard_errors
+    np.testing.assert_allclose(found.upper - found.estimates, half, rtol=1e-12)
+    np.testing.assert_allclose(np.sum(found.residuals**2), found.chi2, rtol=1e-12)
+
+
+def test_noise_is_estimated_for_each_column() -> None:
+    data = {**series(0.02, 1), "gap": np.full(len(TIMES), np.nan)}
+    motion = ns.simulate(SYSTEM, TRUTH, START, until=9)(TIMES)
+    rough = 0.3 * np.random.default_rng(5).normal(size=len(TIMES))
+    data["gap"] = 2 * motion[:, 0] - 3 * motion[:, 1] + 0.5 + rough
+    found = fitted(data, "k", "r", parameters=GUESS, outputs={"gap": "2*x - 3*v + 0.5"})
+    assert 0.015 < found.noise["x"] < 0.025
+    assert 0.22 < found.noise["gap"] < 0.38
+    given = fitted(
+        data, "k", "r", parameters=GUESS, outputs={"gap": "2*x-3*v+1/2"}, sigma=dict(found.noise)
+    )
+    np.testing.assert_allclose(given.estimates, found.estimates, rtol=1e-6)
+    # what is weighted wrongly has a larger error
+    only = fitted({n: data[n] for n in ("t", "gap")}, "k", "r", parameters=GUESS,
+                  outputs={"gap": "2*x-3*v+1/2"})  # fmt: skip
+    assert (only.standard_errors > found.standard_errors).all()
+
+
+def test_estimated_noise_is_unbiased() -> None:
+    found = fitted(series(0.02, 6), "k", "r", parameters=GUESS)
+    (only,) = found.experiments[0].series
+    left = only.values - only.fitted
+    assert found.noise["x"] == pytest.approx(np.sqrt(left @ left / (60 - 2)), rel=1e-6)
+    given = fitted(series(0.02, 6), "k", "r", parameters=GUESS, sigma=found.noise["x"])
+    np.testing.assert_allclose(found.covariance, given.covariance, rtol=1e-5)
+    quantile = (found.upper - found.estimates) / found.standard_errors
+    np.testing.assert_allclose(quantile, student.ppf(0.975, 58), rtol=1e-10)
+
+
+def test_clock_and_start_are_found() -> None:
+    shifted = {**series(), "t": TIMES + 3.0, WALL: np.r_[impacts(5) + 3.0, [np.nan] * 55]}
+    found = fitted(
+        shifted, "offset", "x0", "k", parameters={"k": 4.1}, offset=2.9, sigma=1e-3,
+        start={"x": -0.95, "v": 0},
+    )  # fmt: skip
+    np.testing.assert_allclose(found.estimates, [3, -1, 4], rtol=0, atol=1e-8)
+    # without a forcing a motion that starts later on its way is the same: nothing tells when
+    both = fitted(shifted, "offset", "x0", "v0", offset=2.9, sigma=1e-3)
+    assert len(both.unidentified) == 1
+    assert np.isinf(both.standard_errors).all()
+
+
+def test_missing_values_are_left_out_and_missing_events_count() -> None:
+    gaps = series()
+    gaps["x"][5:20] = np.nan
+    events = impacts()
+    events[2] = np.nan
+    found = fitted([gaps, {WALL: events}], "k", "r", parameters=GUESS, sigma=1e-3)
+    assert found.data == 45 + 7
+    np.testing.assert_allclose(found.estimates, [4, 0.9], rtol=1e-9)
+    assert found.same_sequence is True
+    # left out altogether, the third impact would be taken for the fourth
+    wrong = fitted({WALL: np.delete(events, 2)}, "k", "r", parameters=GUESS, sigma=1e-3)
+    assert wrong.chi2 > 1e4
+
+
+def test_experiments_have_parameters_and_starts_of_their_own() -> None:
+    heavy = ns.simulate(SYSTEM, {**TRUTH, "m": 2}, {"x": -0.8, "v": 0.3}, until=9)
+    data = [
+        series(),
+        ns.Experiment(
+            data={"t": TIMES, "x": heavy(TIMES)[:, 0], "m": np.full(len(TIMES), 2.0)},
+            start={"x": -0.7, "v": 0.2},
+        ),
+    ]
+    known = {name: value for name, value in TRUTH.items() if name != "m"} | GUESS
+    data[0] = ns.Experiment(data=data[0], parameters={"m": 1})
+    found = ns.fit(
+        SYSTEM, data, parameters=known, free=["k", "r", "x0", "v0"], start=START, sigma=1e-3
+    )
+    assert found.names == ("k", "r", "x0@1", "x0@2", "v0@1", "v0@2")
+    np.testing.assert_allclose(found.estimates, [4, 0.9, -1, -0.8, 0, 0.3], rtol=0, atol=1e-8)
+    assert float(found.experiments[1].parameters["m"]) == 2
+    assert found.motion(1)(0.0)[0] == pytest.approx(-0.8)
+
+
+# --- what data do not tell
+
+
+def test_a_combination_that_nothing_tells_is_named() -> None:
+    found = fitted({WALL: impacts()}, "k", "m", "r", "c", parameters=GUESS, sigma=1e-3)
+    (told,) = found.unidentified
+    assert told == "k, m and c changed together (k by +1 %, m by +1 %, c by +1 %)"
+    assert found.singular_values[-1] < 1e-9 * found.singular_values[0]
+    assert np.isinf(found.standard_errors[[0, 1, 3]]).all()
+    assert 0 < found.standard_errors[2] < 1e-2
+    assert found["k"] / found["m"] == pytest.approx(4, rel=1e-8)
+
+
+def test_a_prior_tells_it() -> None:
+    found = fitted(
+        {WALL: impacts(8, 1e-3, 1)}, "k", "m", "c", parameters={"k": 4.2, "m": 1.1},
+        priors={"m": (1.1, 0.05)},
+        sigma=1e-3,
+    )  # fmt: skip
+    assert found.unidentified == ()
+    assert found["m"] == pytest.approx(1.1, rel=1e-6)
+    assert found.standard_errors[1] == pytest.approx(0.05, rel=1e-3)
+    assert found["k"] == pytest.approx(4.4, rel=2e-3)
+    assert found.chi2 < 20
+
+
+def test_outliers_weigh_little_with_a_robust_loss() -> None:
+    data = series(0.01, 4)
+    data["x"][::10] += 1.0
+    plain = fitted(data, "k", "r", parameters=GUESS)
+    robust = fitted(data, "k", "r", parameters=GUESS, loss="soft_l1")
+    assert abs(robust["k"] - 4) < 0.02 < abs(plain["k"] - 4)
+    assert robust.standard_errors[0] < plain.standard_errors[0] / 3
+
+
+def test_errors_with_a_robust_loss_are_those_of_an_m_estimate() -> None:
+    data = series(0.02, 8)
+    robust = fitted(data, "k", "r", parameters=GUESS, sigma=0.02, loss="soft_l1")
+    plain = fitted(data, "k", "r", parameters=GUESS, sigma=0.02)
+    z = robust.residuals
+    influence, slope = z / np.sqrt(1 + z**2), (1 + z**2) ** -1.5
+    factor = (influence @ influence) / (60 - 2) / slope.mean() ** 2
+    np.testing.assert_allclose(robust.covariance, factor * plain.covariance, rtol=0.05)
+
+
+def test_bounds_hold_and_are_told() -> None:
+    found = fitted({WALL: impacts()}, "k", "r", parameters={"k": 3.5}, bounds={"k": (3, 3.9)},
+                   sigma=1e-2)  # fmt: skip
+    assert found.at_bound == ("k",)
+    assert found["k"] == pytest.approx(3.9, rel=1e-5)
+    assert math.isnan(found.standard_errors[0])
+    assert found.standard_errors[1] > 0
+
+
+# --- several starts
+
+
+def test_several_starts_find_what_one_misses_and_are_seeded() -> None:
+    limits = {"k": (1, 12), "r": (0.3, 1)}
+    told: list[tuple[int, int]] = []
+    found, again = (
+        ns.fit(
+            SYSTEM, {WALL: impacts(6, 1e-3, 2)}, parameters={"m": 1, "c": 0.02}, bounds=limits,
+            start=START, sigma=1e-3, starts=6, seed=7, progress=lambda *done: told.append(done),
+        )
+        for _ in range(2)
+    )  # fmt: skip
+    assert found["k"] == pytest.approx(4, rel=1e-2)
+    np.testing.assert_array_equal(found.estimates, again.estimates)
+    assert told[:6] == [(n, len(found.costs)) for n in range(1, len(found.costs) + 1)][:6]
+    assert min(found.costs) == pytest.approx(found.chi2 / 2)
+
+
+def test_a_point_without_enough_events_shortens_the_step() -> None:
+    # with k = 1.2 the mass comes to the wall half as often; the first step would go there
+    found = fitted({WALL: impacts()}, "k", "r", parameters={"k": 6.0, "r": 0.95}, sigma=1e-3)
+    np.testing.assert_allclose(found.estimates, [4, 0.9], rtol=1e-7)
+
+
+def test_what_was_found_until_an_interruption_is_kept() -> None:
+    def stop(done: int, total: int) -> None:
+        if done == 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(Interrupted) as stopped:
+        fitted({WALL: impacts()}, "k", parameters={"k": 4.1}, bounds={"k": (3, 5)}, sigma=1e-3,
+               starts=5, progress=stop)  # fmt: skip
+    assert stopped.value.partial["k"] == pytest.approx(4)
+    assert np.isnan(stopped.value.partial.costs[2:]).all()
+
+
+# --- what the motion does
+
+
+def test_the_sequence_of_the_data_is_compared() -> None:
+    times = impacts()
+    same = fitted({WALL: times}, "k", sigma=1e-3)
+    assert same.same_sequence is True
+    assert same.experiments[0].boundaries == len(times) * (WALL,)
+    assert same.motion().transitions == len(times)
+    assert fitted(series(), "k", sigma=1e-3).same_sequence is None
+
+
+def test_distance_to_grazing_is_that_of_the_height() -> None:
+    # without a wall in reach x = -cos(2 t): the largest x is 1, and grazes a wall at 1
+    free = oscillator(
+        "near", ["x"], mass=[[1]], stiffness=[[k]],
+        elements=[RigidStop("x", at=sp.Symbol("h"), restitution=r, name="wall")],
+        parameters=[Parameter("k", "stiffness"), Parameter("h", "position of the stop")],
+    )  # fmt: skip
+    data = {"t": TIMES, "x": -np.cos(2 * TIMES)}
+    found = ns.fit(
+        free, data, parameters={"h": 1.25, "k": 4.1, "r": 0.5}, free=["k", "x0"],
+        start={"x": -0.9, "v": 0}, sigma=0.01,
+    )  # fmt: skip
+    near = found.grazing
+    assert near.kind == "missed"
+    assert near.boundary == WALL
+    assert near.margin == pytest.approx(0.25, rel=1e-9)
+    assert near.standard_errors == pytest.approx(0.25 / found.standard_errors[1], rel=1e-6)
+    assert near.time == pytest.approx(np.pi / 2, rel=1e-6)
+
+
+def test_distance_to_grazing_of_a_slow_arrival() -> None:
+    # x = x0 cos(2 t) arrives at 0.2 with v^2 = 4 (x0^2 - 0.04), and bends by -4 x 0.2
+    times = np.array([np.pi / 2 - np.arccos(0.2 / 0.25) / 2])
+    known = {"c": "1e-12", "k": 4, "r": 0.5}
+    found = fitted({WALL: times}, "x0", parameters=known, sigma=1e-3, start={"x": -0.25, "v": 0})
+    near = found.grazing
+    assert near.kind == "slowly reached"
+    assert near.margin == pytest.approx((0.25**2 - 0.2**2) / 0.4, rel=1e-6)
+    slope = 2 * 0.25 / 0.4
+    expected = near.margin / (slope * found.standard_errors[0])
+    assert near.standard_errors == pytest.approx(expected, rel=1e-6)
+    # the height (x0^2 - 0.2^2) / 0.4 does not depend on k
+    known["k"] = 4.1
+    stiff = fitted({WALL: times}, "k", parameters=known, sigma=1e-3, start={"x": -0.25, "v": 0})
+    assert stiff.grazing.standard_errors > 1e6
+
+
+# --- bad input
+
+
+def refusal(data: Any, *free: str, **options: Any) -> str:
+    with pytest.raises(InputError) as refused:
+        fitted(data, *free, **options)
+    (line,) = str(refused.value).splitlines()
+    return line
+
+
+ONE = {"t": [0.5], "x": [0.1]}
+
+
+@pytest.mark.parametrize(
+    ("data", "free", "options", "told"),
+    [
+        (ONE, ("k", "r"), {"sigma": 1}, "1 measured numbers are too few for 2 free ones (k, r)"),
+        ({"t": TIMES[:2], "x": [0, 0]}, ("k", "r"), {}, "too few for 2 free ones (k, r): 3"),
+        (series(), (), {}, "nothing is free"),
+        (series(), ("q",), {}, "unknown free parameter 'q'"),
+        (series(), ("k",), {"bounds": {"k": (5, 3)}}, "the bounds of k, 5 and 3, are not in order"),
+        (series(), ("k",), {"bounds": {"r": (0, 1)}}, "r has bounds or a prior, and is not free"),
+        (series(), ("k",), {"bounds": {"k": (5, 6)}}, "k = 4 is not between 5 and 6"),
+        (series(), ("k",), {"sigma": math.nan}, "the sigma of x is not positive and finite"),
+        (series(), ("k",), {"sigma": 0.0}, "the sigma of x is not positive and finite"),
+        (series() | {"y": TIMES}, ("k",), {}, "unknown column 'y'"),
+        (series(), ("k",), {"outputs": {"y": "x"}}, "unknown column 'y'"),
+        (series(), ("k",), {"outputs": {"x": "x*v"}}, "output 'x*v' is not affine"),
+        (series(), ("k",), {"outputs": {"x": "z"}}, "unknown name 'z'"),
+        ({"t": TIMES[::-1], "x": TIMES}, ("k",), {}, "the times do not increase"),
+        ({"t": TIMES - 1, "x": TIMES}, ("k",), {}, "data at -0.95 are before the motion starts"),
+        ({"x": TIMES}, ("k",), {}, "column 'x' needs times"),
+        ({"t": TIMES, "x": TIMES[1:]}, ("k",), {}, "column 'x' has 59 values for 60 times"),
+        ({WALL: impacts()[::-1]}, ("k",), {}, "do not increase"),
+        ({WALL: np.arange(1, 90)}, ("k",), {"parameters": {"r": 0.2}}, "there is no fit from the"),
+        (series(), ("k",), {"loss": "l1"}, "unknown loss 'l1'"),
+        (series(), ("k",), {"events": ["door"]}, "unknown event 'door'"),
+        ({"t": TIMES, "x": TIMES, "k": TIMES}, ("r",), {}, "'k' is a parameter, and not constant"),
+        ({"t": TIMES[:3], "x": [0, "a", 1]}, ("k",), {}, "column 'x' is no row of real numbers"),
+        (series(), ("k",), {"starts": 3}, "several starts need both bounds, or a prior, of k"),
+        (series(), ("k",), {"priors": {"k": (4, 0)}}, "no positive standard deviation"),
+    ],
+)  # fmt: skip
+def test_bad_input_is_one_line(data: Any, free: Any, options: Any, told: str) -> None:
+    assert told in refusal(data, *free, **options)
+
+
+def test_a_parameter_that_nothing_depends_on_is_named() -> None:
+    before = {"t": [0.1, 0.2, 0.3, 0.4], "x": -np.cos(2 * np.array([0.1, 0.2, 0.3, 0.4]))}
+    assert "depends on r (at r = 0.9)" in refusal(before, "k", "r", sigma=0.1)
+
+
+# --- tables
+
+
+def test_files_give_the_same_fit(tmp_path: Path) -> None:
+    data = series(0.02, 1)
+    data["sigma_x"] = np.full(len(TIMES), 0.02)
+    data["x"][3] = np.nan
+    np.savez(tmp_path / "data.npz", **data)
+    rows = [
+        ",".join("" if math.isnan(x) else repr(x) for x in row)
+        for row in np.array([*data.values()]).T.tolist()
+    ]
+    (tmp_path / "data.csv").write_text("# of a test\n" + "\n".join([",".join(data), *rows]))
+    expected = fitted(data, "k", "r", parameters=GUESS)
+    sources: list[Any] = [tmp_path / "data.npz", str(tmp_path / "data.csv")]
+    xarray = pytest.importorskip("xarray")
+    sources.append(xarray.Dataset({n: ("t", v) for n, v in data.items() if n != "t"},
+                                  coords={"t": data["t"]}))  # fmt: skip
+    sources[-1].to_netcdf(tmp_path / "data.nc", engine="scipy")
+    sources.append(tmp_path / "data.nc")
+    for source in sources:
+        found = fitted(source, "k", "r", parameters=GUESS)
+        np.testing.assert_array_equal(found.estimates, expected.estimates)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("t,x\n0.1,0\n0.2,a\n", "line 3, column 'x': 'a' is not a number"),
+        ("t,x\n0.1,0\n0.2\n", "line 3 has 1 entries, not 2"),
+        ("t,t\n0.1,0\n", "column 't' is there twice"),
+        ("t,x\n", "a header and at least one row are expected"),
+    ],
+)
+def test_tables_that_are_none(text: str, told: str, tmp_path: Path) -> None:
+    path = tmp_path / "data.csv"
+    path.write_text(text)
+    line = refusal(path, "k")
+    assert line == f"{path}: {told}"
+
+
+def test_least_noise_keeps_exact_data_finite() -> None:
+    found = fitted([series(), {WALL: impacts()}], "k", "r", parameters=GUESS)
+    np.testing.assert_allclose(found.estimates, [4, 0.9], rtol=1e-9)
+    assert found.noise["x"] >= minimise._LEAST * np.std(series()["x"])
