@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
     from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.explore.continuation.locus import Locus
+    from nonsmooth.runtime.explore.design.design import design
+    from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.explore.finding.find import find_orbits
     from nonsmooth.runtime.explore.finding.found import Found
     from nonsmooth.runtime.explore.finding.sweep import Sweep, sweep
@@ -37,6 +39,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.present.files.branches import load_branch
     from nonsmooth.runtime.present.files.censuses import load_census
     from nonsmooth.runtime.present.files.certificates import load_certificate
+    from nonsmooth.runtime.present.files.designs import load_design
     from nonsmooth.runtime.present.files.event_certificates import load_event_certificates
     from nonsmooth.runtime.present.files.found import load_found
     from nonsmooth.runtime.present.files.loci import load_locus
@@ -68,6 +71,7 @@ __all__ = [
     "Census",
     "Certificate",
     "Check",
+    "Design",
     "Event",
     "EventCertificate",
     "Found",
@@ -95,6 +99,7 @@ __all__ = [
     "check_certificate",
     "continue_event",
     "continue_orbit",
+    "design",
     "find_orbits",
     "itinerary_of",
     "load",
@@ -103,6 +108,7 @@ __all__ = [
     "load_census",
     "load_certificate",
     "load_chart",
+    "load_design",
     "load_event_certificates",
     "load_found",
     "load_locus",
@@ -127,6 +133,7 @@ _HOMES = {
     "Check": "present.checking.check_file",
     "Certificate": "proof.certificate",
     "Branch": "explore.continuation.branch",
+    "Design": "explore.design.optimum",
     "Event": "explore.continuation.event",
     "EventCertificate": "proof.events.event_certificate",
     "Found": "explore.finding.found",
@@ -153,6 +160,7 @@ _HOMES = {
     "chart": "explore.charting.chart",
     "continue_event": "explore.continuation.continue_event",
     "continue_orbit": "explore.continuation.continue_orbit",
+    "design": "explore.design.design",
     "find_orbits": "explore.finding.find",
     "itinerary_of": "simulation.last_cycle",
     "load": "present.files.orbits:load_orbit_file",
@@ -160,6 +168,7 @@ _HOMES = {
     "load_census": "present.files.censuses",
     "load_certificate": "present.files.certificates",
     "load_chart": "explore.charting.chart",
+    "load_design": "present.files.designs",
     "load_event_certificates": "present.files.event_certificates",
     "load_branch": "present.files.branches",
     "load_found": "present.files.found",
@@ -183,8 +192,10 @@ _HOMES = {
 register(
     "nonsmooth.runtime",
     {
+        "design_json": "present.files.designs",
         "draw_box": "present.pictures.proven_maps",
         "draw_branch": "present.pictures.branches",
+        "draw_design": "present.pictures.designs",
         "draw_locus": "present.pictures.branches",
         "found_held": "present.files.found",
         "found_html": "present.notebook",
@@ -199,6 +210,7 @@ register(
         "save_branch": "present.files.branches",
         "save_census": "present.files.censuses",
         "save_certificate": "present.files.certificates",
+        "save_design": "present.files.designs",
         "save_events": "present.files.event_certificates",
         "save_found": "present.files.found",
         "save_locus": "present.files.loci",

@@ -42,7 +42,7 @@ def figure_of(path: Path, kind: str, periods: int, view: BranchView | None = Non
     ----------
     path : Path
         JSON of an orbit, one of several as ``FILE.json:N``, a branch, a curve of events, a
-        proven map, found orbits or a sweep; .npz or .csv of a motion; folder of a chart.
+        design, a proven map, found orbits or a sweep; .npz or .csv of a motion; folder of a chart.
     kind : str
         As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
         and what is drawn in one way only "all".
@@ -125,6 +125,14 @@ def _locus(path: Path) -> Drawn:
     return {"orbit": locus.name}, locus_figure(locus)
 
 
+def _design(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.designs import load_design
+    from nonsmooth.runtime.present.pictures.designs import design_figure
+
+    found = load_design(path)
+    return {"orbit": found.orbit.name}, design_figure(found)
+
+
 def _proven_map(path: Path) -> Drawn:
     from nonsmooth.runtime.present.files.box_certificates import load_box_certificate
     from nonsmooth.runtime.present.pictures.proven_maps import box_figure
@@ -143,6 +151,7 @@ def _sweep(path: Path) -> Drawn:
 
 _IN_ONE_WAY: dict[str | None, tuple[str, Callable[[Path], Drawn]]] = {
     _BRANCH: ("a branch", _branch),
+    "nonsmooth design": ("a design", _design),
     "nonsmooth locus": ("a curve of events", _locus),
     "nonsmooth box certificate": ("a proven map", _proven_map),
     "nonsmooth sweep": ("a sweep", _sweep),

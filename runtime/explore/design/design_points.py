@@ -1,0 +1,162 @@
+"""Orbits that a design has visited, in units of its bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.design.following import Follower
+from nonsmooth.runtime.explore.design.quantities import Measured, measure
+from nonsmooth.runtime.orbits.orbit import Orbit
+
+__all__ = ["REFUSED", "Beyond", "DesignPoint", "DesignPoints"]
+
+REFUSED = "the orbit is no motion of the real system beyond"
+
+
+class Beyond(Exception):
+    """A trial where there is no orbit of the branch: a shorter step is tried.
+
+    Attributes
+    ----------
+    near : DesignPoint
+        From where it was tried.
+    distance : float
+        How far the branch goes that way, in units of the bounds.
+    reason : str
+    """
+
+    def __init__(self, near: DesignPoint, distance: float, reason: str) -> None:
+        super().__init__(reason)
+        self.near, self.distance, self.reason = near, distance, reason
+
+
+@dataclass(frozen=True, eq=False)
+class DesignPoint:
+    """One orbit that was visited.
+
+    Attributes
+    ----------
+    place : array (q,)
+        Of its parameters in their bounds: 0 is the lower one, 1 the upper.
+    numbers : array (n,)
+        Of its equations.
+    orbit : Orbit
+    measured : Measured
+        Derivatives are by the parameters themselves.
+    """
+
+    place: np.ndarray
+    numbers: np.ndarray
+    orbit: Orbit
+    measured: Measured
+
+
+class DesignPoints:
+    """The orbits of a branch at trial parameters, each reached from the nearest known one.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Where the design begins.
+    names : sequence of str
+        Of the parameters.
+    bounds : array (q, 2)
+    quantities : sequence of str
+        What is measured.
+    rough : sequence of str
+        Those of them that need not have a derivative.
+    admissible : bool
+        Whether an orbit has to be a motion of the real system.
+    progress : callable, optional
+        Told how many orbits were visited.
+
+    Attributes
+    ----------
+    visited : list of DesignPoint
+        In the order in which they were reached; the first is the orbit itself.
+
+    Raises
+    ------
+    InputError
+        If the orbit cannot be followed, or it is no motion where it has to be.
+    """
+
+    def __init__(
+        self,
+        orbit: Orbit,
+        names: Sequence[str],
+        bounds: np.ndarray,
+        quantities: Sequence[str],
+        *,
+        rough: Sequence[str] = (),
+        admissible: bool = True,
+        progress: Callable[[int], object] | None = None,
+    ) -> None:
+        self.names, self.bounds = tuple(names), bounds
+        self._rough, self._progress = frozenset(rough), progress
+        self._quantities, self._admissible = tuple(quantities), admissible
+        self._follower = Follower(orbit, names)
+        numbers = self._follower.first
+        self.visited: list[DesignPoint] = []
+        if admissible and not self._follower.admissible(numbers):
+            raise InputError(
+                f"{orbit.name} is no motion of the real system where the design begins"
+            )
+        measured = measure(orbit, self.names, self._quantities)
+        place = self._place_of(self._follower.parameters(numbers))
+        self.visited.append(DesignPoint(place, numbers, orbit, measured))
+
+    @property
+    def lengths(self) -> np.ndarray:
+        """Lengths (q,) of the intervals of the parameters."""
+        return np.asarray(self.bounds[:, 1] - self.bounds[:, 0])
+
+    def at(self, place: np.ndarray) -> DesignPoint:
+        """The orbit at a place.
+
+        Parameters
+        ----------
+        place : array (q,)
+            In units of the bounds.
+
+        Returns
+        -------
+        DesignPoint
+
+        Raises
+        ------
+        Beyond
+            If the branch does not lead there.
+        """
+        for known in reversed(self.visited):
+            if np.array_equal(known.place, place):
+                return known
+        gaps = [float(np.abs(known.place - place).max()) for known in self.visited]
+        near = self.visited[int(np.argmin(gaps))]
+        inside = self.bounds[:, 0] + place * self.lengths
+        target = np.where(place == 1, self.bounds[:, 1], inside)
+        reached = self._follower.reach(near.numbers, target)
+        if reached.reason:
+            raise Beyond(near, reached.part * min(gaps), reached.reason)
+        if self._admissible and not self._follower.admissible(reached.numbers):
+            raise Beyond(near, min(gaps) / 2, REFUSED)
+        try:
+            orbit = self._follower.orbit(reached.numbers)
+            measured = measure(orbit, self.names, self._quantities)
+        except InputError as problem:
+            raise Beyond(near, min(gaps) / 2, str(problem)) from None
+        for name, slope in measured.slopes.items():
+            if name not in self._rough and not np.isfinite(slope).all():
+                raise Beyond(near, min(gaps) / 2, f"{name} has no derivative at a corner")
+        found = DesignPoint(place.copy(), reached.numbers, orbit, measured)
+        self.visited.append(found)
+        if self._progress is not None:
+            self._progress(len(self.visited))
+        return found
+
+    def _place_of(self, values: np.ndarray) -> np.ndarray:
+        return np.asarray((values - self.bounds[:, 0]) / self.lengths)

@@ -1,0 +1,114 @@
+"""Values of quantities at an orbit, and their exact derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+    from nonsmooth.runtime.orbits.orbit import Orbit
+
+__all__ = ["MULTIPLIER", "RADIUS", "Measured", "measure", "multiplier_gap"]
+
+RADIUS, MULTIPLIER = "spectral_radius", "multiplier"
+_IMAGINARY = 1e-30  # of a derivative by a complex step
+
+
+class Measured(NamedTuple):
+    """Quantities at one orbit, and their derivatives by q parameters.
+
+    Attributes
+    ----------
+    values : mapping of str to float
+    slopes : mapping of str to array (q,)
+        NaN where there is no derivative.
+    derivatives : OrbitDerivatives
+        Of everything else.
+    """
+
+    values: Mapping[str, float]
+    slopes: Mapping[str, np.ndarray]
+    derivatives: OrbitDerivatives
+
+    def quantity(self, name: str, wanted: float | None = None) -> float:
+        """Value of a quantity; of the multipliers the one nearest to that which is wanted.
+
+        Parameters
+        ----------
+        name : str
+        wanted : float, optional
+            Of a multiplier.
+
+        Returns
+        -------
+        float
+        """
+        if name != MULTIPLIER:
+            return self.values[name]
+        found = np.asarray(self.derivatives.section.multipliers).astype(complex)
+        return float(found[np.abs(found - wanted).argmin()].real)
+
+
+def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> Measured:
+    """Measure quantities at an orbit, and differentiate them.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    by : sequence of str
+        Parameters that were given for it.
+    of : sequence of str
+        Quantities as `OrbitDerivatives.quantity` knows them.
+
+    Returns
+    -------
+    Measured
+
+    Raises
+    ------
+    InputError
+        For a quantity that is unknown or not there, and where there is no derivative.
+    """
+    found = orbit.derivatives(list(by))
+    values, slopes = {}, {}
+    for name in of:
+        value, slope = found.quantity(name)
+        values[name], slopes[name] = float(value), np.asarray(slope, dtype=float)
+    return Measured(values, slopes, found)
+
+
+def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> tuple[float, np.ndarray]:
+    """The characteristic polynomial at a wanted multiplier: zero where the orbit has it.
+
+    Parameters
+    ----------
+    derivatives : OrbitDerivatives
+    wanted : float
+        Not zero.
+
+    Returns
+    -------
+    float
+        The product of the distances of all multipliers to the wanted one.
+    array (q,)
+        Its derivatives, also where multipliers collide.
+
+    Raises
+    ------
+    InputError
+        For the multiplier zero, and for a family of orbits, that has 1 everywhere.
+    """
+    matrix, rates, rank, trivial = derivatives.directions.section
+    if trivial or not wanted:
+        told = "1 belongs to a whole family" if trivial else "0 belongs to no orbit"
+        raise InputError(f"no multiplier can be wanted here: {told}")
+    matrix, rates = matrix.astype(float), rates.astype(float)
+    scale = wanted ** (len(matrix) - rank)
+    shifted = wanted * np.eye(len(matrix)) - matrix
+    moved = np.linalg.det(shifted - 1j * _IMAGINARY * rates)
+    return float(np.linalg.det(shifted)) / scale, moved.imag / _IMAGINARY / scale
