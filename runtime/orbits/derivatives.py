@@ -18,10 +18,16 @@ from nonsmooth.runtime.shooting.newton import CONVERGED
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.directions import Directions
+    from nonsmooth.runtime.orbits.motion_derivatives import (
+        Margin,
+        MotionDerivatives,
+        Transversality,
+    )
     from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["OrbitDerivatives", "Sensitivity", "orbit_derivatives", "sensitivity"]
 
+_ALONG = ("dissipation", "margin", "transversality")
 _GIVEN = ("period", "trace", "determinant", "spectral_radius")
 
 
@@ -116,10 +122,77 @@ class OrbitDerivatives:
         """Of the largest absolute value (q,) of a nontrivial multiplier; NaN at a collision."""
         return self.section.spectral_radius_rates
 
+    @cached_property
+    def _along(self) -> tuple[MotionDerivatives, np.ndarray | None]:
+        """The orbit by tables as it moves, and how its parameters move with the q numbers."""
+        along, rates = self.orbit.evaluation.along(self)
+        return along, rates
+
+    def _by_what_was_given(self, rates: np.ndarray) -> np.ndarray:
+        """Derivatives (..., q) from those by the parameters of the tables."""
+        _, chain = self._along
+        return rates if chain is None else np.asarray(rates @ chain)
+
+    def states(self, times: Sequence[Any]) -> np.ndarray:
+        """Of the states (m, N, q) at times since the start that stay what they are.
+
+        In the system's coordinates, as all that is seen along the motion.
+
+        Parameters
+        ----------
+        times : sequence (m,) of number
+            Within the period.
+
+        Returns
+        -------
+        array (m, N, q)
+
+        Raises
+        ------
+        InputError
+            For a time outside of the period.
+        """
+        return self._by_what_was_given(self._along[0].states(times)[1])
+
+    def states_at_phases(self, phases: Sequence[Any]) -> np.ndarray:
+        """Of the states (m, N, q) at fractions of the period that stay what they are.
+
+        Parameters
+        ----------
+        phases : sequence (m,) of number
+            From 0 to 1.
+
+        Returns
+        -------
+        array (m, N, q)
+
+        Raises
+        ------
+        InputError
+            For a fraction beyond 0 and 1.
+        """
+        return self._by_what_was_given(self._along[0].states(phases, phases=True)[1])
+
+    @cached_property
+    def margins(self) -> tuple[Margin, ...]:
+        """How far each boundary stays away along each phase, with derivatives (q,)."""
+        return tuple(
+            margin._replace(rates=self._by_what_was_given(margin.rates))
+            for margin in self._along[0].margins
+        )
+
+    @cached_property
+    def transversalities(self) -> tuple[Transversality, ...]:
+        """With which speed each phase reaches the boundary that ends it, and derivatives (q,)."""
+        return tuple(
+            each._replace(rates=self._by_what_was_given(each.rates))
+            for each in self._along[0].transversalities
+        )
+
     @property
     def names(self) -> tuple[str, ...]:
         """Quantities that `quantity` knows."""
-        return (*self.unknowns, *_GIVEN)
+        return (*self.unknowns, *_GIVEN, *self._along[0].names)
 
     def quantity(self, name: str) -> tuple[Any, np.ndarray]:
         """Value of a quantity, and its derivatives.
@@ -127,7 +200,12 @@ class OrbitDerivatives:
         Parameters
         ----------
         name : str
-            An unknown, ``period``, ``trace``, ``determinant`` or ``spectral_radius``.
+            An unknown, ``period``, ``trace``, ``determinant`` or ``spectral_radius``. Along the
+            motion ``maximum:STATE``, ``minimum:STATE`` and ``peak:STATE`` (of the absolute
+            value) over the period; ``peak_acceleration:STATE``; ``peak_force:CONTACT``;
+            ``dissipation`` through all contacts or ``dissipation:CONTACT``, without impacts;
+            ``margin``, the least distance from a boundary that stays away; and
+            ``transversality``, the least speed with which one is reached.
 
         Returns
         -------
@@ -149,7 +227,10 @@ class OrbitDerivatives:
             return self.section.determinant, self.determinant
         if name == "spectral_radius":
             return self.section.spectral_radius, self.spectral_radius
-        raise unknown_name("quantity", name, self.names)
+        found = self._along[0].quantity(name) if ":" in name or name in _ALONG else None
+        if found is None:
+            raise unknown_name("quantity", name, self.names)
+        return found.value, self._by_what_was_given(found.rates)
 
     def jvp(self, direction: Sequence[Any] | Mapping[str, Any]) -> dict[str, Any]:
         """Differentiate unknowns, period and trace along a direction (forward mode).

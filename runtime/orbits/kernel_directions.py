@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,12 +14,17 @@ from nonsmooth.runtime.core.complex_steps import (
     real_parts,
     stepped,
 )
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.orbits.directions import Directions, solve_linear
 from nonsmooth.runtime.orbits.kernel_values import evaluate
-from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
+from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
+from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives
 
-__all__ = ["kernel_directions", "stepped_kernel"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+
+__all__ = ["along_tables", "kernel_directions", "stepped_kernel"]
 
 
 def stepped_kernel(
@@ -116,3 +121,54 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
         ),
         np.asarray(trace),
     )
+
+
+def along_tables(orbit: Orbit, found: OrbitDerivatives) -> tuple[MotionDerivatives, np.ndarray]:
+    """An orbit with kernels along its motion, by the tables of its system; see `Evaluation`.
+
+    A sum such as e1 = ur1 - us1 is changed by the one of its parameters that is no open one.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    found : OrbitDerivatives
+        Of this orbit.
+
+    Returns
+    -------
+    motion : MotionDerivatives
+    rates : array (parameters, q)
+
+    Raises
+    ------
+    InputError
+        Where boundaries are reached together, or the orbit by tables has no derivatives.
+    """
+    kernels = orbit.kernels
+    if orbit.evaluation.border[0]:
+        raise InputError(f"{orbit.name}: along its motion a border collision has no derivatives")
+    tables = orbit.problem.by_tables(orbit)
+    if orbit.precise:
+        tables = tables.problem.refined(tables, orbit.digits, "mpmath")
+    moving: dict[str, np.ndarray] = {}
+    opened = {table.name for table in kernels.open_parameters}
+    physical = {table.name for table in kernels.system.parameters}
+    unit = dict(zip(found.by, np.eye(len(found.by), dtype=int), strict=True))
+    for name in kernels.parameter_names:
+        rate = unit.get(name, found.unknowns.get(name))
+        if rate is None:
+            continue
+        if name in kernels.combined:
+            terms = kernels.combined[name]
+            (target,) = [n for n in terms if n not in opened][:1] or [next(iter(terms))]
+            moving[target] = rate * terms[target]  # factors are 1 and -1
+        elif name in physical:
+            moving[name] = rate
+        elif name == kernels.period_name and tables.given_period is not None:
+            moving[PERIOD] = rate
+        else:
+            raise InputError(f"{orbit.name}: how its motion changes with {name} is left open")
+    by = tuple(moving)
+    directions = tables.evaluation.directions(by)
+    rates = np.array([moving[name] for name in by]).reshape(len(by), len(found.by))
+    return MotionDerivatives(tables, by, directions), rates

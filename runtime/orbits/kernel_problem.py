@@ -18,9 +18,11 @@ from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import Admissibility, assess_admissibility
+from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.directions import Directions
-from nonsmooth.runtime.orbits.kernel_directions import kernel_directions
+from nonsmooth.runtime.orbits.kernel_directions import along_tables, kernel_directions
 from nonsmooth.runtime.orbits.kernel_values import evaluate
+from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
 from nonsmooth.runtime.orbits.refine import refine_kernels
@@ -314,6 +316,10 @@ class KernelEvaluation:
         """See `Evaluation`."""
         side = self.stability.one_sided
         return side, "a border collision, a phase takes no time" if side else ""
+
+    def along(self, found: OrbitDerivatives) -> tuple[MotionDerivatives, np.ndarray]:
+        """See `Evaluation`."""
+        return along_tables(self.orbit, found)
 
     def directions(self, by: Sequence[str]) -> Directions:
         """See `Evaluation`."""

@@ -79,8 +79,13 @@ def orbit_function(
         return known[key]
 
     def rows(points: np.ndarray) -> list[list[tuple[Any, np.ndarray]] | None]:
-        found = (at(np.ascontiguousarray(point)) for point in points)
-        return [None if d is None else [d.quantity(name) for name in outputs] for d in found]
+        return [row(at(np.ascontiguousarray(point))) for point in points]
+
+    def row(found: OrbitDerivatives | None) -> list[tuple[Any, np.ndarray]] | None:
+        try:
+            return None if found is None else [found.quantity(name) for name in outputs]
+        except (InputError, NoConvergence):
+            return None
 
     def evaluate(points: np.ndarray) -> np.ndarray:
         return differentiate(points)[0]
@@ -88,10 +93,10 @@ def orbit_function(
     def differentiate(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         values = np.full((len(points), len(outputs)), np.nan)
         jacobians = np.full((len(points), len(outputs), len(inputs)), np.nan)
-        for place, row in enumerate(rows(points)):
-            if row is not None:
-                values[place] = [float(value) for value, _ in row]
-                jacobians[place] = [rates.astype(float) for _, rates in row]
+        for place, entries in enumerate(rows(points)):
+            if entries is not None:
+                values[place] = [float(value) for value, _ in entries]
+                jacobians[place] = [rates.astype(float) for _, rates in entries]
         return values, jacobians
 
     return DifferentiableFunction(inputs, outputs, reference, evaluate, differentiate)

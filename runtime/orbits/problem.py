@@ -15,7 +15,9 @@ from nonsmooth.runtime.shooting.symmetry import Symmetry
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.admissible import Admissibility
+    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
     from nonsmooth.runtime.orbits.directions import Directions
+    from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
     from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
     from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -336,6 +338,26 @@ class Evaluation(Protocol):
         ------
         InputError
             Where there is no derivative; the message says why.
+        """
+
+    def along(self, found: OrbitDerivatives) -> tuple[MotionDerivatives, np.ndarray | None]:
+        """The orbit by tables as it moves with parameters, and their rates by what was given.
+
+        Parameters
+        ----------
+        found : OrbitDerivatives
+            Of this orbit.
+
+        Returns
+        -------
+        motion : MotionDerivatives
+        rates : array (parameters, q) or None
+            None where they are what was given.
+
+        Raises
+        ------
+        InputError
+            Where the equations leave open how the parameters move.
         """
 
     def trajectory(self, periods: int) -> Trajectory:

@@ -24,7 +24,9 @@ from nonsmooth.runtime.model.piecewise import (
 )
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.admissible import Admissibility
+from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.orbits.directions import Directions
+from nonsmooth.runtime.orbits.motion_derivatives import MotionDerivatives
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.orbits.table_directions import table_directions
@@ -324,6 +326,10 @@ class TableEvaluation:
     def directions(self, by: Sequence[str]) -> Directions:
         """See `Evaluation`."""
         return table_directions(self, by)
+
+    def along(self, found: OrbitDerivatives) -> tuple[MotionDerivatives, None]:
+        """See `Evaluation`."""
+        return MotionDerivatives(self.orbit, found.by, found.directions), None
 
     @property
     def moved(self) -> np.ndarray:

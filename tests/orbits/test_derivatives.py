@@ -123,3 +123,73 @@ def test_what_was_not_given_is_refused():
         ns.solve(KERNELS[0]).derivatives(["etta"])
     with pytest.raises(InputError, match="unknown quantity 'perio'"):
         ns.orbit_function(ns.solve(KERNELS[0]), by="eta", of="perio")
+
+
+ALONG = (
+    f"{GALLERY}/two_belts.py:both-stick",
+    f"{GALLERY}/piecewise_stiffness.py:doubled",
+    f"{GALLERY}/impact_oscillator.py:three-periods",
+    "dry-friction/global-stick",
+    "elastic-stop/one-contact",
+)
+
+
+@pytest.mark.parametrize("name", ALONG, ids=lambda name: name.split("/")[-1])
+def test_what_is_seen_along_an_orbit_has_derivatives(name):
+    """Extremes, forces, dissipation, margins: against differences of the values themselves."""
+    orbit = ns.solve(name)
+    found = orbit.derivatives()
+    given = [q for q in found.names if q not in found.unknowns]
+    wanted = [q for q in given if q != "margin" or found.margins]
+    function = ns.orbit_function(orbit, by=found.by, of=wanted)
+    point, step = function.reference, 1e-6
+    columns = [
+        (function(point + step * unit) - function(point - step * unit)) / (2 * step)
+        for unit in np.eye(len(found.by))
+    ]
+    expected = np.stack(columns, axis=-1)
+    error = abs(function.jacobian(point) - expected) / np.maximum(1, abs(expected))
+    assert error.max() < 1e-6, wanted[int(np.argmax(error.max(axis=1)))]
+
+
+@pytest.mark.parametrize("name", ALONG[:2], ids=lambda name: name.split("/")[-1])
+def test_values_along_an_orbit_are_those_of_its_motion(name):
+    orbit = ns.solve(name)
+    found, seen = orbit.derivatives(), ns.observe(orbit.trajectory())
+    for state in orbit.state_names:
+        assert float(found.quantity(f"maximum:{state}")[0]) == pytest.approx(
+            seen.maxima[state].value, abs=1e-12
+        )
+    lost = sum(contact.dissipated for contact in seen.contacts.values())
+    assert found.quantity("dissipation")[0] == pytest.approx(lost, abs=1e-11)
+
+
+def test_states_have_derivatives_at_fixed_times_and_at_fixed_phases():
+    orbit = ns.solve(ALONG[2])
+    found, step = orbit.derivatives("w"), 1e-6
+    times = np.array([0.2, 0.6]) * orbit.period
+    sides = []
+    for side in (1, -1):
+        moved = {name: float(x) for name, x in orbit.given.items()}
+        moved["w"] += side * step
+        sides.append(ns.solve(ALONG[2], moved, dict(orbit.unknowns)).trajectory())
+    fixed = (sides[0](times) - sides[1](times)) / (2 * step)
+    assert_allclose(found.states(times)[..., 0], fixed, rtol=1e-6, atol=1e-6)
+    phased = (sides[0](0.3 * sides[0].end) - sides[1](0.3 * sides[1].end)) / (2 * step)
+    assert_allclose(found.states_at_phases([0.3])[0, :, 0], phased, rtol=1e-6, atol=1e-6)
+    precise = ns.refine(orbit, 25).derivatives("w")
+    assert_allclose(precise.states(times).astype(float), found.states(times), atol=1e-12)
+
+
+def test_margins_tell_of_the_next_grazing():
+    """A forced mass that nearly strikes a second time: the inner maximum is its margin."""
+    orbit = ns.solve(ALONG[2])
+    margins = orbit.derivatives().margins
+    assert [margin.boundary for margin in margins] == ["wall-reaches-stop"]
+    motion = orbit.trajectory()
+    times = np.linspace(0, orbit.period, 20001)[200:-200]
+    x = motion(times)[:, 0]
+    inside = x[1:-1][(x[1:-1] > x[:-2]) & (x[1:-1] > x[2:])]
+    sigma = float(orbit.given["sigma"])
+    if len(inside):
+        assert float(margins[0].value) == pytest.approx(sigma - inside.max(), abs=1e-6)

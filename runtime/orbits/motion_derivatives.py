@@ -1,0 +1,536 @@
+"""Derivatives of what is seen along an orbit: states, extremes, margins, dissipation.
+
+An extreme is found by the guaranteed search; its derivative is that of the function at the
+place where it is attained (J. Danskin, 1967, the envelope theorem).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.events.boundary_functions import PhaseWaves, interior_maxima
+from nonsmooth.runtime.model.exponential import exponential
+from nonsmooth.runtime.model.piecewise import numbers_at, piecewise
+from nonsmooth.runtime.orbits.directions import Directions
+from nonsmooth.runtime.orbits.table_directions import numbers_along, passed, working
+from nonsmooth.runtime.orbits.table_phase_functions import phase_waves
+from nonsmooth.runtime.shooting.derivatives import flows_over
+from nonsmooth.runtime.shooting.shooting_map import numbers_in
+from nonsmooth.runtime.simulation.extremes import extremes
+from nonsmooth.runtime.simulation.phase_functions import Phases, fastest
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.orbit import Orbit
+
+__all__ = ["Differentiated", "Margin", "MotionDerivatives", "Transversality"]
+
+_TOUCH = 1e-9  # relative size below which a boundary function is zero at a phase's end
+_TIED = 1e-9  # relative difference of extremes that are as large as each other
+_EDGE = 1e-9  # of a phase: an extreme nearer to its end is taken at the end
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
+_ANGLE = 2.0  # radians in a piece of an integral
+
+Row = Callable[[int], np.ndarray]  # of a configuration: (q, N + 1) with steps
+
+
+class Differentiated(NamedTuple):
+    """A number, its derivatives (q,), and the time since the start where it is attained."""
+
+    value: Any
+    rates: np.ndarray
+    time: Any
+
+
+class Margin(NamedTuple):
+    """How far a boundary stays away along a phase: the least of minus its function.
+
+    Attributes
+    ----------
+    phase : int
+        Counted from 0.
+    configuration, boundary : str
+    value : number
+        In the boundary's unit.
+    rates : array (q,)
+    time : number
+        Since the start of the orbit.
+    """
+
+    phase: int
+    configuration: str
+    boundary: str
+    value: Any
+    rates: np.ndarray
+    time: Any
+
+
+class Transversality(NamedTuple):
+    """Speed with which a boundary is reached at the end of a phase, and its derivatives (q,)."""
+
+    phase: int
+    boundary: str
+    value: Any
+    rates: np.ndarray
+
+
+class MotionDerivatives:
+    """An orbit by tables, as it moves in q directions."""
+
+    def __init__(self, orbit: Orbit, by: Sequence[str], directions: Directions) -> None:
+        self.orbit, self.by = orbit, tuple(by)
+        tables = orbit.tables
+        self.cycle, self.lib = tables.cycle, working(orbit)
+        self.structure = self.cycle.structure
+        self.numbers = numbers_along(orbit, by, self.lib)
+        starts, dwell = tables.states_up_to_shift, orbit.dwell_times
+        if self.lib is not None:
+            lift = np.frompyfunc(self.lib.mp.mpf, 1, 1)
+            starts, dwell = lift(starts), lift(dwell)
+        self.dwell, self.waits = dwell, directions.dwell
+        self.starts = stepped(starts[None], directions.starts, self.lib)
+        self.begins = np.concatenate([[0 * dwell[0]], np.cumsum(dwell)])
+        self.shifted = np.concatenate(
+            [np.zeros((len(self.by), 1), dtype=int), np.cumsum(directions.dwell, axis=1)], axis=1
+        )
+
+    def state(self, phase: int, since: Any, rate: Any) -> np.ndarray:
+        """State (q, N), with its steps, some time after the start of a phase.
+
+        Parameters
+        ----------
+        phase : int
+        since : number
+        rate : array (q,)
+            Of that time.
+
+        Returns
+        -------
+        array (q, N)
+        """
+        field = self.numbers.fields[:, self.cycle.configurations[phase]]
+        times = stepped(since, rate, self.lib)
+        if self.lib is None:
+            flow = flows_over(field, times)
+        else:
+            mp = self.lib.mp
+            flow = np.array(
+                [exponential(f, mp.mpc(t), mp) for f, t in zip(field, times, strict=True)]
+            )
+        return np.asarray((flow[..., :-1] @ self.starts[:, phase, :, None])[..., 0] + flow[..., -1])
+
+    def states(self, times: Sequence[Any], phases: bool = False) -> tuple[np.ndarray, np.ndarray]:
+        """States (m, N) at times of the period, and their derivatives (m, N, q).
+
+        Parameters
+        ----------
+        times : sequence (m,) of number
+            Since the start; or, as fractions of the period, phases.
+        phases : bool
+            Whether they are fractions of the period, which stay what they are.
+
+        Returns
+        -------
+        tuple of array
+
+        Raises
+        ------
+        InputError
+            For a time outside of the period.
+        """
+        period, rate = self.begins[-1], self.shifted[:, -1]
+        found = []
+        for time in times:
+            number = float(time) if self.lib is None else self.lib.mp.mpf(time)
+            at = number * period if phases else number
+            if not 0 <= at <= period:
+                raise InputError(f"time = {float(at):g} is not within the period")
+            moved = number * rate if phases else 0 * rate
+            places = [k for k, begin in enumerate(self.begins[:-1]) if begin <= at]
+            last = places[-1]
+            since = at - self.begins[last]
+            found.append(self.state(last, since, moved - self.shifted[:, last]))
+        size = len(self.structure.states)
+        every = np.array(found).reshape(len(found), len(self.by), size)
+        values, rates = real_parts(every[:, 0]), imaginary_parts(every, self.lib)
+        return self._rounded(values), self._rounded(np.moveaxis(rates, 1, -1))
+
+    @cached_property
+    def _phases(self) -> Phases:
+        """The phases in double precision."""
+        tables = self.orbit.tables
+        return Phases(
+            self.begins[:-1].astype(float),
+            self.dwell.astype(float),
+            np.array(self.cycle.configurations),
+            tables.states_up_to_shift.astype(float),
+            tables.shooting.ends.astype(float),
+        )
+
+    @cached_property
+    def _system(self) -> Any:
+        """The system in double precision, with modes."""
+        return piecewise(self.orbit.system, self.orbit.parameters)
+
+    def largest(self, row: Row, sign: int) -> Differentiated:
+        """Extreme of an affine function of the state over the period.
+
+        Parameters
+        ----------
+        row : callable
+            Of a configuration: rows (q, N + 1) with their steps.
+        sign : int
+            1 for the maximum, -1 for the minimum.
+
+        Returns
+        -------
+        Differentiated
+        """
+        rows = self._rows(row)
+        minima, maxima = extremes(self._system, self._phases, rows)
+        found = maxima[0] if sign > 0 else minima[0]
+        return self._at(row, found.time, found.value)
+
+    def _rows(self, row: Row) -> np.ndarray:
+        count = len(self.structure.configurations)
+        return np.array([[real_parts(row(c))[0].astype(float)] for c in range(count)])
+
+    def _at(self, row: Row, time: float, value: float) -> Differentiated:
+        """The function where its extreme is, in whichever phase attains it there."""
+        phases = self._phases
+        ends = phases.begins + phases.durations
+        slack = 1e-9 * float(self.begins[-1])
+        near = np.flatnonzero((phases.begins - slack <= time) & (time <= ends + slack))
+        best: tuple[float, int] | None = None
+        for phase in near.tolist():
+            since = min(max(time - phases.begins[phase], 0.0), phases.durations[phase])
+            at = since if self.lib is None else self.lib.mp.mpf(since)
+            state = real_parts(self.state(phase, at, 0 * self.shifted[:, 0]))[0].astype(float)
+            own = real_parts(row(self.cycle.configurations[phase]))[0].astype(float)
+            missed = abs(float(own[:-1] @ state + own[-1]) - value)
+            if best is None or missed < best[0]:
+                best = missed, phase
+        assert best is not None
+        return self.differentiated(row, best[1], time - float(phases.begins[best[1]]))
+
+    def differentiated(self, row: Row, phase: int, since: float) -> Differentiated:
+        """An affine function at an extreme of it in a phase: inside it, or at an end.
+
+        Parameters
+        ----------
+        row : callable
+            Of a configuration: rows (q, N + 1) with their steps.
+        phase : int
+        since : float
+            About: where the function has an extreme inside, it is polished.
+
+        Returns
+        -------
+        Differentiated
+        """
+        duration = float(self.dwell[phase])
+        rows = row(self.cycle.configurations[phase])
+        still = 0 * self.shifted[:, 0]
+        if since <= _EDGE * duration:
+            at, rate = 0 * self.dwell[phase], still
+        elif since >= (1 - _EDGE) * duration:
+            at, rate = self.dwell[phase], self.waits[:, phase]
+        else:
+            at, rate = self._polished(rows, phase, since), still
+        state = self.state(phase, at, rate)
+        values = (rows[:, :-1] * state).sum(axis=-1) + rows[:, -1]
+        time = self.begins[phase] + at
+        return Differentiated(
+            self._rounded(real_parts(values))[0],
+            self._rounded(imaginary_parts(values, self.lib)),
+            time if self.lib is not None else float(time),
+        )
+
+    def _polished(self, rows: np.ndarray, phase: int, since: float) -> Any:
+        """Zero of the function's slope next to a time, by Newton's method."""
+        field = real_parts(self.numbers.fields[0, self.cycle.configurations[phase]])
+        slope = real_parts(rows[0])[:-1] @ field
+        bend = slope[:-1] @ field
+        at: Any = since if self.lib is None else self.lib.mp.mpf(since)
+        for _ in range(3 if self.lib is None else 8):
+            state = real_parts(self.state(phase, at, 0 * self.shifted[:, 0]))[0]
+            curvature = bend[:-1] @ state + bend[-1]
+            if not curvature:
+                break
+            step = (slope[:-1] @ state + slope[-1]) / curvature
+            if abs(float(step)) > 0.1 * float(self.dwell[phase]):
+                break  # flat, or an end: the place that the search has found stays
+            at = at - step
+        return at
+
+    def state_row(self, name: str) -> Row:
+        """Row of a state, or of its velocity's rate, for `largest`.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        callable
+        """
+        place, size = self._place(name), len(self.structure.states)
+        unit = np.zeros((len(self.by), size + 1), dtype=self.numbers.fields.dtype)
+        unit[:, place] = 1
+        return lambda _: unit
+
+    def acceleration_row(self, name: str) -> Row:
+        """Row of the rate of a velocity, named by itself or by its position.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        callable
+        """
+        place = dict(self.structure.coordinates).get(self._place(name), self._place(name))
+        return lambda configuration: self.numbers.fields[:, configuration, place]
+
+    def force_row(self, name: str) -> Row:
+        """Row of the force of a contact on the oscillator.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        callable
+        """
+        contact = self._contact(name)
+        nothing = np.zeros_like(self.numbers.rows[:, 0])
+        return lambda c: self.numbers.rows[:, contact.forces[c]] if c in contact.forces else nothing
+
+    def peak(self, row: Row, name: str) -> Differentiated:
+        """Largest absolute value of an affine function over the period.
+
+        Parameters
+        ----------
+        row : callable
+        name : str
+            What it is, for the message.
+
+        Returns
+        -------
+        Differentiated
+
+        Raises
+        ------
+        InputError
+            Where the largest and the smallest value tie, and change differently.
+        """
+        high, low = self.largest(row, 1), self.largest(row, -1)
+        low = Differentiated(-low.value, -low.rates, low.time)
+        top, other = (high, low) if high.value >= low.value else (low, high)
+        tied = float(top.value - other.value) <= _TIED * abs(float(top.value))
+        differ = abs((top.rates - other.rates).astype(float)).max(initial=0)
+        if tied and differ > 1e-6 * max(1.0, abs(top.rates.astype(float)).max(initial=0)):
+            raise InputError(f"{name}: two extremes are equally large and change differently")
+        return top
+
+    def dissipation(self, name: str | None = None) -> Differentiated:
+        """Energy lost over a period through contacts: through one, or through all of them.
+
+        Impacts take no time and are not part of it.
+
+        Parameters
+        ----------
+        name : str, optional
+
+        Returns
+        -------
+        Differentiated
+
+        Raises
+        ------
+        InputError
+            For an unknown contact, and with many digits.
+        """
+        if self.lib is not None:
+            raise InputError("dissipation has derivatives in double precision only")
+        contacts = self.structure.contacts if name is None else (self._contact(name),)
+        total = np.zeros(len(self.by), dtype=complex)
+        waits = stepped(self.dwell, self.waits, None)
+        for phase, configuration in enumerate(self.cycle.configurations):
+            acting = [c for c in contacts if configuration in c.forces]
+            if not acting:
+                continue
+            angle = fastest(self._system, configuration) * float(self.dwell[phase])
+            pieces = max(1, int(np.ceil(angle / _ANGLE)))
+            nodes = ((np.arange(pieces)[:, None] + (1 + _NODES) / 2) / pieces).ravel()
+            weights = np.tile(_WEIGHTS / 2 / pieces, pieces)
+            field = self.numbers.fields[:, None, configuration]
+            times = waits[:, phase, None] * nodes
+            flow = flows_over(np.broadcast_to(field, (*times.shape, *field.shape[2:])), times)
+            start = self.starts[:, None, phase, :, None]
+            states = (flow[..., :-1] @ start)[..., 0] + flow[..., -1]
+            extended = np.concatenate([states, np.ones((*times.shape, 1))], axis=-1)
+            for contact in acting:
+                force, velocity, surface = (
+                    np.einsum("qi,qni->qn", self.numbers.rows[:, place], extended)
+                    for place in (contact.forces[configuration], contact.velocity, contact.surface)
+                )
+                total += waits[:, phase] * ((force * (surface - velocity)) @ weights)
+        return Differentiated(float(total[0].real), imaginary_parts(total, None), float("nan"))
+
+    @cached_property
+    def margins(self) -> tuple[Margin, ...]:
+        """How far each boundary stays away along each phase.
+
+        Of a boundary that a phase begins on or ends at it is the nearest maximum inside, if
+        there is one: a grazing to come. The speed at the end is among `transversalities`.
+        """
+        found = []
+        for phase, configuration in enumerate(self.cycle.configurations):
+            for place, boundary in enumerate(self.structure.boundaries[configuration]):
+
+                def row(_: int, at: int = boundary.row) -> np.ndarray:
+                    return self.numbers.rows[:, at]
+
+                time = self._nearest(row, phase, configuration, place)
+                if time is None:
+                    continue
+                there = self.differentiated(row, phase, time)
+                found.append(
+                    Margin(
+                        phase,
+                        self.structure.configurations[configuration],
+                        boundary.name,
+                        -there.value,
+                        -there.rates,
+                        there.time,
+                    )
+                )
+        return tuple(found)
+
+    def _nearest(self, row: Row, phase: int, configuration: int, place: int) -> float | None:
+        """When a phase is nearest to a boundary, or nearest inside where it touches it."""
+        phases, boundary = self._phases, self.structure.boundaries[configuration][place]
+        if place not in self.cycle.transitions[phase].boundaries:
+            parts = (phases.begins * 0, phases.durations, phases.configurations)
+            own = Phases(
+                *(part[phase : phase + 1] for part in (*parts, phases.starts, phases.ends))
+            )
+            _, maxima = extremes(self._system, own, self._rows(row))
+            normal = abs(real_parts(self.numbers.rows[0, boundary.row]).astype(float))
+            reach = np.maximum(abs(own.starts[0]), abs(own.ends[0]))
+            if abs(maxima[0].value) > _TOUCH * (normal @ np.append(reach, 1)):
+                return maxima[0].time
+        waves = self._waves[phase]
+        if boundary.name not in waves.names:
+            return None
+        time = float(interior_maxima(waves)[1][0, waves.names.index(boundary.name)])
+        return None if np.isnan(time) else time
+
+    @cached_property
+    def _waves(self) -> list[PhaseWaves]:
+        """Boundary functions along the phases, in double precision."""
+        point = np.array([[float(x) for x in self.orbit.parameters.values()]])
+        (group,) = numbers_at(self.orbit.system, point, self.cycle.configurations)
+        cycle = self.cycle.at(self.cycle.structure.with_modes(group.structure.shapes))
+        numbers, phases = numbers_in(group.structure, group.flat), self._phases
+        return [
+            phase_waves(cycle, numbers, phases.starts[None, k], phases.durations[None], k)
+            for k in range(len(cycle))
+        ]
+
+    def margin(self) -> Differentiated:
+        """The least of all margins.
+
+        Returns
+        -------
+        Differentiated
+
+        Raises
+        ------
+        InputError
+            Where there is no boundary that could be reached.
+        """
+        if not self.margins:
+            raise InputError(f"{self.orbit.name}: there is no boundary that stays away")
+        least = min(self.margins, key=lambda margin: float(margin.value))
+        return Differentiated(least.value, least.rates, least.time)
+
+    @cached_property
+    def transversalities(self) -> tuple[Transversality, ...]:
+        """Speed with which each phase reaches the boundary that ends it."""
+        moved = stepped(self.dwell, self.waits, self.lib)
+        now = passed(self.cycle, self.numbers, moved, self.starts[:, 0], self.lib)
+        values = self._rounded(real_parts(now.speeds[:, 0]))
+        rates = self._rounded(imaginary_parts(now.speeds, self.lib))
+        return tuple(
+            Transversality(k, self.cycle.itinerary[k][1], values[k], rates[k])
+            for k in range(len(self.cycle))
+        )
+
+    def quantity(self, name: str) -> Differentiated:
+        """A quantity by its name; see `OrbitDerivatives.quantity`.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        Differentiated
+
+        Raises
+        ------
+        InputError
+            For an unknown name.
+        """
+        kind, _, of = name.partition(":")
+        if kind in ("maximum", "minimum") and of:
+            return self.largest(self.state_row(of), 1 if kind == "maximum" else -1)
+        if kind == "peak" and of:
+            return self.peak(self.state_row(of), name)
+        if kind == "peak_acceleration" and of:
+            return self.peak(self.acceleration_row(of), name)
+        if kind == "peak_force" and of:
+            return self.peak(self.force_row(of), name)
+        if kind == "dissipation":
+            return self.dissipation(of or None)
+        if kind == "margin" and not of:
+            return self.margin()
+        if kind == "transversality" and not of:
+            found = min(self.transversalities, key=lambda t: float(t.value))
+            return Differentiated(found.value, found.rates, self.begins[found.phase + 1])
+        raise unknown_name("quantity", name, self.names)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Quantities that `quantity` knows."""
+        states, contacts = self.structure.states, [c.name for c in self.structure.contacts]
+        extremes_of = [f"{kind}:{s}" for kind in ("maximum", "minimum", "peak") for s in states]
+        forces = [f"{kind}:{c}" for kind in ("peak_force", "dissipation") for c in contacts]
+        rates = [f"peak_acceleration:{states[x]}" for x, _ in self.structure.coordinates]
+        return (*extremes_of, *rates, *forces, "dissipation", "margin", "transversality")
+
+    def _place(self, name: str) -> int:
+        if name not in self.structure.states:
+            raise unknown_name("state", name, self.structure.states)
+        return self.structure.states.index(name)
+
+    def _contact(self, name: str) -> Any:
+        contacts = {contact.name: contact for contact in self.structure.contacts}
+        if name not in contacts:
+            raise unknown_name("contact", name, contacts)
+        return contacts[name]
+
+    def _rounded(self, values: np.ndarray) -> np.ndarray:
+        """Numbers of the orbit's own precision."""
+        if self.lib is None:
+            return values
+        return np.asarray(np.frompyfunc(self.orbit.arithmetic.mp.mpf, 1, 1)(values))
