@@ -67,7 +67,8 @@ def design(
             "--minimise",
             metavar="QUANTITY",
             help="What is made as small as it can be: spectral_radius, period, trace,"
-            " determinant, or an unknown.",
+            " determinant, an unknown, maximum:x, minimum:x, peak:x or peak_acceleration:x of a"
+            " state x, dissipation, or margin.",
         ),
     ] = None,
     maximise: Annotated[

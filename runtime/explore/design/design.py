@@ -14,9 +14,15 @@ from nonsmooth.runtime.explore.design.condition import Condition, condition_in
 from nonsmooth.runtime.explore.design.design_points import DesignPoint, DesignPoints
 from nonsmooth.runtime.explore.design.largest import is_smooth_from_above
 from nonsmooth.runtime.explore.design.limits import Optimality, bounds_met, optimality
-from nonsmooth.runtime.explore.design.optimising import Aim, Ended, Method, optimise
+from nonsmooth.runtime.explore.design.optimising import (
+    Aim,
+    Ended,
+    MarginKey,
+    Method,
+    optimise,
+)
 from nonsmooth.runtime.explore.design.optimum import CONVERGED, NOT_REACHED, Design
-from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, RADIUS
+from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, PEAK, RADIUS
 from nonsmooth.runtime.explore.design.solving import solve_conditions
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting import newton
@@ -61,7 +67,8 @@ def design(
         A converged one, with parameters in the bounds.
     minimise, maximise : str, optional
         A quantity of the orbit, as `OrbitDerivatives.quantity` knows it: an unknown, ``period``,
-        ``trace``, ``determinant``, ``spectral_radius``, ....
+        ``trace``, ``determinant``, ``spectral_radius``, ``maximum:x``, ``peak:x``,
+        ``peak_acceleration:x``, ``dissipation``, ``margin``, ....
     solve : mapping of str to number or text, optional
         Wanted values in place of that, as many as parameters; ``multiplier`` is one of the
         orbit's multipliers, -1 at a flip.
@@ -95,10 +102,10 @@ def design(
     --------
     >>> import nonsmooth as ns
     >>> found = ns.design(
-    ...     ns.solve("dry-friction/global-stick"), minimise="spectral_radius", over={"V": (0.9, 1.1)}
+    ...     ns.solve("dry-friction/symmetric"), minimise="spectral_radius", over={"V": (0.3, 3)}
     ... )
-    >>> found.converged, found.after["spectral_radius"] < found.before["spectral_radius"]
-    (True, True)
+    >>> found.message, round(found.after["V"], 4)
+    ('an optimum', 2.7457)
     """
     aim_name, quantity = _aim_of(minimise, maximise, solve)
     names, bounds = _bounds_of(orbit, over)
@@ -113,6 +120,8 @@ def design(
         orbit, names, bounds, measured, rough=rough, admissible=admissible, progress=progress
     )
     first = points.visited[0]
+    watched = _watched(first) if admissible and aim_name != "solve" else ()
+    points.watching = bool(watched)
     size = abs(first.measured.values[quantity]) if quantity else 1.0
     aim = Aim(
         quantity,
@@ -120,6 +129,7 @@ def design(
         conditions,
         max(size, _LEAST_UNIT),
         points.lengths,
+        watched,
     )
     _check_dependence(points, aim)
     if aim_name == "solve":
@@ -130,6 +140,8 @@ def design(
         chosen: Any = method
         ended = optimise(points, aim, chosen, iterations)
         left, status = _optimal(aim, ended.point, names, bounds)
+    if not points.is_motion(ended.point):
+        status, ended = NOT_REACHED, ended._replace(reason="the orbit there is no motion")
     return Design(
         aim=aim_name,
         quantity=quantity,
@@ -205,6 +217,17 @@ def _conditions_of(
     return wanted
 
 
+def _watched(first: DesignPoint) -> tuple[MarginKey, ...]:
+    """The boundaries that stay away; none where open parameters decide how far they are."""
+    kernels = first.orbit.problem.kernels
+    if kernels is not None and any(
+        p.name not in first.orbit.opened for p in kernels.open_parameters
+    ):
+        return ()
+    margins = first.measured.derivatives.margins
+    return tuple(MarginKey(m.phase, m.boundary) for m in margins)
+
+
 def _check_options(method: str, iterations: int) -> None:
     if method not in METHODS:
         raise unknown_name("method", method, METHODS)
@@ -218,6 +241,8 @@ def _rough(
     """The spectral radius where only levels above it are asked for, and these are smooth."""
     above = quantity != RADIUS or aim == "minimise"
     above &= all(c.relation == "<=" for c in conditions if c.quantity == RADIUS)
+    if quantity.startswith(PEAK):
+        return (quantity,)
     if above and is_smooth_from_above(orbit.derivatives()):
         return (RADIUS,)
     return ()

@@ -11,10 +11,12 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.design.following import Follower
 from nonsmooth.runtime.explore.design.quantities import Measured, measure
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.shooting.newton import CONVERGED
 
-__all__ = ["REFUSED", "Beyond", "DesignPoint", "DesignPoints"]
+__all__ = ["REFUSED", "UNDETERMINED", "Beyond", "DesignPoint", "DesignPoints"]
 
 REFUSED = "the orbit is no motion of the real system beyond"
+UNDETERMINED = "the equations determine no orbit beyond (a grazing or a fold)"
 
 
 class Beyond(Exception):
@@ -78,6 +80,8 @@ class DesignPoints:
     ----------
     visited : list of DesignPoint
         In the order in which they were reached; the first is the orbit itself.
+    watching : bool
+        Whether the optimiser has margins as conditions: it may try what is no motion.
 
     Raises
     ------
@@ -98,6 +102,7 @@ class DesignPoints:
     ) -> None:
         self.names, self.bounds = tuple(names), bounds
         self._rough, self._progress = frozenset(rough), progress
+        self.watching = False
         self._quantities, self._admissible = tuple(quantities), admissible
         self._follower = Follower(orbit, names)
         numbers = self._follower.first
@@ -142,10 +147,13 @@ class DesignPoints:
         reached = self._follower.reach(near.numbers, target)
         if reached.reason:
             raise Beyond(near, reached.part * min(gaps), reached.reason)
-        if self._admissible and not self._follower.admissible(reached.numbers):
+        judged = self._admissible and not self.watching  # else margins are conditions
+        if judged and not self._follower.admissible(reached.numbers):
             raise Beyond(near, min(gaps) / 2, REFUSED)
+        orbit = self._follower.orbit(reached.numbers)
+        if orbit.status != CONVERGED:
+            raise Beyond(near, min(gaps) / 2, UNDETERMINED)
         try:
-            orbit = self._follower.orbit(reached.numbers)
             measured = measure(orbit, self.names, self._quantities)
         except InputError as problem:
             raise Beyond(near, min(gaps) / 2, str(problem)) from None
@@ -157,6 +165,19 @@ class DesignPoints:
         if self._progress is not None:
             self._progress(len(self.visited))
         return found
+
+    def is_motion(self, point: DesignPoint) -> bool:
+        """Whether an orbit that was visited is what it has to be.
+
+        Parameters
+        ----------
+        point : DesignPoint
+
+        Returns
+        -------
+        bool
+        """
+        return not self._admissible or self._follower.admissible(point.numbers)
 
     def _place_of(self, values: np.ndarray) -> np.ndarray:
         return np.asarray((values - self.bounds[:, 0]) / self.lengths)

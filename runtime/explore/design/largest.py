@@ -1,4 +1,7 @@
-"""The spectral radius from above: conditions that are smooth where multipliers collide.
+"""Largest of several from above: conditions that are smooth where these meet.
+
+The spectral radius is the largest multiplier; the peak of a state its maximum or minus its
+minimum.
 
 All roots of λ² - Tλ + D are in the disc of radius t where t² + D ≥ |T| t and t² ≥ D (E. I. Jury,
 Theory and Application of the z-Transform Method, 1964). Trace and determinant have derivatives
@@ -11,14 +14,17 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.explore.design.quantities import PEAK, sides_of
+
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 
-__all__ = ["LevelRows", "corner_of", "is_smooth_from_above", "radius_rows"]
+__all__ = ["LevelRows", "corner_of", "is_smooth_from_above", "peak_rows", "radius_rows"]
 
 _ZERO = "the multiplier passes through zero"
 _MEET = "two multipliers meet"
 _OPPOSITE = "two multipliers of opposite sign are equally large"
+_TIED = "the largest and the smallest value are equally far from zero"
 _SEVERAL = "several multipliers are equally large"
 _SAME = 1e-9  # of two derivatives: those of a conjugate pair
 
@@ -93,24 +99,50 @@ def radius_rows(derivatives: OrbitDerivatives, level: float) -> LevelRows:
     return LevelRows(level - sizes, -moved, np.ones(len(sizes)))
 
 
-def corner_of(derivatives: OrbitDerivatives, active: np.ndarray) -> str:
-    """What happens to the multipliers where several conditions act at once.
+def peak_rows(derivatives: OrbitDerivatives, peak: str, level: float) -> LevelRows:
+    """The conditions that a state stays between a level and minus that.
 
     Parameters
     ----------
     derivatives : OrbitDerivatives
+    peak : str
+        ``peak:STATE``.
+    level : float
+
+    Returns
+    -------
+    LevelRows
+    """
+    (high, up), (low, down) = (derivatives.quantity(side) for side in sides_of(peak))
+    return LevelRows(
+        np.array([level - float(high), level + float(low)]),
+        np.stack([-np.asarray(up, dtype=float), np.asarray(down, dtype=float)]),
+        np.ones(2),
+    )
+
+
+def corner_of(derivatives: OrbitDerivatives, quantity: str, active: np.ndarray) -> str:
+    """What happens where several conditions act at once.
+
+    Parameters
+    ----------
+    derivatives : OrbitDerivatives
+    quantity : str
+        Of which the conditions are.
     active : array (m,) of bool
         Which of the conditions hold with equality.
 
     Returns
     -------
     str
-        Empty where the spectral radius is smooth.
+        Empty where the quantity is smooth.
     """
     section = derivatives.directions.section
     count = section.rank - section.trivial
     if active.sum() < 2:
         return ""
+    if quantity.startswith(PEAK):
+        return _TIED
     if count == 1:
         return _ZERO
     if count == 2:

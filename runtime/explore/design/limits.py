@@ -28,7 +28,8 @@ class ActiveLimit:
         As it was given, such as ``period<=6.5`` or ``V<=1.3``.
     multiplier : float
         Of Karush, Kuhn and Tucker: by how much the quantity that was asked for gets better for
-        each unit by which the limit is relaxed; of an equation with a sign.
+        each unit by which the limit is relaxed; of an equation by how much it gets worse for
+        each unit of its value.
     """
 
     text: str
@@ -80,23 +81,31 @@ def optimality(
     size = len(names) + aim.levelled
     texts, slopes, units, free = [], [], [], []
     for condition in aim.conditions:
-        rows = aim.condition_rows(point, condition)
-        for value, slope in zip(*rows, strict=True):
+        rows, grown = aim.condition_rows(point, condition), aim.relaxing(point, condition)
+        for value, slope, unit in zip(*rows, grown.tolist(), strict=True):
             if condition.relation == "=" or abs(value) <= _ACTIVE:
                 texts.append(condition.text)
                 slopes.append(slope)
-                units.append(max(1.0, abs(float(condition.value))))
+                units.append(unit)
                 free.append(condition.relation == "=")
+    if aim.margins:
+        values, rows = aim.margin_rows(point)
+        for key, value, slope in zip(aim.margins, values, rows, strict=True):
+            if abs(value) <= _ACTIVE:
+                texts.append(f"{key.boundary} stays away in phase {key.phase + 1}")
+                slopes.append(slope)
+                units.append(1.0)
+                free.append(False)
     for place, sign, text in _sides(point, names, bounds):
         texts.append(text)
         slopes.append(sign * np.eye(size)[place])
-        units.append(float(aim.lengths[place]))
+        units.append(1 / float(aim.lengths[place]))
         free.append(False)
     told, corner = len(texts), ""
     if aim.levelled:
         values, rows = aim.level_rows(point, level)
         near = np.abs(values) <= _ACTIVE
-        corner = corner_of(point.measured.derivatives, near)
+        corner = corner_of(point.measured.derivatives, aim.quantity, near)
         slopes.extend(rows[near])
         free.extend([False] * int(near.sum()))
     gradient = aim.slope(point)
@@ -106,7 +115,7 @@ def optimality(
     found = lsq_linear(np.array(slopes).T, gradient, (lower, np.full(len(slopes), np.inf)))
     left = float(np.abs(found.fun).max())
     limits = tuple(
-        ActiveLimit(text=text, multiplier=float(factor) * aim.scale / unit)
+        ActiveLimit(text=text, multiplier=float(factor) * aim.scale * unit)
         for text, factor, unit in zip(texts, found.x[:told], units, strict=True)
     )
     return Optimality(limits, left, corner)

@@ -15,20 +15,33 @@ import numpy as np
 
 from nonsmooth.runtime.explore.design.condition import Condition
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
-from nonsmooth.runtime.explore.design.largest import radius_rows
-from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, RADIUS, multiplier_gap
+from nonsmooth.runtime.explore.design.largest import peak_rows, radius_rows
+from nonsmooth.runtime.explore.design.quantities import (
+    MULTIPLIER,
+    PEAK,
+    RADIUS,
+    multiplier_gap,
+)
 
-__all__ = ["Aim", "Ended", "Rows", "optimise"]
+__all__ = ["Aim", "Ended", "MarginKey", "Rows", "optimise"]
 
 Method = Literal["SLSQP", "trust-constr"]
 _ROUNDS = 60
 _LEAST_BOX, _SIDE = 1e-8, 1e-9  # of the bounds
 _NEAR = 1e-2  # of the bounds: how far an interior method stays off its limits at most
+_INSIDE = 1e-10  # of a margin: an orbit at the limit is a motion despite of rounding
 _PENALTY = 1e3  # of what misses a condition, beside the aim
 _PRECISION = {
     "SLSQP": {"ftol": 1e-15},
     "trust-constr": {"gtol": 1e-10, "xtol": 1e-12, "barrier_tol": 1e-12},
 }
+
+
+class MarginKey(NamedTuple):
+    """A boundary that stays away along a phase, counted from 0."""
+
+    phase: int
+    boundary: str
 
 
 class Rows(NamedTuple):
@@ -61,6 +74,8 @@ class Aim:
         Unit of the quantity.
     lengths : array (q,)
         Of the parameters' intervals.
+    margins : tuple of MarginKey
+        Boundaries that must not be crossed, each in its phase.
     """
 
     quantity: str
@@ -68,11 +83,13 @@ class Aim:
     conditions: tuple[Condition, ...]
     scale: float
     lengths: np.ndarray
+    margins: tuple[MarginKey, ...] = ()
 
     @property
     def levelled(self) -> bool:
         """Whether there is a level among the variables."""
-        return self.quantity == RADIUS and self.sign > 0
+        largest = self.quantity == RADIUS or self.quantity.startswith(PEAK)
+        return largest and self.sign > 0
 
     def variables(self, point: DesignPoint) -> np.ndarray:
         """The variables at an orbit.
@@ -87,7 +104,7 @@ class Aim:
         """
         if not self.levelled:
             return point.place
-        return np.append(point.place, point.measured.values[RADIUS] / self.scale)
+        return np.append(point.place, point.measured.values[self.quantity] / self.scale)
 
     def value(self, point: DesignPoint) -> float:
         """What is made small, at an orbit.
@@ -118,7 +135,7 @@ class Aim:
         return self.sign * point.measured.slopes[self.quantity] * self.lengths / self.scale
 
     def level_rows(self, point: DesignPoint, level: float) -> Rows:
-        """The conditions that no multiplier exceeds the level.
+        """The conditions that the quantity does not exceed the level.
 
         Parameters
         ----------
@@ -131,7 +148,11 @@ class Aim:
         Rows
             Not negative where they hold.
         """
-        found = radius_rows(point.measured.derivatives, level * self.scale)
+        derivatives = point.measured.derivatives
+        if self.quantity == RADIUS:
+            found = radius_rows(derivatives, level * self.scale)
+        else:
+            found = peak_rows(derivatives, self.quantity, level * self.scale)
         by_level = found.by_level[:, None] * self.scale
         slopes = np.hstack([found.by_parameters * self.lengths, by_level])
         size = self.scale ** (2 if len(found.values) == 3 else 1)
@@ -152,8 +173,8 @@ class Aim:
         """
         measured, wanted = point.measured, float(condition.value)
         if condition.quantity == MULTIPLIER:
-            gap, slope = multiplier_gap(measured.derivatives, wanted)
-            values, slopes = np.array([gap]), slope[None]
+            gap = multiplier_gap(measured.derivatives, wanted)
+            values, slopes = np.array([gap.value]), gap.slope[None]
         elif condition.quantity == RADIUS and condition.relation == "<=":
             rows = radius_rows(measured.derivatives, wanted)
             values, slopes = rows.values, rows.by_parameters
@@ -166,6 +187,50 @@ class Aim:
         if self.levelled:
             slopes = np.hstack([slopes, np.zeros((len(slopes), 1))])
         return Rows(values / size, slopes)
+
+    def relaxing(self, point: DesignPoint, condition: Condition) -> np.ndarray:
+        """By how much each row of a condition grows for each unit of its value.
+
+        Parameters
+        ----------
+        point : DesignPoint
+        condition : Condition
+
+        Returns
+        -------
+        array (m,)
+            Positive where the condition is relaxed; of an equation minus that.
+        """
+        derivatives, wanted = point.measured.derivatives, float(condition.value)
+        if condition.quantity == MULTIPLIER:
+            found = np.array([-multiplier_gap(derivatives, wanted).by_wanted])
+        elif condition.quantity == RADIUS and condition.relation == "<=":
+            found = radius_rows(derivatives, wanted).by_level
+        else:
+            found = np.ones(1)
+        return found / max(1.0, abs(wanted))
+
+    def margin_rows(self, point: DesignPoint) -> Rows:
+        """How far each boundary stays away; far where it has no maximum inside its phase.
+
+        Parameters
+        ----------
+        point : DesignPoint
+
+        Returns
+        -------
+        Rows
+        """
+        there = {MarginKey(m.phase, m.boundary): m for m in point.measured.derivatives.margins}
+        count = len(self.lengths)
+        values, slopes = np.ones(len(self.margins)), np.zeros((len(self.margins), count))
+        for place, key in enumerate(self.margins):
+            if key in there:
+                values[place] = float(there[key].value) - _INSIDE
+                slopes[place] = np.asarray(there[key].rates, dtype=float) * self.lengths
+        if self.levelled:
+            slopes = np.hstack([slopes, np.zeros((len(slopes), 1))])
+        return Rows(values, slopes)
 
     def rows(self, point: DesignPoint, level: float, *, equal: bool) -> Rows:
         """All conditions that are equations, or all others.
@@ -187,6 +252,8 @@ class Aim:
             for each in self.conditions
             if (each.relation == "=") == equal
         ]
+        if self.margins and not equal:
+            found.append(self.margin_rows(point))
         if self.levelled and not equal:
             found.append(self.level_rows(point, level))
         if not found:
@@ -208,6 +275,8 @@ class Aim:
         level = self.variables(point)[-1]
         equal = np.abs(self.rows(point, level, equal=True).values)
         short = [self.condition_rows(point, c).values for c in self.conditions if c.relation != "="]
+        if self.margins:
+            short.append(self.margin_rows(point).values)
         return float(max(np.concatenate([[0.0], equal, *(-each for each in short)])))
 
 

@@ -13,9 +13,18 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["MULTIPLIER", "RADIUS", "Measured", "measure", "multiplier_gap"]
+__all__ = [
+    "MULTIPLIER",
+    "PEAK",
+    "RADIUS",
+    "Gap",
+    "Measured",
+    "measure",
+    "multiplier_gap",
+    "sides_of",
+]
 
-RADIUS, MULTIPLIER = "spectral_radius", "multiplier"
+RADIUS, MULTIPLIER, PEAK = "spectral_radius", "multiplier", "peak:"
 _IMAGINARY = 1e-30  # of a derivative by a complex step
 
 
@@ -77,12 +86,52 @@ def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> Measured:
     found = orbit.derivatives(list(by))
     values, slopes = {}, {}
     for name in of:
+        if name.startswith(PEAK):  # also where the largest and the smallest value tie
+            high, low = (found.quantity(side) for side in sides_of(name))
+            larger = high if high[0] >= -low[0] else (-low[0], -low[1])
+            values[name], slopes[name] = float(larger[0]), np.asarray(larger[1], dtype=float)
+            continue
         value, slope = found.quantity(name)
         values[name], slopes[name] = float(value), np.asarray(slope, dtype=float)
     return Measured(values, slopes, found)
 
 
-def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> tuple[float, np.ndarray]:
+def sides_of(peak: str) -> tuple[str, str]:
+    """The two extremes of which a peak is the larger one.
+
+    Parameters
+    ----------
+    peak : str
+        ``peak:STATE``.
+
+    Returns
+    -------
+    tuple of str
+        ``maximum:STATE`` and ``minimum:STATE``.
+    """
+    state = peak.removeprefix(PEAK)
+    return f"maximum:{state}", f"minimum:{state}"
+
+
+class Gap(NamedTuple):
+    """The characteristic polynomial at a wanted multiplier.
+
+    Attributes
+    ----------
+    value : float
+        The product of the distances of all multipliers to the wanted one.
+    slope : array (q,)
+        Its derivatives by parameters, also where multipliers collide.
+    by_wanted : float
+        Its derivative by the wanted multiplier.
+    """
+
+    value: float
+    slope: np.ndarray
+    by_wanted: float
+
+
+def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> Gap:
     """The characteristic polynomial at a wanted multiplier: zero where the orbit has it.
 
     Parameters
@@ -93,10 +142,7 @@ def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> tuple[float,
 
     Returns
     -------
-    float
-        The product of the distances of all multipliers to the wanted one.
-    array (q,)
-        Its derivatives, also where multipliers collide.
+    Gap
 
     Raises
     ------
@@ -108,7 +154,9 @@ def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> tuple[float,
         told = "1 belongs to a whole family" if trivial else "0 belongs to no orbit"
         raise InputError(f"no multiplier can be wanted here: {told}")
     matrix, rates = matrix.astype(float), rates.astype(float)
-    scale = wanted ** (len(matrix) - rank)
-    shifted = wanted * np.eye(len(matrix)) - matrix
-    moved = np.linalg.det(shifted - 1j * _IMAGINARY * rates)
-    return float(np.linalg.det(shifted)) / scale, moved.imag / _IMAGINARY / scale
+    beside, unit = len(matrix) - rank, np.eye(len(matrix))
+    scale, shifted = wanted**beside, wanted * unit - matrix
+    value = float(np.linalg.det(shifted)) / scale
+    moved = np.linalg.det(shifted - 1j * _IMAGINARY * rates).imag / _IMAGINARY
+    by_wanted = float(np.linalg.det(shifted + 1j * _IMAGINARY * unit).imag) / _IMAGINARY
+    return Gap(value, moved / scale, by_wanted / scale - beside * value / wanted)
