@@ -12,7 +12,7 @@ Mech. 39 (1972) 563-568.
 
 import sympy as sp
 
-from nonsmooth.derive import Harmonic, RigidStop, oscillator
+from nonsmooth.derive import Harmonic, Itinerary, Reference, RigidStop, oscillator
 
 d, mu, r, w, zeta = sp.symbols("d mu r w zeta")
 apart = {"y": 1, "x": -1}
@@ -30,3 +30,27 @@ system = oscillator(
     ],
     description="an impact damper under harmonic forcing",
 )
+
+orbits = [
+    Itinerary(
+        "struck-twice",
+        system,
+        (
+            ("free-free", "right-reaches-stop", "over"),
+            ("free-free", "left-reaches-stop", "back"),
+        ),
+        reference=Reference(
+            {"d": 10, "mu": "0.1", "r": "0.6", "w": 1, "zeta": "0.01"},
+            {
+                "over": "3.1415926535897932",
+                "back": "3.1415926535897932",
+                "x0": "-1.8149513183376",
+                "y0": "-11.8149513183376",
+                "v0": "1.31628553329248",
+                "v_y0": "7.52163161881414",
+                "c10": "0.99915556070496",
+                "s10": "-0.04108729137287",
+            },
+        ),
+    )
+]

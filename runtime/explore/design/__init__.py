@@ -7,6 +7,7 @@
 `quantities`     values of quantities at an orbit, and their exact derivatives
 `following`      the orbit at other parameters, on the same branch
 `design_points`  orbits that a design has visited, in units of its bounds
+`aim`            what is made small, and the conditions, in an optimiser's variables
 `largest`        quantities that are the largest of several, from above
 `optimising`     SciPy's constrained optimisers, along the branch
 `around`         quantities along one parameter around the end

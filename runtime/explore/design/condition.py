@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, parse
@@ -79,5 +79,6 @@ def condition_in(text: str) -> Condition:
     found = _FORM.fullmatch(text) if isinstance(text, str) else None
     if found is None:
         raise InputError(f"{text!r} is no condition, such as period<=6.5, trace>=0 or tau=1/2")
+    relation: Any
     name, relation, value = found.groups()
     return Condition(quantity=name, relation=relation, value=parse(value.strip()))

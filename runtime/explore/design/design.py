@@ -10,17 +10,12 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
+from nonsmooth.runtime.explore.design.aim import Aim, MarginKey
 from nonsmooth.runtime.explore.design.condition import Condition, condition_in
 from nonsmooth.runtime.explore.design.design_points import DesignPoint, DesignPoints
 from nonsmooth.runtime.explore.design.largest import is_smooth_from_above
 from nonsmooth.runtime.explore.design.limits import Optimality, bounds_met, optimality
-from nonsmooth.runtime.explore.design.optimising import (
-    Aim,
-    Ended,
-    MarginKey,
-    Method,
-    optimise,
-)
+from nonsmooth.runtime.explore.design.optimising import Ended, Method, optimise
 from nonsmooth.runtime.explore.design.optimum import CONVERGED, NOT_REACHED, Design
 from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, PEAK, RADIUS
 from nonsmooth.runtime.explore.design.solving import solve_conditions

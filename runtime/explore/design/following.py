@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -146,7 +146,7 @@ class Follower:
         Orbit
         """
         values = zip(self.names, self.parameters(numbers).tolist(), strict=True)
-        given: Mapping[str, object] = {name: as_value(value) for name, value in values}
+        given = {name: as_value(value) for name, value in values}
         return self._equations.orbit_at(numbers, {**self._given, **given})
 
     def _linearised(self, numbers: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -26,6 +26,7 @@ _MEET = "two multipliers meet"
 _OPPOSITE = "two multipliers of opposite sign are equally large"
 _TIED = "the largest and the smallest value are equally far from zero"
 _SEVERAL = "several multipliers are equally large"
+_SAME_SLOPE = 1e-6  # of extremes that tie by a symmetry
 _SAME = 1e-9  # of two derivatives: those of a conjugate pair
 
 
@@ -142,7 +143,9 @@ def corner_of(derivatives: OrbitDerivatives, quantity: str, active: np.ndarray) 
     if active.sum() < 2:
         return ""
     if quantity.startswith(PEAK):
-        return _TIED
+        up, down = (derivatives.quantity(side)[1] for side in sides_of(quantity))
+        size = max(1.0, float(np.abs(up).max()))
+        return _TIED if float(np.abs(up + down).max()) > _SAME_SLOPE * size else ""
     if count == 1:
         return _ZERO
     if count == 2:

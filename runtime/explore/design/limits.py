@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.json_codec import Digits
+from nonsmooth.runtime.explore.design.aim import Aim
 from nonsmooth.runtime.explore.design.design_points import DesignPoint
 from nonsmooth.runtime.explore.design.largest import corner_of
-from nonsmooth.runtime.explore.design.optimising import Aim
 
 __all__ = ["ActiveLimit", "Optimality", "bounds_met", "optimality"]
 
@@ -89,8 +89,8 @@ def optimality(
                 units.append(unit)
                 free.append(condition.relation == "=")
     if aim.margins:
-        values, rows = aim.margin_rows(point)
-        for key, value, slope in zip(aim.margins, values, rows, strict=True):
+        margins = aim.margin_rows(point)
+        for key, value, slope in zip(aim.margins, *margins, strict=True):
             if abs(value) <= _ACTIVE:
                 texts.append(f"{key.boundary} stays away in phase {key.phase + 1}")
                 slopes.append(slope)
@@ -103,10 +103,10 @@ def optimality(
         free.append(False)
     told, corner = len(texts), ""
     if aim.levelled:
-        values, rows = aim.level_rows(point, level)
-        near = np.abs(values) <= _ACTIVE
+        levels = aim.level_rows(point, level)
+        near = np.abs(levels.values) <= _ACTIVE
         corner = corner_of(point.measured.derivatives, aim.quantity, near)
-        slopes.extend(rows[near])
+        slopes.extend(levels.slopes[near])
         free.extend([False] * int(near.sum()))
     gradient = aim.slope(point)
     if not slopes:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from nonsmooth.runtime.explore.design.aim import Aim
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
-from nonsmooth.runtime.explore.design.optimising import Aim, Ended
+from nonsmooth.runtime.explore.design.optimising import Ended
 
 __all__ = ["solve_conditions"]
 
