@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from nonsmooth.runtime.cli.application import (
+    ANSWERED,
     NOT_MET,
     UNANSWERED,
     answering,
@@ -29,6 +30,8 @@ from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.orbits.orbit import Orbit
 
@@ -145,7 +148,9 @@ def design(
     return code or _judged(found, require or [])
 
 
-def _beginning(name: str, fixed: dict[str, object], over: dict[str, tuple[float, float]]) -> Orbit:
+def _beginning(
+    name: str, fixed: Mapping[str, object], over: Mapping[str, tuple[float, float]]
+) -> Orbit:
     """The orbit where the design begins: at the reference point, or in the middle of bounds."""
     from nonsmooth.runtime.orbits.solve import solve
 
@@ -163,13 +168,11 @@ def _judged(found: Design, require: list[RequiredVerdict]) -> int:
     if not found.converged:
         say(found.message)
         return UNANSWERED
-    verdicts = {
-        RequiredVerdict.STABLE: lambda: found.orbit.stability.verdict,
-        RequiredVerdict.ADMISSIBLE: lambda: found.orbit.admissibility.verdict,
-    }
-    code = 0
+    code = ANSWERED
     for wanted in dict.fromkeys(require):
-        verdict = verdicts[wanted]()
+        stable = wanted is RequiredVerdict.STABLE
+        told = found.orbit.stability if stable else found.orbit.admissibility
+        verdict = told.verdict
         if verdict == "undecided":
             code = code or UNANSWERED
         elif verdict not in ("stable", True):

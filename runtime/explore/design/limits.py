@@ -114,10 +114,10 @@ def optimality(
     lower = np.where(free, -np.inf, 0.0)
     found = lsq_linear(np.array(slopes).T, gradient, (lower, np.full(len(slopes), np.inf)))
     left = float(np.abs(found.fun).max())
-    limits = tuple(
-        ActiveLimit(text=text, multiplier=float(factor) * aim.scale * unit)
-        for text, factor, unit in zip(texts, found.x[:told], units, strict=True)
-    )
+    factors: dict[str, float] = {}  # a conjugate pair meets one condition twice
+    for text, factor, unit in zip(texts, found.x[:told], units, strict=True):
+        factors[text] = factors.get(text, 0.0) + float(factor) * aim.scale * unit
+    limits = tuple(ActiveLimit(text=text, multiplier=each) for text, each in factors.items())
     return Optimality(limits, left, corner)
 
 
