@@ -278,6 +278,29 @@ def single(quick: bool) -> Iterator[Row]:
     yield Row("solve, numeric part", timed(numeric, len(repeat)), 100e-6)
     yield Row("solve, whole call", timed(whole, len(repeat)))
 
+    def gradients(orbit: ns.Orbit) -> Callable[[], object]:
+        return lambda: [orbit.derivatives().trace for _ in repeat]
+
+    orbit = ns.solve(NAME)
+    tables = orbit.problem.by_tables(orbit)
+    guess = [*tables.dwell_times, *tables.states[0]]
+
+    def composed() -> None:
+        for _ in repeat:
+            ns.solve(orbit.system.name, tables.parameters, guess, itinerary=tables.itinerary)
+
+    yield Row(
+        "derivatives by all parameters",
+        timed(gradients(orbit), len(repeat)),
+        against="solve, whole call",
+    )
+    yield Row("solve by tables", timed(composed, len(repeat)))
+    yield Row(
+        "derivatives by all parameters, by tables",
+        timed(gradients(tables), len(repeat)),
+        against="solve by tables",
+    )
+
 
 def refine(quick: bool) -> Iterator[Row]:
     """One orbit to many digits."""

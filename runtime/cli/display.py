@@ -75,8 +75,21 @@ def show_report(
         console.print()
         console.print(Text(title, style="bold"))
         console.print(table)
+    if "derivatives" in found:
+        _print_derivatives(console, found["derivatives"])
     console.print()
     _print_admissibility(console, found)
+
+
+def _print_derivatives(console: Console, found: Mapping[str, Mapping[str, str]]) -> None:
+    """What changes with what was given, one row for each quantity."""
+    names = [*next(iter(found.values()))]
+    table = listing("d", *(f"by {name}" for name in names))
+    for quantity, rates in found.items():
+        table.add_row(quantity, *(rates[name] for name in names))
+    console.print()
+    console.print(Text("Derivatives", style="bold"))
+    show_table(table, console)
 
 
 def show_list(systems: Iterable[Mapping[str, Any]], *, whole: bool) -> None:

@@ -16,6 +16,7 @@ __all__ = [
     "PICTURES",
     "AsJson",
     "Assignments",
+    "Derivatives",
     "Digits",
     "Format",
     "Frequency",
@@ -144,6 +145,16 @@ Assignments = Annotated[
         show_default=False,
     ),
 ]
+Derivatives = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="NAME,...",
+        help="Differentiate unknowns, period, trace, determinant and spectral radius by these"
+        " given numbers.",
+        show_default=False,
+    ),
+]
+
 Unknown = Annotated[
     list[str] | None,
     typer.Option("--unknown", metavar="NAME,...", help="Parameters to be solved for."),

@@ -38,6 +38,7 @@ from nonsmooth.runtime.cli.keeping import say
 from nonsmooth.runtime.cli.options import (
     AsJson,
     Assignments,
+    Derivatives,
     Digits,
     Format,
     Frequency,
@@ -171,6 +172,7 @@ def equations(
     "nonsmooth solve dry-friction/global-stick us2=0.8 us1=1 --require admissible\n\n"
     "nonsmooth solve dry-friction/global-stick --unknown e1,e2 --given ta=1,tau=2\n\n"
     "nonsmooth solve dry-friction/global-stick --save orbit.json\n\n"
+    "nonsmooth solve dry-friction/global-stick --derivatives eta,V\n\n"
     "nonsmooth solve found.json:2 Omega=2.5 --digits 30"
 )
 @answering
@@ -181,12 +183,13 @@ def solve(
     given: Given = None,
     guess: Guess = None,
     digits: Digits = 15,
+    derivatives: Derivatives = None,
     require: Require = None,
     save: Save = None,
     as_json: AsJson = False,
 ) -> int:
     """Find a periodic orbit: unknowns, multipliers, stability, admissibility."""
-    problem = (orbit, parameters, unknown, given, guess, digits)
+    problem = (orbit, parameters, unknown, given, guess, digits, derivatives)
     return _report(*problem, require=require, save=save, as_json=as_json, trace_first=False)
 
 
@@ -208,7 +211,7 @@ def verify(
     as_json: AsJson = False,
 ) -> int:
     """Decide stability by the trace criterion, to any number of digits."""
-    problem = (orbit, parameters, unknown, given, guess, digits)
+    problem = (orbit, parameters, unknown, given, guess, digits, None)
     return _report(*problem, require=require, save=save, as_json=as_json, trace_first=True)
 
 
@@ -355,6 +358,7 @@ def _report(
     given: list[str] | None,
     guess: list[str] | None,
     digits: int,
+    derivatives: list[str] | None,
     *,
     require: list[RequiredVerdict] | None,
     save: Path | None,
@@ -366,7 +370,7 @@ def _report(
     from nonsmooth.runtime.core.values import decimal_string
     from nonsmooth.runtime.orbits.refine import MOST_DIGITS, refine
     from nonsmooth.runtime.orbits.solve import solve as find_orbit
-    from nonsmooth.runtime.present.report import orbit_json
+    from nonsmooth.runtime.present.report import derivatives_json, orbit_json
 
     if not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
@@ -384,6 +388,8 @@ def _report(
     told = orbit_json(orbit, digits)
     for parameter, value in assigned.items():  # also those that others stand for
         told["parameters"][parameter] = decimal_string(value.mpf(digits + 5), digits)
+    if derivatives:
+        told["derivatives"] = derivatives_json(orbit, split(derivatives), digits)
     written = Written()
     written.save(orbit.save, save)
 

@@ -65,7 +65,7 @@ def real_parts(values: Any) -> np.ndarray:
     array
     """
     found = np.asarray(values)
-    return _real(found) if found.dtype == object else np.ascontiguousarray(found.real)
+    return np.asarray(_real(found) if found.dtype == object else found.real.copy())
 
 
 def imaginary_parts(values: Any, lib: Mpmath | None) -> np.ndarray:

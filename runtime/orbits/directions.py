@@ -12,9 +12,9 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives
 from nonsmooth.runtime.shooting.newton import LEAST
 
-__all__ = ["Directions", "solve_linear"]
+__all__ = ["CONSISTENT", "Directions", "solve_linear"]
 
-_CONSISTENT = 1e-7  # of a right-hand side: what no orbit can follow
+CONSISTENT = 1e-7  # of a right-hand side: what no orbit can follow
 
 
 class Directions(NamedTuple):
@@ -84,7 +84,7 @@ def solve_linear(
         found = np.array([lib.solve(rows, side.tolist()) for side in right], dtype=object)
     missed = abs(found.astype(float) @ floats.T - sides).max(axis=1, initial=0)
     for place, parameter in enumerate(by):
-        if missed[place] > _CONSISTENT * max(1.0, abs(sides[place]).max()):
+        if missed[place] > CONSISTENT * max(1.0, abs(sides[place]).max()):
             raise InputError(
                 f"{name}: no such orbit is left where {parameter} changes alone (forcings out of"
                 " tune with each other or with the period): there is no derivative"

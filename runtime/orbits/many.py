@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from numbers import Integral
 from typing import Any
 
@@ -11,6 +12,7 @@ from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels, kernels
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
 from nonsmooth.runtime.orbits.declared_many import solve_declared_many
 from nonsmooth.runtime.orbits.kernel_many import CHUNK, solve_kernels_many
+from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
 from nonsmooth.runtime.orbits.solve import Itinerary, guess_along, period_in
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
@@ -29,6 +31,7 @@ def solve_many(
     admissibility: bool = True,
     threads: int | None = None,
     chunk: int = CHUNK,
+    derivatives: Sequence[str] | str = (),
     **named: Any,
 ) -> Orbits:
     """Find the orbit of an itinerary at many parameter points.
@@ -62,6 +65,9 @@ def solve_many(
         As many as processors when omitted.
     chunk : int
         Points that one thread takes at a time, of orbits with kernels.
+    derivatives : sequence of str, or str
+        Parameters by which unknowns, period and trace are differentiated, exactly up to
+        rounding: `Orbits.derivatives`.
     **named : array_like
         More of the parameters, by keyword.
 
@@ -81,14 +87,36 @@ def solve_many(
     >>> found = solve_many("dry-friction/global-stick", eta=np.linspace(0.95, 1.05, 5))
     >>> found.converged.all(), found.trace.shape
     (np.True_, (5,))
+    >>> found = solve_many("dry-friction/global-stick", eta=[1, 1.01], derivatives=["eta", "V"])
+    >>> found.derivatives["period"]["V"].shape
+    (2,)
     """
+    options: Any = {"admissibility": admissibility, "threads": threads}
+    beside: Any = {"itinerary": itinerary, "given": given, "multipliers": multipliers}
+    found = _solved(orbit, {**(parameters or {}), **named}, guess, chunk=chunk, **beside, **options)
+    if not derivatives:
+        return found
+    return replace(found, derivatives=derivatives_of_many(found, derivatives))
+
+
+def _solved(
+    orbit: Any,
+    values: Mapping[str, Any],
+    guess: Any,
+    *,
+    itinerary: Itinerary | None,
+    given: Mapping[str, Any] | None,
+    multipliers: bool,
+    admissibility: bool,
+    threads: int | None,
+    chunk: int,
+) -> Orbits:
+    """Orbits without derivatives."""
     _check_positive("chunk", chunk)
     if threads is not None:
         _check_positive("threads", threads)
-    values = {**(parameters or {}), **named}
     if itinerary is not None:
-        system: Any = orbit
-        kernels = kernels_of(system)
+        kernels = kernels_of(orbit)
         phases, dwell, start = guess_along(kernels, itinerary, guess)
         period = period_in((), given)
         return solve_itineraries(
@@ -106,8 +134,7 @@ def solve_many(
     if any(beside.values()):
         wrong = " and ".join(name for name, is_given in beside.items() if is_given)
         raise InputError(f"{wrong}: of an itinerary only, beside its system")
-    named_one: Any = orbit
-    known = named_one if isinstance(named_one, OrbitKernels) else load_orbit(named_one)
+    known = orbit if isinstance(orbit, OrbitKernels) else load_orbit(orbit)
     options: Any = {"admissibility": admissibility, "threads": threads}
     if known.derived:
         return solve_kernels_many(known, values, chunk=chunk, **options)

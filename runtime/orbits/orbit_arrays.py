@@ -60,6 +60,7 @@ class Orbits(Shown):
     multipliers: np.ndarray | None = None
     starts: np.ndarray | None = None
     timed: bool = False
+    derivatives: dict[str, dict[str, np.ndarray]] | None = None
 
     @property
     def name(self) -> str:

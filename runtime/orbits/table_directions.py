@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,7 +27,14 @@ from nonsmooth.runtime.shooting.variational import ARRAYS, Shooting, section_map
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
 
-__all__ = ["numbers_along", "passed", "table_directions", "working"]
+__all__ = [
+    "closed_along",
+    "numbers_along",
+    "passed",
+    "section_along",
+    "table_directions",
+    "working",
+]
 
 
 def working(orbit: Orbit) -> Mpmath | None:
@@ -162,7 +169,7 @@ def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directio
             " those at a given period"
         )
     numbers = numbers_along(orbit, by, lib)
-    cycle, closed = _closed(evaluation.cycle, numbers)
+    cycle, closed = closed_along(evaluation.cycle, numbers)
     size = len(cycle.structure.states)
     dwell, start = orbit.dwell_times, evaluation.states_up_to_shift[0]
     if lib is not None:
@@ -196,19 +203,63 @@ def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directio
     )
 
 
-def _closed(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShape, Numbers]:
-    """The cycle closed up to translations, where there are any."""
+def closed_along(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShape, Numbers]:
+    """The cycle closed up to translations, where there are any, and its numbers.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+        Of q directions.
+
+    Returns
+    -------
+    cycle : ItineraryShape
+    numbers : Numbers
+    """
     structure = cycle.structure
-    matrices = [
-        closing_matrix(structure, *arrays, None)
-        for arrays in zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
-    ]
-    if matrices[0] is None:
+    if closing_matrix(structure, *next(iter(_arrays(numbers))), None) is None:
         return cycle, numbers
+    matrices = [closing_matrix(structure, *arrays, None) for arrays in _arrays(numbers)]
     last = numbers.resets[:, cycle.transitions[-1].reset]
     added = np.array([m @ reset for m, reset in zip(matrices, last, strict=True)])
     resets = np.concatenate([numbers.resets, added[:, None]], axis=1)
     return closed_shape(cycle, len(cycle)), numbers._replace(resets=resets)
+
+
+def section_along(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> np.ndarray:
+    """The map on the section at the start, or the stroboscopic one of forced motions.
+
+    Without the multipliers 1 of translations, which are zeros of it.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+        Of q directions, closed up to translations.
+    now : Shooting
+        Of the orbit as it moves.
+
+    Returns
+    -------
+    array (q, k, k)
+        With steps.
+    """
+    driven = mechanical_states(cycle)
+    maps = now.variational[..., :-1]
+    if driven is None:
+        return np.asarray(maps)
+    phases = phases_in(cycle, numbers)
+    fields = [phase.field for phase in (*phases[1:], phases[0])]
+    behind = map(ARRAYS.apply, fields, now.starts[1:, ..., None])
+    maps = np.eye(len(driven), dtype=int)
+    for part in zip(phases, now.flows, now.velocities[..., None], behind, strict=True):
+        maps = section_map(ARRAYS, *part)[..., driven, :][..., driven] @ maps
+    if not len(directions_of(cycle.structure, *next(iter(_arrays(numbers))))):
+        return np.asarray(maps)
+    directions = [directions_of(cycle.structure, *a) for a in _arrays(numbers)]
+    along = [projection_along(d)[np.ix_(driven, driven)] for d in directions]
+    return np.array([p @ m for p, m in zip(along, maps, strict=True)])
 
 
 def _section(
@@ -221,19 +272,7 @@ def _section(
     """The section map, or the stroboscopic one of forced motions, and its derivatives."""
     shifts = len(evaluation.translations)
     rank = evaluation.stability.rank - shifts
-    driven = mechanical_states(cycle)
-    maps = now.variational[..., :-1]
-    if driven is not None:
-        phases = phases_in(cycle, numbers)
-        fields = [phase.field for phase in (*phases[1:], phases[0])]
-        behind = map(ARRAYS.apply, fields, now.starts[1:, ..., None])
-        maps = np.eye(len(driven), dtype=int)
-        for part in zip(phases, now.flows, now.velocities[..., None], behind, strict=True):
-            maps = section_map(ARRAYS, *part)[..., driven, :][..., driven] @ maps
-        if shifts:  # what the last reset projects stays at rest
-            directions = [directions_of(cycle.structure, *a) for a in _arrays(numbers)]
-            along = [projection_along(d)[np.ix_(driven, driven)] for d in directions]
-            maps = np.array([p @ m for p, m in zip(along, maps, strict=True)])
+    maps = section_along(cycle, numbers, now)
     found = MapDerivatives(
         real_parts(maps[0]), imaginary_parts(maps, lib), rank, int(evaluation.family)
     )
@@ -243,5 +282,6 @@ def _section(
     return found._replace(matrix=rounded(found.matrix), rates=rounded(found.rates))
 
 
-def _arrays(numbers: Numbers) -> Any:
+def _arrays(numbers: Numbers) -> Iterator[tuple[Any, Any, Any]]:
+    """Fields, rows and resets of each direction."""
     return zip(numbers.fields, numbers.rows, numbers.resets, strict=True)

@@ -24,7 +24,45 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.present.files.named_entries import saved_names
 from nonsmooth.runtime.shooting.multipliers import Stability
 
-__all__ = ["admissibility_json", "orbit_json", "short", "systems_json"]
+__all__ = ["admissibility_json", "derivatives_json", "orbit_json", "short", "systems_json"]
+
+
+def derivatives_json(
+    orbit: Orbit, by: Sequence[str], digits: int | None = None
+) -> dict[str, dict[str, str]]:
+    """Derivatives of what an orbit is, by some of what was given; decimal strings.
+
+    At a border collision they are those on the side that the report names.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    by : sequence of str
+    digits : int, optional
+        Fewer digits than the orbit has.
+
+    Returns
+    -------
+    dict of str to dict of str to str
+        Of each unknown, ``period``, ``trace``, ``determinant`` and ``spectral_radius`` by each
+        name; those that do not exist are left out.
+
+    Raises
+    ------
+    InputError
+        As for `Orbit.derivatives`.
+    """
+    shown = orbit.digits if digits is None else min(digits, orbit.digits)
+    found = orbit.derivatives(by, one_sided=True)
+    told: dict[str, dict[str, str]] = {}
+    for name in (*found.unknowns, "period", "trace", "determinant", "spectral_radius"):
+        rates = found.quantity(name)[1].tolist()
+        if all(rate == rate for rate in rates):
+            told[name] = {
+                parameter: decimal_string(rate, shown)
+                for parameter, rate in zip(found.by, rates, strict=True)
+            }
+    return told
 
 
 def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:

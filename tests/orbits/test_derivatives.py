@@ -183,13 +183,48 @@ def test_states_have_derivatives_at_fixed_times_and_at_fixed_phases():
 
 def test_margins_tell_of_the_next_grazing():
     """A forced mass that nearly strikes a second time: the inner maximum is its margin."""
-    orbit = ns.solve(ALONG[2])
-    margins = orbit.derivatives().margins
-    assert [margin.boundary for margin in margins] == ["wall-reaches-stop"]
-    motion = orbit.trajectory()
+    orbit = ns.solve(ALONG[2], {"w": "6.4", "sigma": "0.01", "r": "0.3"})
+    (margin,) = orbit.derivatives().margins
+    assert margin.boundary == "wall-reaches-stop"
     times = np.linspace(0, orbit.period, 20001)[200:-200]
-    x = motion(times)[:, 0]
+    x = orbit.trajectory()(times)[:, 0]
     inside = x[1:-1][(x[1:-1] > x[:-2]) & (x[1:-1] > x[2:])]
-    sigma = float(orbit.given["sigma"])
-    if len(inside):
-        assert float(margins[0].value) == pytest.approx(sigma - inside.max(), abs=1e-6)
+    assert float(margin.value) == pytest.approx(0.01 - inside.max(), abs=1e-6)
+
+
+@pytest.mark.parametrize("name", [*KERNELS[:2], DECLARED[0], DECLARED[4], DECLARED[5]])
+def test_many_orbits_have_the_derivatives_of_each(name):
+    orbit = ns.solve(name)
+    by = tuple(orbit.given)
+    values = {name: float(value) for name, value in orbit.given.items()}
+    values[by[0]] += np.array([0.0, 0.003, 1e3 if name == DECLARED[0] else -50.0])
+    found = ns.solve_many(name, values, derivatives=by)
+    assert found.derivatives is not None
+    assert found.converged.tolist() == [True, True, False]
+    for place in (0, 1):
+        point = {key: np.broadcast_to(x, 3)[place] for key, x in values.items()}
+        single = ns.solve(name, point).derivatives(by)
+        for quantity in (*orbit.unknowns, "period", "trace"):
+            rates = [found.derivatives[quantity][p][place] for p in by]
+            assert_allclose(rates, single.quantity(quantity)[1], rtol=1e-8, atol=1e-8)
+    for rates in found.derivatives.values():
+        assert all(np.isnan(rate[2]) for rate in rates.values())
+
+
+def test_many_orbits_of_a_family_have_derivatives_at_a_given_period():
+    orbit = ns.solve("elastic-stop/one-contact")
+    tables = orbit.problem.by_tables(orbit)
+    single = tables.derivatives()
+    data = {name: float(tables.parameters[name]) for name in tables.parameters}
+    found = ns.solve_many(
+        "elastic-stop",
+        data,
+        [*tables.dwell_times, *tables.states[0]],
+        itinerary=tables.itinerary,
+        given={"period": float(tables.period)},
+        derivatives=["k2"],
+    )
+    assert found.derivatives is not None
+    place = single.by.index("k2")
+    for name, rates in single.unknowns.items():
+        assert found.derivatives[name]["k2"] == pytest.approx(rates[place], abs=1e-8)

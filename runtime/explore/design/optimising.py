@@ -21,6 +21,7 @@ Method = Literal["SLSQP", "trust-constr"]
 _ROUNDS = 60
 _LEAST_BOX, _SIDE = 1e-8, 1e-9  # of the bounds
 _NEAR = 1e-2  # of the bounds: how far an interior method stays off its limits at most
+_MISSED = 1e-6  # of a condition: then it is approached first
 _PENALTY = 1e3  # of what misses a condition, beside the aim
 _PRECISION = {
     "SLSQP": {"ftol": 1e-15},
@@ -156,13 +157,16 @@ def _run(
     def rows(x: np.ndarray, equal: bool) -> Rows:
         return aim.rows(at(x), x[-1], equal=equal)
 
+    first = aim.variables(begin)
+    if aim.missed(begin) > _MISSED:
+        first = aim.variables(points.at(_nearer(points, aim, begin, box, most)))
     parts = [equal for equal in (True, False) if len(aim.rows(begin, 1.0, equal=equal).values)]
     make = _old_constraint if method == "SLSQP" else _new_constraint
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "delta_grad == 0.0")  # of what is linear
         found = minimize(
             fun,
-            aim.variables(begin),
+            first,
             jac=lambda x: aim.slope(at(x)),
             method=method,
             bounds=Bounds(lower, upper, keep_feasible=True),
@@ -171,6 +175,43 @@ def _run(
             options={"maxiter": most, **_PRECISION[method]},
         )
     return np.asarray(np.clip(found.x[:count], box[0], box[1]))
+
+
+def _nearer(
+    points: DesignPoints,
+    aim: Aim,
+    begin: DesignPoint,
+    box: tuple[np.ndarray, np.ndarray],
+    most: int,
+) -> np.ndarray:
+    """A place in a box at which the largest miss of all conditions is as small as it can be.
+
+    Where conditions are missed their linear forms may contradict each other; with one slack for
+    all of them they do not.
+    """
+    from scipy.optimize import Bounds, minimize
+
+    count = len(aim.lengths)
+
+    def rows(x: np.ndarray) -> Rows:
+        point = points.at(np.clip(x[:count], *box))
+        level = aim.variables(point)[-1]
+        equal, others = (aim.rows(point, level, equal=each) for each in (True, False))
+        values = np.concatenate([equal.values, -equal.values, others.values])
+        slopes = np.vstack([equal.slopes, -equal.slopes, others.slopes])[:, :count]
+        return Rows(values + x[-1], np.hstack([slopes, np.ones((len(slopes), 1))]))
+
+    slack = np.eye(count + 1)[-1]
+    found = minimize(
+        lambda x: float(x[-1]),
+        np.append(begin.place, aim.missed(begin)),
+        jac=lambda _: slack,
+        method="SLSQP",
+        bounds=Bounds(np.append(box[0], 0.0), np.append(box[1], np.inf)),
+        constraints=[_old_constraint(rows, equal=False)],
+        options={"maxiter": most, **_PRECISION["SLSQP"]},
+    )
+    return np.asarray(np.clip(found.x[:count], *box))
 
 
 def _old_constraint(rows: Callable[[np.ndarray], Rows], equal: bool) -> Any:
