@@ -278,3 +278,26 @@ def test_the_multiplier_of_a_wanted_multiplier_is_what_it_costs() -> None:
     (limit,) = [each for each in middle.active if each.text == "multiplier=-1"]
     cost = (high.after["period"] - low.after["period"]) / 2e-3
     assert limit.multiplier == pytest.approx(cost, rel=1e-4)
+
+
+def test_conditions_that_are_missed_are_approached_first() -> None:
+    """Where linear forms of missed conditions contradict each other SLSQP alone ends at once."""
+    orbit = ns.solve(f"{GALLERY / 'impact_damper.py'}:struck-twice")
+    assert abs(orbit.multipliers).max() > 0.8
+    found = ns.design(
+        orbit, minimise="peak:x", over={"d": (6, 30)}, subject_to=["spectral_radius<=0.7"]
+    )
+    assert found.converged
+    assert abs(found.orbit.multipliers).max() == pytest.approx(0.7, rel=1e-9)
+    free = ns.design(orbit, minimise="peak:x", over={"d": (6, 30)})
+    assert free.after["peak:x"] < found.after["peak:x"]
+    slope = free.gradient["peak:x"]["d"]
+    assert abs(slope) < 1e-7
+    motion = ns.simulate(
+        f"{GALLERY / 'impact_damper.py'}",
+        {name: value.text for name, value in free.orbit.given.items()},
+        {"x": 0, "y": 0, "v": 0, "v_y": 0},
+        until=900,
+    )  # from rest it settles on that orbit
+    states = motion(np.linspace(motion.end - 2 * np.pi, motion.end, 4001))
+    assert abs(states[:, 0]).max() == pytest.approx(free.after["peak:x"], rel=1e-5)

@@ -3,7 +3,7 @@
 ===============  ========================================================================
 `design`         `design`: minimise, maximise or solve over parameters in bounds
 `optimum`        `Design`: what was found, which limits act there, and how it was reached
-`condition`      `Condition`: a quantity and what it has to be
+`condition`      `DesignCondition`: a quantity and what it has to be
 `quantities`     values of quantities at an orbit, and their exact derivatives
 `following`      the orbit at other parameters, on the same branch
 `design_points`  orbits that a design has visited, in units of its bounds

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.explore.design.condition import Condition
+from nonsmooth.runtime.explore.design.condition import DesignCondition
 from nonsmooth.runtime.explore.design.design_points import DesignPoint
 from nonsmooth.runtime.explore.design.largest import peak_rows, radius_rows
 from nonsmooth.runtime.explore.design.quantities import (
@@ -54,7 +54,7 @@ class Aim:
     quantity : str
     sign : int
         -1 where it is maximised.
-    conditions : tuple of Condition
+    conditions : tuple of DesignCondition
     scale : float
         Unit of the quantity.
     lengths : array (q,)
@@ -65,7 +65,7 @@ class Aim:
 
     quantity: str
     sign: int
-    conditions: tuple[Condition, ...]
+    conditions: tuple[DesignCondition, ...]
     scale: float
     lengths: np.ndarray
     margins: tuple[MarginKey, ...] = ()
@@ -144,13 +144,13 @@ class Aim:
         size = self.scale ** (2 if len(found.values) == 3 else 1)
         return Rows(found.values / size, slopes / size)
 
-    def condition_rows(self, point: DesignPoint, condition: Condition) -> Rows:
+    def condition_rows(self, point: DesignPoint, condition: DesignCondition) -> Rows:
         """One condition.
 
         Parameters
         ----------
         point : DesignPoint
-        condition : Condition
+        condition : DesignCondition
 
         Returns
         -------
@@ -174,13 +174,13 @@ class Aim:
             slopes = np.hstack([slopes, np.zeros((len(slopes), 1))])
         return Rows(values / size, slopes)
 
-    def relaxing(self, point: DesignPoint, condition: Condition) -> np.ndarray:
+    def relaxing(self, point: DesignPoint, condition: DesignCondition) -> np.ndarray:
         """By how much each row of a condition grows for each unit of its value.
 
         Parameters
         ----------
         point : DesignPoint
-        condition : Condition
+        condition : DesignCondition
 
         Returns
         -------

@@ -9,13 +9,13 @@ from typing import Any, Literal
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value, parse
 
-__all__ = ["Condition", "condition_in"]
+__all__ = ["DesignCondition", "condition_in"]
 
 _FORM = re.compile(r"\s*([^<>=\s]+)\s*(<=|>=|=)\s*([^<>=]+)")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Condition:
+class DesignCondition:
     """What a quantity of an orbit has to be.
 
     Attributes
@@ -54,7 +54,7 @@ class Condition:
         return max(0.0, missed if self.relation == "<=" else -missed)
 
 
-def condition_in(text: str) -> Condition:
+def condition_in(text: str) -> DesignCondition:
     """Read a condition.
 
     Parameters
@@ -64,7 +64,7 @@ def condition_in(text: str) -> Condition:
 
     Returns
     -------
-    Condition
+    DesignCondition
 
     Raises
     ------
@@ -81,4 +81,4 @@ def condition_in(text: str) -> Condition:
         raise InputError(f"{text!r} is no condition, such as period<=6.5, trace>=0 or tau=1/2")
     relation: Any
     name, relation, value = found.groups()
-    return Condition(quantity=name, relation=relation, value=parse(value.strip()))
+    return DesignCondition(quantity=name, relation=relation, value=parse(value.strip()))

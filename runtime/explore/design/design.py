@@ -11,7 +11,7 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
 from nonsmooth.runtime.explore.design.aim import Aim, MarginKey
-from nonsmooth.runtime.explore.design.condition import Condition, condition_in
+from nonsmooth.runtime.explore.design.condition import DesignCondition, condition_in
 from nonsmooth.runtime.explore.design.design_points import DesignPoint, DesignPoints
 from nonsmooth.runtime.explore.design.largest import is_smooth_from_above
 from nonsmooth.runtime.explore.design.limits import Optimality, bounds_met, optimality
@@ -188,7 +188,7 @@ def _bounds_of(orbit: Any, over: Any) -> tuple[tuple[str, ...], np.ndarray]:
 
 def _conditions_of(
     solve: Mapping[str, object] | None, subject_to: Iterable[str], count: int
-) -> tuple[Condition, ...]:
+) -> tuple[DesignCondition, ...]:
     texts = [subject_to] if isinstance(subject_to, str) else list(subject_to)
     if not solve:
         found = tuple(condition_in(text) for text in texts)
@@ -202,7 +202,7 @@ def _conditions_of(
     if texts:
         raise InputError("values that are solved for take no other conditions")
     wanted = tuple(
-        Condition(quantity=name, relation="=", value=as_value(value))
+        DesignCondition(quantity=name, relation="=", value=as_value(value))
         for name, value in solve.items()
     )
     if len(wanted) != count:
@@ -231,7 +231,7 @@ def _check_options(method: str, iterations: int) -> None:
 
 
 def _rough(
-    orbit: Orbit, aim: str, quantity: str, conditions: Sequence[Condition]
+    orbit: Orbit, aim: str, quantity: str, conditions: Sequence[DesignCondition]
 ) -> tuple[str, ...]:
     """The spectral radius where only levels above it are asked for, and these are smooth."""
     above = quantity != RADIUS or aim == "minimise"
@@ -275,7 +275,7 @@ def _told(
     points: DesignPoints,
     point: DesignPoint,
     asked: Iterable[str],
-    conditions: Sequence[Condition],
+    conditions: Sequence[DesignCondition],
 ) -> dict[str, float]:
     values = {name: float(point.orbit.given[name]) for name in points.names}
     wanted = {c.quantity: float(c.value) for c in conditions}
@@ -293,7 +293,7 @@ def _gradient(
 
 
 def _history(
-    points: DesignPoints, ended: Ended, asked: Iterable[str], conditions: Sequence[Condition]
+    points: DesignPoints, ended: Ended, asked: Iterable[str], conditions: Sequence[DesignCondition]
 ) -> np.ndarray:
     names = tuple(asked)
     rows = [_told(points, point, names, conditions) for point in ended.history]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.explore.design.following import Follower
+from nonsmooth.runtime.explore.design.following import BranchFollower
 from nonsmooth.runtime.explore.design.quantities import Measured, measure
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -104,7 +104,7 @@ class DesignPoints:
         self._rough, self._progress = frozenset(rough), progress
         self.watching = False
         self._quantities, self._admissible = tuple(quantities), admissible
-        self._follower = Follower(orbit, names)
+        self._follower = BranchFollower(orbit, names)
         numbers = self._follower.first
         self.visited: list[DesignPoint] = []
         if admissible and not self._follower.admissible(numbers):

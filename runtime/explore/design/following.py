@@ -13,7 +13,7 @@ from nonsmooth.runtime.explore.continuation.stepping import FAR, MOST_ITERATIONS
 from nonsmooth.runtime.orbits.equations import OrbitEquations, equations_of
 from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["Follower", "Reached"]
+__all__ = ["BranchFollower", "Reached"]
 
 _LEAST = 2.0**-10  # of a way: the shortest step
 _TOLERANCE = 1e-9  # of the last step, which Newton's method squares
@@ -39,7 +39,7 @@ class Reached(NamedTuple):
     reason: str
 
 
-class Follower:
+class BranchFollower:
     """Orbits of one itinerary over several parameters.
 
     Parameters

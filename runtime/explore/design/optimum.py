@@ -11,7 +11,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Shown
-from nonsmooth.runtime.explore.design.condition import Condition
+from nonsmooth.runtime.explore.design.condition import DesignCondition
 from nonsmooth.runtime.explore.design.limits import ActiveLimit
 from nonsmooth.runtime.orbits.orbit import Orbit
 
@@ -33,7 +33,7 @@ class Design(Shown):
     parameters : tuple of str
         Those that varied.
     bounds : array (q, 2)
-    conditions : tuple of Condition
+    conditions : tuple of DesignCondition
         What it was subject to, or the wanted values.
     method : str
         The optimiser of SciPy.
@@ -63,7 +63,7 @@ class Design(Shown):
     quantity: str
     parameters: tuple[str, ...]
     bounds: np.ndarray
-    conditions: tuple[Condition, ...]
+    conditions: tuple[DesignCondition, ...]
     method: str
     quantities: tuple[str, ...]
     before: Mapping[str, float]

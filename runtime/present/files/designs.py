@@ -12,7 +12,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import AnyDigits, AnyTable, Digits, Table, encode, one_of
 from nonsmooth.runtime.core.result_files import FileFormat, naming
-from nonsmooth.runtime.explore.design.condition import Condition
+from nonsmooth.runtime.explore.design.condition import DesignCondition
 from nonsmooth.runtime.explore.design.limits import ActiveLimit
 from nonsmooth.runtime.explore.design.optimum import AIMS, Design
 from nonsmooth.runtime.present.files.orbits import orbit_content, orbit_in
@@ -28,7 +28,7 @@ class DesignEntries:
     quantity: str
     parameters: tuple[str, ...]
     bounds: Table
-    conditions: tuple[Condition, ...]
+    conditions: tuple[DesignCondition, ...]
     method: str
     quantities: tuple[str, ...]
     before: Mapping[str, Digits]

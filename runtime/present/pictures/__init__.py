@@ -8,6 +8,7 @@
 `motion_panels`  what is drawn of a motion into one Axes
 `branches`       branches, and curves of events in the plane
 `charts`         charts of the parameter plane
+`designs`        designs: iterates, and quantities along each parameter
 `found`          orbits that were found, a row for each
 `maps`           basins of attraction and bifurcation diagrams
 `proven_maps`    proven maps: tiles of a plane or of a line
