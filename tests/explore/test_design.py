@@ -11,6 +11,7 @@ from scipy.optimize import brentq
 
 import nonsmooth as ns
 from nonsmooth.runtime.explore.design.condition import condition_in
+from nonsmooth.runtime.explore.design.following import BranchFollower
 from nonsmooth.runtime.explore.design.largest import radius_rows
 from nonsmooth.runtime.explore.design.quantities import multiplier_gap
 from tests.places import GALLERY
@@ -301,3 +302,21 @@ def test_conditions_that_are_missed_are_approached_first() -> None:
     )  # from rest it settles on that orbit
     states = motion(np.linspace(motion.end - 2 * np.pi, motion.end, 4001))
     assert abs(states[:, 0]).max() == pytest.approx(free.after["peak:x"], rel=1e-5)
+
+
+def test_one_multiplier_is_followed_to_its_bound() -> None:
+    stick = ns.solve("dry-friction/global-stick")
+    found = ns.design(stick, minimise="spectral_radius", over={"V": (0.9, 1.1)})
+    (limit,) = found.active
+    assert found.converged
+    assert limit.text == "V>=0.9"
+    assert limit.multiplier == pytest.approx(found.gradient["spectral_radius"]["V"], rel=1e-9)
+
+
+def test_a_way_is_followed_up_to_the_end_of_the_branch() -> None:
+    stick = ns.solve("dry-friction/global-stick")
+    end = ns.continue_orbit(stick, "V", (0.8, 1.3)).parameter_values[-1]
+    follower = BranchFollower(stick, ["V"])
+    reached = follower.reach(follower.first, np.array([1.3]))
+    assert reached.reason == "ta goes to zero"
+    assert end - 2e-3 < follower.parameters(reached.numbers)[0] < end
