@@ -26,6 +26,7 @@ ORBITS = {
     "beam": ("one-contact", "phase"),
     "brake_pad": ("lifting", "phase"),
     "den_hartog": ("without-rest", "phase"),
+    "impact_damper": ("struck-twice", "time"),
     "impact_oscillator": ("one-period", "phase"),
     "jenkins": ("yielding-both-ways", "velocity"),
     "mass_on_belt": ("stick-slip", "phase"),
@@ -102,6 +103,18 @@ def thumbnails(folder: Path) -> None:
         figure.savefig(folder / f"{name}.png", dpi=80, metadata={"Software": None})
 
 
+def stablest(path: Path) -> None:
+    """The spectral radius around the design of the page of that name."""
+    orbit = ns.solve("dry-friction/symmetric")
+    design = ns.design(orbit, minimise="spectral_radius", over={"V": (0.3, 3)})
+    figure = design.plot()
+    figure.axes[0].remove()
+    figure.set_size_inches(3.2, 2.4)
+    figure.axes[0].legend_.remove()
+    figure.axes[0].set_xlabel("")
+    figure.savefig(path, dpi=80, metadata={"Software": None})
+
+
 def main() -> int:
     """Draw all of them."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -111,6 +124,7 @@ def main() -> int:
     with matplotlib.rc_context({"svg.hashsalt": "nonsmooth"}):
         response_and_basins(folder)
         thumbnails(folder / "gallery")
+        stablest(folder / "gallery" / "stablest_belt.png")
     return 0
 
 

@@ -13,6 +13,7 @@
 `counting`              `certify --all`
 `deriving`              the commands' way into the derivation
 `display`               orbits for people, and progress
+`designing`             `design`
 `display_branches`      branches for people
 `display_census`        how many orbits there are, for people
 `display_certificates`  certificates, maps and events for people

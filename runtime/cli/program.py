@@ -19,6 +19,7 @@ from nonsmooth.runtime.cli import (  # noqa: F401 - their commands join the appl
     certifying,
     charting,
     continuing,
+    designing,
     doctor,
     fitting,
     generating,
@@ -233,7 +234,8 @@ def plot(
             metavar="FILE",
             help="An orbit of `solve --save`, a motion of `simulate --save`, the orbits of"
             " `find --save` or one of them, FILE.json:N, a branch or a curve of events of"
-            " `continue --save`, a proven map of `certify --save`, or a chart of `chart --out`.",
+            " `continue --save`, a design of `design --save`, a proven map of"
+            " `certify --save`, or a chart of `chart --out`.",
         ),
     ],
     kind: Annotated[Kind, typer.Option("--kind", help="What to draw.")] = _ALL,

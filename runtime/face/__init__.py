@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
     from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.explore.continuation.locus import Locus
+    from nonsmooth.runtime.explore.design.design import design
+    from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.explore.finding.find import find_orbits
     from nonsmooth.runtime.explore.finding.found import Found
     from nonsmooth.runtime.explore.finding.sweep import Sweep, sweep
@@ -41,6 +43,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.present.files.branches import load_branch
     from nonsmooth.runtime.present.files.censuses import load_census
     from nonsmooth.runtime.present.files.certificates import load_certificate
+    from nonsmooth.runtime.present.files.designs import load_design
     from nonsmooth.runtime.present.files.event_certificates import load_event_certificates
     from nonsmooth.runtime.present.files.fits import load_fit
     from nonsmooth.runtime.present.files.found import load_found
@@ -75,6 +78,7 @@ __all__ = [
     "Census",
     "Certificate",
     "Check",
+    "Design",
     "DifferentiableFunction",
     "Event",
     "EventCertificate",
@@ -106,6 +110,7 @@ __all__ = [
     "check_certificate",
     "continue_event",
     "continue_orbit",
+    "design",
     "find_orbits",
     "fit",
     "itinerary_of",
@@ -115,6 +120,7 @@ __all__ = [
     "load_census",
     "load_certificate",
     "load_chart",
+    "load_design",
     "load_event_certificates",
     "load_fit",
     "load_found",
@@ -142,6 +148,7 @@ _HOMES = {
     "Certificate": "proof.certificate",
     "DifferentiableFunction": "core.differentiable",
     "Branch": "explore.continuation.branch",
+    "Design": "explore.design.optimum",
     "Event": "explore.continuation.event",
     "EventCertificate": "proof.events.event_certificate",
     "Experiment": "explore.fitting.measurements",
@@ -171,6 +178,7 @@ _HOMES = {
     "chart": "explore.charting.chart",
     "continue_event": "explore.continuation.continue_event",
     "continue_orbit": "explore.continuation.continue_orbit",
+    "design": "explore.design.design",
     "find_orbits": "explore.finding.find",
     "fit": "explore.fitting.fit",
     "itinerary_of": "simulation.last_cycle",
@@ -179,6 +187,7 @@ _HOMES = {
     "load_census": "present.files.censuses",
     "load_certificate": "present.files.certificates",
     "load_chart": "explore.charting.chart",
+    "load_design": "present.files.designs",
     "load_event_certificates": "present.files.event_certificates",
     "load_branch": "present.files.branches",
     "load_fit": "present.files.fits",
@@ -204,8 +213,10 @@ _HOMES = {
 register(
     "nonsmooth.runtime",
     {
+        "design_json": "present.files.designs",
         "draw_box": "present.pictures.proven_maps",
         "draw_branch": "present.pictures.branches",
+        "draw_design": "present.pictures.designs",
         "draw_locus": "present.pictures.branches",
         "fit_json": "present.files.fits",
         "found_held": "present.files.found",
@@ -223,6 +234,7 @@ register(
         "save_branch": "present.files.branches",
         "save_census": "present.files.censuses",
         "save_certificate": "present.files.certificates",
+        "save_design": "present.files.designs",
         "save_events": "present.files.event_certificates",
         "save_fit": "present.files.fits",
         "save_found": "present.files.found",

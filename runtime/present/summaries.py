@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
     from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.explore.continuation.locus import Locus
+    from nonsmooth.runtime.explore.design.optimum import Design
     from nonsmooth.runtime.explore.finding.found import Found
     from nonsmooth.runtime.explore.finding.sweep import Sweep
     from nonsmooth.runtime.explore.fitting.fit_record import Fit
@@ -179,6 +180,25 @@ def _event(event: Event) -> Summary:
         ("event", [event.text]),
         ("unknowns", [f"{name} = {value:.8g}" for name, value in event.unknowns.items()]),
         ("phase", [] if event.phase is None else [f"{event.phase + 1}, {event.configuration}"]),
+    ]
+
+
+def _design(design: Design) -> Summary:
+    names = (*design.parameters, *design.quantities)
+    ended = [f"{name} = {design.after[name]:.12g}" for name in names]
+    began = [f"{name} = {design.before[name]:.12g}" for name in names]
+    active = [f"{limit.text} (multiplier {limit.multiplier:.6g})" for limit in design.active]
+    of = shown_name(design.orbit.name)
+    aim = f"{design.aim} {design.quantity}" if design.quantity else "wanted values"
+    return f"design of {of}, {aim}: {design.message}", [
+        ("ends", ended),
+        ("active", active),
+        ("begins", began),
+        ("corner", [design.corner] if design.corner else []),
+        ("subject to", [condition.text for condition in design.conditions]),
+        ("left", [f"{design.residual:.2g}"]),
+        ("method", [design.method]),
+        ("iterates", [str(len(design.history))]),
     ]
 
 
@@ -368,6 +388,7 @@ _KINDS: Mapping[str, Callable[[Any], Summary]] = {
     "Census": _census,
     "Certificate": _certificate,
     "Check": _check,
+    "Design": _design,
     "Event": _event,
     "EventCertificate": _event_certificate,
     "Experiment": _experiment,

@@ -186,6 +186,10 @@ def locus() -> Any:
     return ns.continue_event(of, of.events[-1], "r", (0.45, 0.55))
 
 
+def designed() -> Any:
+    return ns.design(ns.solve(STICK), minimise="period", over={"V": (0.95, 1.05)})
+
+
 def event() -> Any:
     of = looped()
     return ns.certify_event(of, of.events[-1])
@@ -213,6 +217,7 @@ KINDS: dict[str, tuple[Callable[[], Any], Callable[[Path], Any]]] = {
     "nonsmooth found orbits": (found, ns.load_found),
     "nonsmooth branch": (branch, ns.load_branch),
     "nonsmooth locus": (locus, ns.load_locus),
+    "nonsmooth design": (designed, ns.load_design),
     "nonsmooth sweep": (swept, ns.load_sweep),
     "nonsmooth certificate": (lambda: ns.certify(ns.solve(STICK)), ns.load_certificate),
     "nonsmooth box certificate": (proven_map, ns.load_box_certificate),

@@ -10,6 +10,7 @@
 `claim_entries`       entries that the files of all proofs share
 `declared_table`      the table of an orbit without kernels, as a declaration would have it
 `declaring`           found orbits as named itineraries in the file that declares their system
+`designs`             designs, with the orbits where they begin and end
 `event_certificates`  certificates of events
 `fits`                fits of parameters to measurements
 `found`               orbits that were found

@@ -8,6 +8,7 @@
 `motion_panels`  what is drawn of a motion into one Axes
 `branches`       branches, and curves of events in the plane
 `charts`         charts of the parameter plane
+`designs`        designs: iterates, and quantities along each parameter
 `fits`           measurements over a fitted motion, and what is left
 `found`          orbits that were found, a row for each
 `maps`           basins of attraction and bifurcation diagrams

@@ -42,7 +42,8 @@ def figure_of(path: Path, kind: str, periods: int, view: BranchView | None = Non
     ----------
     path : Path
         JSON of an orbit, one of several as ``FILE.json:N``, a branch, a curve of events, a
-        proven map, found orbits, a sweep or a fit; .npz or .csv of a motion; folder of a chart.
+        proven map, found orbits, a sweep, a fit or a design; .npz or .csv of a motion; folder
+        of a chart.
     kind : str
         As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
         and what is drawn in one way only "all".
@@ -125,6 +126,14 @@ def _locus(path: Path) -> Drawn:
     return {"orbit": locus.name}, locus_figure(locus)
 
 
+def _design(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.designs import load_design
+    from nonsmooth.runtime.present.pictures.designs import design_figure
+
+    found = load_design(path)
+    return {"orbit": found.orbit.name}, design_figure(found)
+
+
 def _proven_map(path: Path) -> Drawn:
     from nonsmooth.runtime.present.files.box_certificates import load_box_certificate
     from nonsmooth.runtime.present.pictures.proven_maps import box_figure
@@ -151,6 +160,7 @@ def _fit(path: Path) -> Drawn:
 
 _IN_ONE_WAY: dict[str | None, tuple[str, Callable[[Path], Drawn]]] = {
     _BRANCH: ("a branch", _branch),
+    "nonsmooth design": ("a design", _design),
     "nonsmooth locus": ("a curve of events", _locus),
     "nonsmooth box certificate": ("a proven map", _proven_map),
     "nonsmooth sweep": ("a sweep", _sweep),

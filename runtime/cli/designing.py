@@ -1,0 +1,198 @@
+"""The command that designs: parameters at which an orbit is best, or has wanted values."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from nonsmooth.runtime.cli.application import (
+    ANSWERED,
+    NOT_MET,
+    UNANSWERED,
+    answering,
+    app,
+    assignments,
+    check_drawing,
+    ranges,
+)
+from nonsmooth.runtime.cli.keeping import Overwrite, check_new, say
+from nonsmooth.runtime.cli.options import (
+    AsJson,
+    OrbitName,
+    Plot,
+    Require,
+    RequiredVerdict,
+    SaveResult,
+)
+from nonsmooth.runtime.cli.written import Written
+from nonsmooth.runtime.core.errors import InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from nonsmooth.runtime.explore.design.optimum import Design
+    from nonsmooth.runtime.orbits.orbit import Orbit
+
+__all__ = ["design"]
+
+
+class Method(StrEnum):
+    """Optimisers of SciPy."""
+
+    SLSQP = "SLSQP"
+    TRUST_CONSTR = "trust-constr"
+
+
+@app.command(
+    epilog="Examples:\n\n"
+    "nonsmooth design dry-friction/symmetric V=0.3:3 --minimise spectral_radius\n\n"
+    "nonsmooth design dry-friction/symmetric V=0.6:3 eta=3:5 --minimise spectral_radius"
+    ' --subject "period<=4.6" --plot design.png --save design.json\n\n'
+    "nonsmooth design dry-friction/symmetric V=0.6:1.3 --solve multiplier=-1"
+)
+@answering
+def design(
+    orbit: OrbitName,
+    parameters: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="NAME=A:B|VALUE",
+            help="The parameters that vary, with their bounds: V=0.6:1.3; others in NAME=VALUE"
+            " form. It begins at the reference point's values, or in the middle.",
+            show_default=False,
+        ),
+    ] = None,
+    minimise: Annotated[
+        str | None,
+        typer.Option(
+            "--minimise",
+            metavar="QUANTITY",
+            help="What is made as small as it can be: spectral_radius, period, trace,"
+            " determinant, an unknown, maximum:x, minimum:x, peak:x or peak_acceleration:x of a"
+            " state x, dissipation, or margin.",
+        ),
+    ] = None,
+    maximise: Annotated[
+        str | None,
+        typer.Option("--maximise", metavar="QUANTITY", help="What is made as large as it can be."),
+    ] = None,
+    solve: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--solve",
+            metavar="QUANTITY=VALUE",
+            help="A wanted value, such as period=6.3, or multiplier=-1, a flip; as many as"
+            " parameters that vary.",
+        ),
+    ] = None,
+    subject: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--subject",
+            metavar="CONDITION",
+            help='A condition: "period<=6.5", "trace>=0" or "multiplier=-1"; may be repeated.',
+        ),
+    ] = None,
+    inadmissible: Annotated[
+        bool,
+        typer.Option("--inadmissible", help="Take also orbits that are no motion."),
+    ] = False,
+    method: Annotated[
+        Method, typer.Option("--method", help="The optimiser of SciPy.")
+    ] = Method.SLSQP,
+    plot: Plot = None,
+    save: SaveResult = None,
+    overwrite: Overwrite = False,
+    require: Require = None,
+    as_json: AsJson = False,
+) -> int:
+    """Find parameters at which an orbit is best, or has wanted values: stability, period, ...."""
+    from nonsmooth.runtime.cli.display import counted
+    from nonsmooth.runtime.explore.design.design import design as find_design
+
+    check_drawing(plot)
+    check_new(save, overwrite)
+    texts = parameters or []
+    over = {
+        n: (a, b) for n, (a, b, _) in ranges("parameter", [t for t in texts if ":" in t]).items()
+    }
+    if not over:
+        raise InputError("no parameter varies: give its bounds, such as V=0.6:1.3")
+    fixed = assignments("parameter", [text for text in texts if ":" not in text])
+    for name in fixed:
+        if name in over:
+            raise InputError(f"parameter {name} is given twice")
+    wanted = assignments("quantity", solve or []) or None
+    begin = _beginning(orbit, fixed, over)
+    with counted("designing") as progress:
+        found = find_design(
+            begin,
+            minimise=minimise,
+            maximise=maximise,
+            solve=wanted,
+            over=over,
+            subject_to=subject or (),
+            admissible=not inadmissible,
+            method=method.value,
+            progress=progress,
+        )
+    written = Written()
+    written.save(found.save, save)
+    if plot is not None:
+        from nonsmooth.runtime.present.pictures.designs import design_figure
+
+        written.draw(lambda: design_figure(found), plot)
+    code = written.show(found.to_json, lambda: _show(found), as_json=as_json)
+    return code or _judged(found, require or [])
+
+
+def _beginning(
+    name: str, fixed: Mapping[str, object], over: Mapping[str, tuple[float, float]]
+) -> Orbit:
+    """The orbit where the design begins: at the reference point, or in the middle of bounds."""
+    from nonsmooth.runtime.orbits.solve import solve
+
+    found = solve(name, fixed)
+    middles = {
+        each: (low + high) / 2
+        for each, (low, high) in over.items()
+        if each in found.given and not low <= float(found.given[each]) <= high
+    }
+    return solve(name, {**fixed, **middles}) if middles else found
+
+
+def _judged(found: Design, require: list[RequiredVerdict]) -> int:
+    """Exit code of a design; says on stderr what is not met."""
+    if not found.converged:
+        say(found.message)
+        return UNANSWERED
+    code = ANSWERED
+    for wanted in dict.fromkeys(require):
+        stable = wanted is RequiredVerdict.STABLE
+        told = found.orbit.stability if stable else found.orbit.admissibility
+        verdict = told.verdict
+        if verdict == "undecided":
+            code = code or UNANSWERED
+        elif verdict not in ("stable", True):
+            say(f"required: {wanted.value}; found: {'no' if verdict is False else verdict}")
+            code = NOT_MET
+    return code
+
+
+def _show(found: Design) -> None:
+    """The values where it began and ended, and what acts there."""
+    from nonsmooth.runtime.cli.tables import listing, show_table
+    from nonsmooth.runtime.model.naming import shown_name
+
+    aim = f"{found.aim} {found.quantity}" if found.quantity else "wanted values"
+    print(f"{shown_name(found.orbit.name)}, {aim}: {found.message}")
+    table = listing("", "begins", "ends")
+    for name in (*found.parameters, *found.quantities):
+        table.add_row(name, f"{found.before[name]:.12g}", f"{found.after[name]:.12g}")
+    show_table(table)
+    for limit in found.active:
+        worth = f", multiplier {limit.multiplier:.6g}" if found.quantity else ""
+        print(f"active: {limit.text}{worth}")
+    print(f"{found.method}, {len(found.history)} iterates, {found.residual:.2g} left")

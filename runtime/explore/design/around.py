@@ -1,0 +1,50 @@
+"""Quantities along one parameter around the end of a design."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoints
+from nonsmooth.runtime.explore.design.optimum import Design
+from nonsmooth.runtime.explore.design.quantities import MULTIPLIER
+
+__all__ = ["along"]
+
+
+def along(design: Design, parameter: str, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Quantities of the orbits along one parameter, the others as where the design ended.
+
+    Parameters
+    ----------
+    design : Design
+    parameter : str
+        One of those that varied.
+    count : int
+        How many values of it, over its bounds.
+
+    Returns
+    -------
+    tuple of array (count,), array (count, m)
+        Values of the parameter, and of the quantities; NaN where the branch does not lead.
+    """
+    place = design.parameters.index(parameter)
+    bounds = design.bounds[place][None]
+    wanted = [name for name in design.quantities if name != MULTIPLIER]
+    points = DesignPoints(
+        design.orbit, (parameter,), bounds, wanted, rough=wanted, admissible=False
+    )
+    begin = points.visited[0].place[0]
+    parts = np.linspace(0.0, 1.0, count)
+    found = np.full((count, len(design.quantities)), np.nan)
+    sides = np.flatnonzero(parts >= begin), np.flatnonzero(parts < begin)[::-1]
+    goals = [(c.quantity, float(c.value)) for c in design.conditions]
+    for side in sides:
+        for each in side:
+            try:
+                point = points.at(parts[each : each + 1])
+            except Beyond:
+                break
+            found[each] = [
+                point.measured.quantity(name, dict(goals).get(name)) for name in design.quantities
+            ]
+    return bounds[0, 0] + parts * points.lengths[0], found

@@ -1,0 +1,183 @@
+"""Orbits that a design has visited, in units of its bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.design.following import BranchFollower
+from nonsmooth.runtime.explore.design.quantities import Measured, measure
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.shooting.newton import CONVERGED
+
+__all__ = ["REFUSED", "UNDETERMINED", "Beyond", "DesignPoint", "DesignPoints"]
+
+REFUSED = "the orbit is no motion of the real system beyond"
+UNDETERMINED = "the equations determine no orbit beyond (a grazing or a fold)"
+
+
+class Beyond(Exception):
+    """A trial where there is no orbit of the branch: a shorter step is tried.
+
+    Attributes
+    ----------
+    near : DesignPoint
+        From where it was tried.
+    distance : float
+        How far the branch goes that way, in units of the bounds.
+    reason : str
+    """
+
+    def __init__(self, near: DesignPoint, distance: float, reason: str) -> None:
+        super().__init__(reason)
+        self.near, self.distance, self.reason = near, distance, reason
+
+
+@dataclass(frozen=True, eq=False)
+class DesignPoint:
+    """One orbit that was visited.
+
+    Attributes
+    ----------
+    place : array (q,)
+        Of its parameters in their bounds: 0 is the lower one, 1 the upper.
+    numbers : array (n,)
+        Of its equations.
+    orbit : Orbit
+    measured : Measured
+        Derivatives are by the parameters themselves.
+    """
+
+    place: np.ndarray
+    numbers: np.ndarray
+    orbit: Orbit
+    measured: Measured
+
+
+class DesignPoints:
+    """The orbits of a branch at trial parameters, each reached from the nearest known one.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Where the design begins.
+    names : sequence of str
+        Of the parameters.
+    bounds : array (q, 2)
+    quantities : sequence of str
+        What is measured.
+    rough : sequence of str
+        Those of them that need not have a derivative.
+    admissible : bool
+        Whether an orbit has to be a motion of the real system.
+    progress : callable, optional
+        Told how many orbits were visited.
+
+    Attributes
+    ----------
+    visited : list of DesignPoint
+        In the order in which they were reached; the first is the orbit itself.
+    watching : bool
+        Whether the optimiser has margins as conditions: it may try what is no motion.
+
+    Raises
+    ------
+    InputError
+        If the orbit cannot be followed, or it is no motion where it has to be.
+    """
+
+    def __init__(
+        self,
+        orbit: Orbit,
+        names: Sequence[str],
+        bounds: np.ndarray,
+        quantities: Sequence[str],
+        *,
+        rough: Sequence[str] = (),
+        admissible: bool = True,
+        progress: Callable[[int], object] | None = None,
+    ) -> None:
+        self.names, self.bounds = tuple(names), bounds
+        self._rough, self._progress = frozenset(rough), progress
+        self.watching = False
+        self._quantities, self._admissible = tuple(quantities), admissible
+        self._follower = BranchFollower(orbit, names)
+        numbers = self._follower.first
+        self.visited: list[DesignPoint] = []
+        if admissible and not self._follower.admissible(numbers):
+            raise InputError(
+                f"{orbit.name} is no motion of the real system where the design begins"
+            )
+        measured = measure(orbit, self.names, self._quantities)
+        place = self._place_of(self._follower.parameters(numbers))
+        self.visited.append(DesignPoint(place, numbers, orbit, measured))
+
+    @property
+    def lengths(self) -> np.ndarray:
+        """Lengths (q,) of the intervals of the parameters."""
+        return np.asarray(self.bounds[:, 1] - self.bounds[:, 0])
+
+    def at(self, place: np.ndarray) -> DesignPoint:
+        """The orbit at a place.
+
+        Parameters
+        ----------
+        place : array (q,)
+            In units of the bounds.
+
+        Returns
+        -------
+        DesignPoint
+
+        Raises
+        ------
+        Beyond
+            If the branch does not lead there.
+        """
+        for known in reversed(self.visited):
+            if np.array_equal(known.place, place):
+                return known
+        gaps = [float(np.abs(known.place - place).max()) for known in self.visited]
+        near = self.visited[int(np.argmin(gaps))]
+        inside = self.bounds[:, 0] + place * self.lengths
+        target = np.where(place == 1, self.bounds[:, 1], inside)
+        reached = self._follower.reach(near.numbers, target)
+        if reached.reason:
+            raise Beyond(near, reached.part * min(gaps), reached.reason)
+        judged = self._admissible and not self.watching  # else margins are conditions
+        if judged and not self._follower.admissible(reached.numbers):
+            raise Beyond(near, min(gaps) / 2, REFUSED)
+        orbit = self._follower.orbit(reached.numbers)
+        if orbit.status != CONVERGED:
+            raise Beyond(near, min(gaps) / 2, UNDETERMINED)
+        try:
+            measured = measure(orbit, self.names, self._quantities)
+        except InputError as problem:
+            raise Beyond(near, min(gaps) / 2, str(problem)) from None
+        for name, slope in measured.slopes.items():
+            if name not in self._rough and not np.isfinite(slope).all():
+                raise Beyond(near, min(gaps) / 2, f"{name} has no derivative at a corner")
+        found = DesignPoint(place.copy(), reached.numbers, orbit, measured)
+        self.visited.append(found)
+        if self._progress is not None:
+            self._progress(len(self.visited))
+        return found
+
+    def is_motion(self, point: DesignPoint) -> bool:
+        """Whether an orbit that was visited is what it has to be.
+
+        Parameters
+        ----------
+        point : DesignPoint
+
+        Returns
+        -------
+        bool
+        """
+        return not self._admissible or self._follower.admissible(point.numbers)
+
+    def _place_of(self, values: np.ndarray) -> np.ndarray:
+        return np.asarray((values - self.bounds[:, 0]) / self.lengths)

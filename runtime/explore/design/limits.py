@@ -1,0 +1,153 @@
+"""Which conditions and bounds act at an optimum, and how strongly."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.json_codec import Digits
+from nonsmooth.runtime.explore.design.aim import Aim
+from nonsmooth.runtime.explore.design.design_points import DesignPoint
+from nonsmooth.runtime.explore.design.largest import corner_of
+
+__all__ = ["ActiveLimit", "Optimality", "bounds_met", "optimality"]
+
+_ACTIVE, _ACTIVE_BOUND = 1e-6, 1e-7
+
+
+@dataclass(frozen=True, kw_only=True)
+class ActiveLimit:
+    """A condition or a bound that holds with equality at an optimum.
+
+    Attributes
+    ----------
+    text : str
+        As it was given, such as ``period<=6.5`` or ``V<=1.3``.
+    multiplier : float
+        Of Karush, Kuhn and Tucker: by how much the quantity that was asked for gets better for
+        each unit by which the limit is relaxed; of an equation by how much it gets worse for
+        each unit of its value.
+    """
+
+    text: str
+    multiplier: Digits
+
+
+class Optimality(NamedTuple):
+    """The conditions of Karush, Kuhn and Tucker at an orbit.
+
+    Attributes
+    ----------
+    active : tuple of ActiveLimit
+    residual : float
+        What is left of the gradient, in units of the quantity and of the bounds.
+    corner : str
+        What happens where the quantity has no derivative; empty where it has one.
+    """
+
+    active: tuple[ActiveLimit, ...]
+    residual: float
+    corner: str
+
+
+def optimality(
+    aim: Aim,
+    point: DesignPoint,
+    names: tuple[str, ...],
+    bounds: np.ndarray,
+) -> Optimality:
+    """Find multipliers that leave as little as possible of the gradient.
+
+    By linear least squares with bounds, whatever optimiser led there.
+
+    Parameters
+    ----------
+    aim : Aim
+    point : DesignPoint
+    names : tuple of str
+        Of the parameters.
+    bounds : array (q, 2)
+
+    Returns
+    -------
+    Optimality
+    """
+    from scipy.optimize import lsq_linear
+
+    level = aim.variables(point)[-1]
+    size = len(names) + aim.levelled
+    texts, slopes, units, free = [], [], [], []
+    for condition in aim.conditions:
+        rows, grown = aim.condition_rows(point, condition), aim.relaxing(point, condition)
+        for value, slope, unit in zip(*rows, grown.tolist(), strict=True):
+            if condition.relation == "=" or abs(value) <= _ACTIVE:
+                texts.append(condition.text)
+                slopes.append(slope)
+                units.append(unit)
+                free.append(condition.relation == "=")
+    if aim.margins:
+        margins = aim.margin_rows(point)
+        for key, value, slope in zip(aim.margins, *margins, strict=True):
+            if abs(value) <= _ACTIVE:
+                texts.append(f"{key.boundary} stays away in phase {key.phase + 1}")
+                slopes.append(slope)
+                units.append(1.0)
+                free.append(False)
+    for place, sign, text in _sides(point, names, bounds):
+        texts.append(text)
+        slopes.append(sign * np.eye(size)[place])
+        units.append(1 / float(aim.lengths[place]))
+        free.append(False)
+    told, corner = len(texts), ""
+    if aim.levelled:
+        levels = aim.level_rows(point, level)
+        near = np.abs(levels.values) <= _ACTIVE
+        corner = corner_of(point.measured.derivatives, aim.quantity, near)
+        slopes.extend(levels.slopes[near])
+        free.extend([False] * int(near.sum()))
+    gradient = aim.slope(point)
+    if not slopes:
+        return Optimality((), float(np.abs(gradient).max()), corner)
+    lower = np.where(free, -np.inf, 0.0)
+    found = lsq_linear(np.array(slopes).T, gradient, (lower, np.full(len(slopes), np.inf)))
+    left = float(np.abs(found.fun).max())
+    factors: dict[str, float] = {}  # a conjugate pair meets one condition twice
+    for text, factor, unit in zip(texts, found.x[:told], units, strict=True):
+        factors[text] = factors.get(text, 0.0) + float(factor) * aim.scale * unit
+    limits = tuple(ActiveLimit(text=text, multiplier=each) for text, each in factors.items())
+    return Optimality(limits, left, corner)
+
+
+def bounds_met(
+    point: DesignPoint, names: Sequence[str], bounds: np.ndarray
+) -> tuple[ActiveLimit, ...]:
+    """The bounds at which an orbit is, where nothing is optimised.
+
+    Parameters
+    ----------
+    point : DesignPoint
+    names : sequence of str
+        Of the parameters.
+    bounds : array (q, 2)
+
+    Returns
+    -------
+    tuple of ActiveLimit
+        With multipliers zero.
+    """
+    return tuple(
+        ActiveLimit(text=text, multiplier=0.0) for *_, text in _sides(point, names, bounds)
+    )
+
+
+def _sides(
+    point: DesignPoint, names: Sequence[str], bounds: np.ndarray
+) -> Iterator[tuple[int, float, str]]:
+    """Which parameters are at a bound, the direction inwards, and that in words."""
+    for place, name in enumerate(names):
+        for side, (sign, relation) in enumerate(((1.0, ">="), (-1.0, "<="))):
+            if abs(point.place[place] - side) <= _ACTIVE_BOUND:
+                yield place, sign, f"{name}{relation}{float(bounds[place, side])!r}"

@@ -1,0 +1,234 @@
+"""SciPy's constrained optimisers along a branch of orbits.
+
+Where a trial lies beyond the branch the optimiser begins again at the best orbit that was
+visited, in a smaller box around it; where it ends at a side of such a box, in a larger one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.explore.design.aim import Aim, Rows
+from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
+
+__all__ = ["Ended", "Method", "optimise"]
+
+Method = Literal["SLSQP", "trust-constr"]
+_ROUNDS = 60
+_LEAST_BOX, _SIDE = 1e-8, 1e-9  # of the bounds
+_NEAR = 1e-2  # of the bounds: how far an interior method stays off its limits at most
+_MISSED = 1e-6  # of a condition: then it is approached first
+_PENALTY = 1e3  # of what misses a condition, beside the aim
+_PRECISION = {
+    "SLSQP": {"ftol": 1e-15},
+    "trust-constr": {"gtol": 1e-10, "xtol": 1e-12, "barrier_tol": 1e-12},
+}
+
+
+class Ended(NamedTuple):
+    """Where an optimiser ended.
+
+    Attributes
+    ----------
+    point : DesignPoint
+    history : list of DesignPoint
+        The iterates.
+    reason : str
+        Why the branch leads no further; empty where that was no matter.
+    """
+
+    point: DesignPoint
+    history: list[DesignPoint]
+    reason: str
+
+
+def optimise(points: DesignPoints, aim: Aim, method: Method, most: int) -> Ended:
+    """Make the aim as small as it can be.
+
+    Parameters
+    ----------
+    points : DesignPoints
+    aim : Aim
+    method : "SLSQP" or "trust-constr"
+        As SciPy calls them.
+    most : int
+        Iterations of the optimiser in each of its rounds.
+
+    Returns
+    -------
+    Ended
+    """
+
+    def merit(point: DesignPoint) -> float:
+        return aim.value(point) + _PENALTY * aim.missed(point)
+
+    best, box, reason = points.visited[0], 1.0, ""
+    history = [best]
+    for _ in range(_ROUNDS):
+        lower, upper = np.maximum(best.place - box, 0.0), np.minimum(best.place + box, 1.0)
+        try:
+            place = _run(points, aim, method, best, (lower, upper), most, history)
+            found = points.at(place)
+        except Beyond as ended:
+            reason = ended.reason
+            best = min(points.visited, key=merit)
+            away = max(ended.distance, float(np.abs(ended.near.place - best.place).max()))
+            box = min(box / 2, max(away, box / 16))
+            if box < _LEAST_BOX:
+                break
+            continue
+        sides = (place - lower < _SIDE) & (lower > 0) | (upper - place < _SIDE) & (upper < 1)
+        gained = merit(best) - merit(found)
+        best = found if gained >= 0 else best
+        if not sides.any():
+            reason = ""
+            break
+        if gained <= 0:
+            break
+        box = min(1.0, 2 * box)
+    if method == "trust-constr":
+        best = _sharpened(points, aim, best, most, history, merit)
+    best = _snapped(points, best)
+    if history[-1] is not best:
+        history.append(best)
+    return Ended(best, history, reason)
+
+
+def _snapped(points: DesignPoints, best: DesignPoint) -> DesignPoint:
+    """The orbit at the bounds that it is next to."""
+    place = np.where(best.place < _SIDE, 0.0, np.where(best.place > 1 - _SIDE, 1.0, best.place))
+    try:
+        return points.at(place)
+    except Beyond:
+        return best
+
+
+def _sharpened(
+    points: DesignPoints,
+    aim: Aim,
+    best: DesignPoint,
+    most: int,
+    history: list[DesignPoint],
+    merit: Callable[[DesignPoint], float],
+) -> DesignPoint:
+    """The end of an interior method, which stays off the limits, taken to them by SLSQP."""
+    box = np.maximum(best.place - _NEAR, 0.0), np.minimum(best.place + _NEAR, 1.0)
+    try:
+        found = points.at(_run(points, aim, "SLSQP", best, box, most, history))
+    except Beyond:
+        return best
+    return min((best, found), key=merit)
+
+
+def _run(
+    points: DesignPoints,
+    aim: Aim,
+    method: Method,
+    begin: DesignPoint,
+    box: tuple[np.ndarray, np.ndarray],
+    most: int,
+    history: list[DesignPoint],
+) -> np.ndarray:
+    """One round of the optimiser in a box; gives the place where it ended."""
+    import warnings
+
+    from scipy.optimize import Bounds, minimize
+
+    count = len(aim.lengths)
+    lower, upper = box
+    if aim.levelled:
+        lower, upper = np.append(lower, 0.0), np.append(upper, np.inf)
+
+    def at(x: np.ndarray) -> DesignPoint:
+        return points.at(np.clip(x[:count], box[0], box[1]))
+
+    def note(x: np.ndarray, *_: Any) -> None:
+        point = at(x)
+        if history[-1] is not point:
+            history.append(point)
+
+    def fun(x: np.ndarray) -> float:
+        return float(x[-1]) if aim.levelled else aim.value(at(x))
+
+    def rows(x: np.ndarray, equal: bool) -> Rows:
+        return aim.rows(at(x), x[-1], equal=equal)
+
+    first = aim.variables(begin)
+    if aim.missed(begin) > _MISSED:
+        first = aim.variables(points.at(_nearer(points, aim, begin, box, most)))
+    parts = [equal for equal in (True, False) if len(aim.rows(begin, 1.0, equal=equal).values)]
+    make = _old_constraint if method == "SLSQP" else _new_constraint
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "delta_grad == 0.0")  # of what is linear
+        found = minimize(
+            fun,
+            first,
+            jac=lambda x: aim.slope(at(x)),
+            method=method,
+            bounds=Bounds(lower, upper, keep_feasible=True),
+            constraints=[make(partial(rows, equal=equal), equal) for equal in parts],
+            callback=note,
+            options={"maxiter": most, **_PRECISION[method]},
+        )
+    return np.asarray(np.clip(found.x[:count], box[0], box[1]))
+
+
+def _nearer(
+    points: DesignPoints,
+    aim: Aim,
+    begin: DesignPoint,
+    box: tuple[np.ndarray, np.ndarray],
+    most: int,
+) -> np.ndarray:
+    """A place in a box at which the largest miss of all conditions is as small as it can be.
+
+    Where conditions are missed their linear forms may contradict each other; with one slack for
+    all of them they do not.
+    """
+    from scipy.optimize import Bounds, minimize
+
+    count = len(aim.lengths)
+
+    def rows(x: np.ndarray) -> Rows:
+        point = points.at(np.clip(x[:count], *box))
+        level = aim.variables(point)[-1]
+        equal, others = (aim.rows(point, level, equal=each) for each in (True, False))
+        values = np.concatenate([equal.values, -equal.values, others.values])
+        slopes = np.vstack([equal.slopes, -equal.slopes, others.slopes])[:, :count]
+        return Rows(values + x[-1], np.hstack([slopes, np.ones((len(slopes), 1))]))
+
+    slack = np.eye(count + 1)[-1]
+    found = minimize(
+        lambda x: float(x[-1]),
+        np.append(begin.place, aim.missed(begin)),
+        jac=lambda _: slack,
+        method="SLSQP",
+        bounds=Bounds(np.append(box[0], 0.0), np.append(box[1], np.inf)),
+        constraints=[_old_constraint(rows, equal=False)],
+        options={"maxiter": most, **_PRECISION["SLSQP"]},
+    )
+    return np.asarray(np.clip(found.x[:count], *box))
+
+
+def _old_constraint(rows: Callable[[np.ndarray], Rows], equal: bool) -> Any:
+    return {
+        "type": "eq" if equal else "ineq",
+        "fun": lambda x: rows(x).values,
+        "jac": lambda x: rows(x).slopes,
+    }
+
+
+def _new_constraint(rows: Callable[[np.ndarray], Rows], equal: bool) -> Any:
+    from scipy.optimize import BFGS, NonlinearConstraint
+
+    return NonlinearConstraint(
+        lambda x: rows(x).values,
+        0.0,
+        0.0 if equal else np.inf,
+        jac=lambda x: rows(x).slopes,
+        hess=BFGS(),
+    )

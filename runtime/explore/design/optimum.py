@@ -1,0 +1,124 @@
+"""What a design found, and what can be asked of it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.explore.design.condition import DesignCondition
+from nonsmooth.runtime.explore.design.limits import ActiveLimit
+from nonsmooth.runtime.orbits.orbit import Orbit
+
+__all__ = ["AIMS", "CONVERGED", "NOT_REACHED", "Design"]
+
+AIMS = ("minimise", "maximise", "solve")
+CONVERGED, NOT_REACHED = 0, 1
+
+
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Design(Shown):
+    """Parameters at which an orbit is best, or has wanted values.
+
+    Attributes
+    ----------
+    aim : "minimise", "maximise" or "solve"
+    quantity : str
+        What was minimised or maximised; empty where values were wanted.
+    parameters : tuple of str
+        Those that varied.
+    bounds : array (q, 2)
+    conditions : tuple of DesignCondition
+        What it was subject to, or the wanted values.
+    method : str
+        The optimiser of SciPy.
+    quantities : tuple of str
+        The one that was asked for, and those of the conditions.
+    before, after : dict of str to float
+        Parameters and quantities where it began and where it ended.
+    gradient : dict of str to dict of str to float
+        Of each quantity by each parameter, where it ended; NaN where there is no derivative.
+    active : tuple of ActiveLimit
+        Conditions and bounds that hold with equality, with their multipliers.
+    corner : str
+        What happens where the quantity that was asked for has no derivative; else empty.
+    residual : float
+        What is left of the conditions of Karush, Kuhn and Tucker, or of the wanted values: in
+        units of the quantity, parameters in those of their intervals.
+    history : array (k, q + m)
+        Parameters and quantities of the iterates.
+    status : int
+        0 converged, 1 not; `message` says why.
+    message : str
+    start, orbit : Orbit
+        Where it began and where it ended.
+    """
+
+    aim: Literal["minimise", "maximise", "solve"]
+    quantity: str
+    parameters: tuple[str, ...]
+    bounds: np.ndarray
+    conditions: tuple[DesignCondition, ...]
+    method: str
+    quantities: tuple[str, ...]
+    before: Mapping[str, float]
+    after: Mapping[str, float]
+    gradient: Mapping[str, Mapping[str, float]]
+    active: tuple[ActiveLimit, ...]
+    corner: str
+    residual: float
+    history: np.ndarray
+    status: int
+    message: str
+    start: Orbit = field(repr=False)
+    orbit: Orbit = field(repr=False)
+
+    @property
+    def converged(self) -> bool:
+        """Whether it ended at an optimum, or at the wanted values."""
+        return self.status == CONVERGED
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Values of the parameters that varied, where it ended."""
+        return {name: self.after[name] for name in self.parameters}
+
+    def to_json(self) -> dict[str, Any]:
+        """Give the design as JSON.
+
+        Returns
+        -------
+        dict of str to JSON value
+            Numbers are decimal strings with all their digits.
+        """
+        told: dict[str, Any] = registered("design_json")(self)
+        return told
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draw the quantities over the iterates, and along each parameter around the end.
+
+        Parameters
+        ----------
+        axes : matplotlib Axes, optional
+            Where to draw the iterates alone; a figure of all when omitted.
+
+        Returns
+        -------
+        Figure or Axes
+        """
+        return registered("draw_design")(self, axes)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the design to a file with every digit; `nonsmooth.load_design` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            A JSON file; folders above it are made.
+        """
+        registered("save_design")(self, path)

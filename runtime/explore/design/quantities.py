@@ -1,0 +1,162 @@
+"""Values of quantities at an orbit, and their exact derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+    from nonsmooth.runtime.orbits.orbit import Orbit
+
+__all__ = [
+    "MULTIPLIER",
+    "PEAK",
+    "RADIUS",
+    "Gap",
+    "Measured",
+    "measure",
+    "multiplier_gap",
+    "sides_of",
+]
+
+RADIUS, MULTIPLIER, PEAK = "spectral_radius", "multiplier", "peak:"
+_IMAGINARY = 1e-30  # of a derivative by a complex step
+
+
+class Measured(NamedTuple):
+    """Quantities at one orbit, and their derivatives by q parameters.
+
+    Attributes
+    ----------
+    values : mapping of str to float
+    slopes : mapping of str to array (q,)
+        NaN where there is no derivative.
+    derivatives : OrbitDerivatives
+        Of everything else.
+    """
+
+    values: Mapping[str, float]
+    slopes: Mapping[str, np.ndarray]
+    derivatives: OrbitDerivatives
+
+    def quantity(self, name: str, wanted: float | None = None) -> float:
+        """Value of a quantity; of the multipliers the one nearest to that which is wanted.
+
+        Parameters
+        ----------
+        name : str
+        wanted : float, optional
+            Of a multiplier.
+
+        Returns
+        -------
+        float
+        """
+        if name != MULTIPLIER:
+            return self.values[name]
+        found = np.asarray(self.derivatives.section.multipliers).astype(complex)
+        return float(found[np.abs(found - wanted).argmin()].real)
+
+
+def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> Measured:
+    """Measure quantities at an orbit, and differentiate them.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    by : sequence of str
+        Parameters that were given for it.
+    of : sequence of str
+        Quantities as `OrbitDerivatives.quantity` knows them.
+
+    Returns
+    -------
+    Measured
+
+    Raises
+    ------
+    InputError
+        For a quantity that is unknown or not there, and where there is no derivative.
+    """
+    found = orbit.derivatives(list(by))
+    values, slopes = {}, {}
+    for name in of:
+        if name.startswith(PEAK):  # also where the largest and the smallest value tie
+            high, low = (found.quantity(side) for side in sides_of(name))
+            larger = high if high[0] >= -low[0] else (-low[0], -low[1])
+            values[name], slopes[name] = float(larger[0]), np.asarray(larger[1], dtype=float)
+            continue
+        value, slope = found.quantity(name)
+        values[name], slopes[name] = float(value), np.asarray(slope, dtype=float)
+    return Measured(values, slopes, found)
+
+
+def sides_of(peak: str) -> tuple[str, str]:
+    """The two extremes of which a peak is the larger one.
+
+    Parameters
+    ----------
+    peak : str
+        ``peak:STATE``.
+
+    Returns
+    -------
+    tuple of str
+        ``maximum:STATE`` and ``minimum:STATE``.
+    """
+    state = peak.removeprefix(PEAK)
+    return f"maximum:{state}", f"minimum:{state}"
+
+
+class Gap(NamedTuple):
+    """The characteristic polynomial at a wanted multiplier.
+
+    Attributes
+    ----------
+    value : float
+        The product of the distances of all multipliers to the wanted one.
+    slope : array (q,)
+        Its derivatives by parameters, also where multipliers collide.
+    by_wanted : float
+        Its derivative by the wanted multiplier.
+    """
+
+    value: float
+    slope: np.ndarray
+    by_wanted: float
+
+
+def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> Gap:
+    """The characteristic polynomial at a wanted multiplier: zero where the orbit has it.
+
+    Parameters
+    ----------
+    derivatives : OrbitDerivatives
+    wanted : float
+        Not zero.
+
+    Returns
+    -------
+    Gap
+
+    Raises
+    ------
+    InputError
+        For the multiplier zero, and for a family of orbits, that has 1 everywhere.
+    """
+    matrix, rates, rank, trivial = derivatives.directions.section
+    if trivial or not wanted:
+        told = "1 belongs to a whole family" if trivial else "0 belongs to no orbit"
+        raise InputError(f"no multiplier can be wanted here: {told}")
+    matrix, rates = matrix.astype(float), rates.astype(float)
+    beside, unit = len(matrix) - rank, np.eye(len(matrix))
+    scale, shifted = wanted**beside, wanted * unit - matrix
+    value = float(np.linalg.det(shifted)) / scale
+    moved = np.linalg.det(shifted - 1j * _IMAGINARY * rates).imag / _IMAGINARY
+    by_wanted = float(np.linalg.det(shifted + 1j * _IMAGINARY * unit).imag) / _IMAGINARY
+    return Gap(value, moved / scale, by_wanted / scale - beside * value / wanted)

@@ -1,0 +1,107 @@
+"""Pictures of designs: quantities over the iterates, and along each parameter around the end."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.explore.continuation.response import system_of
+from nonsmooth.runtime.explore.design.around import along
+from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.present.pictures.drawing import LINES, check_picture, given_axes
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from nonsmooth.runtime.explore.design.optimum import Design
+
+__all__ = ["design_figure", "draw_design"]
+
+_WIDTH, _HEIGHT = 6.4, 3.0
+_POINTS = 61
+
+
+def design_figure(design: Design) -> Figure:
+    """A figure of a design: its iterates, and its quantities along each parameter.
+
+    Parameters
+    ----------
+    design : Design
+        As `design` gives it.
+
+    Returns
+    -------
+    Figure
+        Outside pyplot.
+
+    Raises
+    ------
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    check_picture("all", ("all",))
+    from matplotlib.figure import Figure
+
+    count = 1 + len(design.parameters)
+    figure = Figure(figsize=(_WIDTH, _HEIGHT * count))
+    figure.set_layout_engine("constrained")
+    _iterates(design, figure.add_subplot(count, 1, 1))
+    for place, name in enumerate(design.parameters):
+        _along(design, name, figure.add_subplot(count, 1, 2 + place))
+    return figure
+
+
+def draw_design(design: Design, axes: Any = None) -> Any:
+    """Draw a design: all of it, or its iterates alone where Axes are given.
+
+    Parameters
+    ----------
+    design : Design
+    axes : matplotlib Axes, optional
+        Where to draw; a figure of its own by default.
+
+    Returns
+    -------
+    Figure or Axes
+
+    Raises
+    ------
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    if axes is None:
+        return design_figure(design)
+    check_picture("design", ("design",))
+    (place,) = given_axes(axes, "design", (1,))
+    _iterates(design, place)
+    return place
+
+
+def _iterates(design: Design, axes: Any) -> None:
+    count = len(design.parameters)
+    for place, name in enumerate(design.quantities):
+        color, dashes = LINES[place % len(LINES)]
+        values = design.history[:, count + place]
+        axes.plot(values, color=color, linestyle=dashes, marker=".", label=_word(name))
+    axes.set_xlabel("iterate")
+    axes.set_title(shown_name(design.orbit.name))
+    axes.legend(frameon=False)
+
+
+def _along(design: Design, name: str, axes: Any) -> None:
+    values, found = along(design, name, _POINTS)
+    for place, quantity in enumerate(design.quantities):
+        color, dashes = LINES[place % len(LINES)]
+        axes.plot(values, found[:, place], color=color, linestyle=dashes, label=_word(quantity))
+        axes.plot(design.after[name], design.after[quantity], marker="o", color=color)
+    finite = values[np.isfinite(found).any(axis=1)]
+    if len(finite):
+        axes.set_xlim(finite.min(), finite.max())
+    axes.set_xlabel(units_of(system_of(design.orbit)).label(name))
+    axes.legend(frameon=False)
+
+
+def _word(name: str) -> str:
+    return name.replace("_", " ").replace(":", " of ")

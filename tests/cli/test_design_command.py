@@ -1,0 +1,82 @@
+"""The command that designs: what it answers, keeps, draws and refuses."""
+
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+
+ORBIT = "dry-friction/symmetric"
+STABLEST = ("design", ORBIT, "V=0.3:3", "--minimise", "spectral_radius")
+
+
+def run(*arguments: str) -> tuple[int, str, str]:
+    result = CliRunner().invoke(app, list(arguments))
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+def test_numbers_are_those_of_python(tmp_path: Path) -> None:
+    file, picture = tmp_path / "design.json", tmp_path / "design.png"
+    options = ("--json", "--save", str(file), "--plot", str(picture), "--require", "stable")
+    code, out, _ = run(*STABLEST, *options)
+    told = json.loads(out)
+    found = ns.design(ns.solve(ORBIT), minimise="spectral_radius", over={"V": (0.3, 3)})
+    assert code == 0
+    assert told["files"] == [str(file), str(picture)]
+    assert told["after"] == {name: repr(value) for name, value in found.after.items()}
+    assert told["orbit"]["stability"] == "stable"
+    assert ns.load_design(file).after == found.after
+    assert picture.stat().st_size > 5000
+    assert run(*STABLEST, "--save", str(file))[0] == 2  # --overwrite is missing
+    assert run("plot", str(file), "--out", str(tmp_path / "again.png"))[0] == 0
+
+
+def test_people_see_where_it_begins_and_ends() -> None:
+    code, out, _ = run(
+        "design", ORBIT, "V=0.6:3", "eta=3:5", "--minimise", "spectral_radius",
+        "--subject", "period<=4.6", "--method", "trust-constr",
+    )  # fmt: skip
+    assert code == 0
+    assert "an optimum within V<=3.0; two multipliers meet" in out
+    assert "active: V<=3.0, multiplier 0.00039" in out
+    assert "0.647139" in out
+
+
+def test_wanted_values(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, _ = run("design", ORBIT, "V=0.6:1.3", "--solve", "multiplier=-1", "--json")
+    told = json.loads(out)
+    assert code == 0
+    assert float(told["after"]["V"]) == pytest.approx(1.0805880741771117, rel=1e-12)
+    code, _, error = run("design", ORBIT, "V=0.6:1.3", "--solve", "period=2")
+    assert (code, error) == (1, "nonsmooth: period=2 not reached: within V<=1.3\n")
+
+
+def test_what_is_required_and_not_met() -> None:
+    options = ("design", ORBIT, "V=0.6:0.7", "--minimise", "period")
+    code, _, error = run(*options, "--require", "stable")
+    assert (code, error) == (3, "nonsmooth: required: stable; found: unstable\n")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("V=1", "--minimise", "period"), "no parameter varies: give its bounds"),
+        (("V=0.6:1.3",), "one of minimise, maximise and solve is given, not 0"),
+        (("V=0.6:1.3", "V=1", "--minimise", "period"), "parameter V is given twice"),
+        (("V=0.6:1.3", "--minimise", "perid"), "did you mean 'period'"),
+        (("us1=0.6:1.3", "--minimise", "period"), "depends on us1"),
+        (("V=0.6:1.3", "--solve", "period=4", "--solve", "trace=1"), "2 wanted values for 1"),
+        (("V=0.6:1.3", "--minimise", "period", "--overwrite"), "--overwrite is for the file"),
+    ],
+)
+def test_what_is_wrong_is_told_in_one_line(arguments: tuple[str, ...], message: str) -> None:
+    code, out, error = run("design", ORBIT, *arguments)
+    assert code == 2
+    assert message in error
+    assert error.count("\n") == 1
+    assert not out
