@@ -19,7 +19,7 @@ from nonsmooth.runtime.shooting.newton import CONVERGED
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.directions import Directions
     from nonsmooth.runtime.orbits.motion_derivatives import (
-        Margin,
+        BoundaryMargin,
         MotionDerivatives,
         Transversality,
     )
@@ -174,7 +174,7 @@ class OrbitDerivatives:
         return self._by_what_was_given(self._along[0].states(phases, phases=True)[1])
 
     @cached_property
-    def margins(self) -> tuple[Margin, ...]:
+    def margins(self) -> tuple[BoundaryMargin, ...]:
         """How far each boundary stays away along each phase, with derivatives (q,)."""
         return tuple(
             margin._replace(rates=self._by_what_was_given(margin.rates))

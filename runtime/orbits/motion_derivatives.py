@@ -28,7 +28,7 @@ from nonsmooth.runtime.simulation.phase_functions import Phases, fastest
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["Differentiated", "Margin", "MotionDerivatives", "Transversality"]
+__all__ = ["BoundaryMargin", "Differentiated", "MotionDerivatives", "Transversality"]
 
 _TOUCH = 1e-9  # relative size below which a boundary function is zero at a phase's end
 _TIED = 1e-9  # relative difference of extremes that are as large as each other
@@ -47,7 +47,7 @@ class Differentiated(NamedTuple):
     time: Any
 
 
-class Margin(NamedTuple):
+class BoundaryMargin(NamedTuple):
     """How far a boundary stays away along a phase: the least of minus its function.
 
     Attributes
@@ -386,7 +386,7 @@ class MotionDerivatives:
         return Differentiated(float(total[0].real), imaginary_parts(total, None), float("nan"))
 
     @cached_property
-    def margins(self) -> tuple[Margin, ...]:
+    def margins(self) -> tuple[BoundaryMargin, ...]:
         """How far each boundary stays away along each phase.
 
         Of a boundary that a phase begins on or ends at it is the nearest maximum inside, if
@@ -404,7 +404,7 @@ class MotionDerivatives:
                     continue
                 there = self.differentiated(row, phase, time)
                 found.append(
-                    Margin(
+                    BoundaryMargin(
                         phase,
                         self.structure.configurations[configuration],
                         boundary.name,

@@ -45,6 +45,9 @@ class Orbits(Shown):
         State at the start of each phase, where the solver has found them all.
     timed : bool
         Whether the period was given.
+    derivatives : dict of str to dict of str to array (...), or None
+        Of each unknown, the ``period`` and the ``trace``, by each parameter that was asked for;
+        NaN where there is none. None where not asked for.
     """
 
     problem: OrbitProblem

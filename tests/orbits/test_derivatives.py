@@ -228,3 +228,31 @@ def test_many_orbits_of_a_family_have_derivatives_at_a_given_period():
     place = single.by.index("k2")
     for name, rates in single.unknowns.items():
         assert found.derivatives[name]["k2"] == pytest.approx(rates[place], abs=1e-8)
+
+
+@pytest.mark.parametrize("name", [KERNELS[0], KERNELS[2], *DECLARED])
+def test_the_section_has_the_orbits_own_multipliers(name):
+    orbit = ns.solve(name)
+    section = orbit.derivatives().section
+    nontrivial = [abs(complex(m.real, m.imaginary)) for m in orbit.stability.multipliers
+                  if not m.trivial]  # fmt: skip
+    assert section.spectral_radius == pytest.approx(max(nontrivial), abs=1e-10)
+    product = np.prod(sorted(nontrivial, reverse=True)[: len(section.multipliers)])
+    assert abs(section.determinant) == pytest.approx(product, abs=1e-10)
+
+
+def test_extremes_have_derivatives_of_all_digits():
+    """Where the extreme is has to be polished: a place in doubles leaves eight digits."""
+    orbit = ns.solve(ALONG[2])
+    precise = ns.refine(orbit, 30)
+    along, _ = precise.evaluation.along(precise.derivatives("r"))
+    extreme = along.largest(along.state_row("x"), -1)
+    (state,), _ = along.states([extreme.time])
+    assert abs(state[1]) < 1e-28  # its velocity
+    rate = extreme.rates[0]
+    sides = []
+    for side in (1, -1):
+        value = as_value(orbit.given["r"].exact + side * STEP)
+        moved = dataclasses.replace(orbit, given={**orbit.given, "r": value})
+        sides.append(ns.refine(moved, 50).derivatives("r").quantity("minimum:x")[0])
+    assert abs(rate - (sides[0] - sides[1]) * 10**18 / 2) < 1e-28
