@@ -23,8 +23,8 @@ from benchmark_chart import chart
 from benchmark_continuation import branch
 from benchmark_declared import declared
 from benchmark_derivatives import derivatives
-from benchmark_gradients import gradients
 from benchmark_fits import fits
+from benchmark_gradients import gradients
 from benchmark_peers import peers
 from benchmark_simulation import composed, many, sequences, simulation
 from benchmark_size import size

@@ -89,7 +89,7 @@ class Aim:
         """
         if not self.levelled:
             return point.place
-        return np.append(point.place, point.measured.values[self.quantity] / self.scale)
+        return np.append(point.place, point.quantities.values[self.quantity] / self.scale)
 
     def value(self, point: DesignPoint) -> float:
         """What is made small, at an orbit.
@@ -102,7 +102,7 @@ class Aim:
         -------
         float
         """
-        return self.sign * point.measured.values[self.quantity] / self.scale
+        return self.sign * point.quantities.values[self.quantity] / self.scale
 
     def slope(self, point: DesignPoint) -> np.ndarray:
         """Derivatives of what is made small by the variables.
@@ -117,7 +117,7 @@ class Aim:
         """
         if self.levelled:
             return np.asarray(np.eye(len(self.lengths) + 1)[-1])
-        slope = point.measured.slopes[self.quantity]
+        slope = point.quantities.slopes[self.quantity]
         return np.asarray(self.sign * slope * self.lengths / self.scale)
 
     def level_rows(self, point: DesignPoint, level: float) -> Rows:
@@ -134,7 +134,7 @@ class Aim:
         Rows
             Not negative where they hold.
         """
-        derivatives = point.measured.derivatives
+        derivatives = point.quantities.derivatives
         if self.quantity == RADIUS:
             found = radius_rows(derivatives, level * self.scale)
         else:
@@ -157,7 +157,7 @@ class Aim:
         Rows
             Not negative where it holds, zero where it is an equation.
         """
-        measured, wanted = point.measured, float(condition.value)
+        measured, wanted = point.quantities, float(condition.value)
         if condition.quantity == MULTIPLIER:
             gap = multiplier_gap(measured.derivatives, wanted)
             values, slopes = np.array([gap.value]), gap.slope[None]
@@ -187,7 +187,7 @@ class Aim:
         array (m,)
             Positive where the condition is relaxed; of an equation minus that.
         """
-        derivatives, wanted = point.measured.derivatives, float(condition.value)
+        derivatives, wanted = point.quantities.derivatives, float(condition.value)
         if condition.quantity == MULTIPLIER:
             found = np.array([-multiplier_gap(derivatives, wanted).by_wanted])
         elif condition.quantity == RADIUS and condition.relation == "<=":
@@ -207,7 +207,7 @@ class Aim:
         -------
         Rows
         """
-        there = {MarginKey(m.phase, m.boundary): m for m in point.measured.derivatives.margins}
+        there = {MarginKey(m.phase, m.boundary): m for m in point.quantities.derivatives.margins}
         count = len(self.lengths)
         values, slopes = np.ones(len(self.margins)), np.zeros((len(self.margins), count))
         for place, key in enumerate(self.margins):

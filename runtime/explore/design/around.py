@@ -45,6 +45,6 @@ def along(design: Design, parameter: str, count: int) -> tuple[np.ndarray, np.nd
             except Beyond:
                 break
             found[each] = [
-                point.measured.quantity(name, dict(goals).get(name)) for name in design.quantities
+                point.quantities.quantity(name, dict(goals).get(name)) for name in design.quantities
             ]
     return bounds[0, 0] + parts * points.lengths[0], found

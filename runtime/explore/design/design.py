@@ -117,7 +117,7 @@ def design(
     first = points.visited[0]
     watched = _watched(first) if admissible and aim_name != "solve" else ()
     points.watching = bool(watched)
-    size = abs(first.measured.values[quantity]) if quantity else 1.0
+    size = abs(first.quantities.values[quantity]) if quantity else 1.0
     aim = Aim(
         quantity,
         -1 if aim_name == "maximise" else 1,
@@ -219,7 +219,7 @@ def _watched(first: DesignPoint) -> tuple[MarginKey, ...]:
         p.name not in first.orbit.opened for p in kernels.open_parameters
     ):
         return ()
-    margins = first.measured.derivatives.margins
+    margins = first.quantities.derivatives.margins
     return tuple(MarginKey(m.phase, m.boundary) for m in margins)
 
 
@@ -279,7 +279,7 @@ def _told(
 ) -> dict[str, float]:
     values = {name: float(point.orbit.given[name]) for name in points.names}
     wanted = {c.quantity: float(c.value) for c in conditions}
-    found = {name: point.measured.quantity(name, wanted.get(name)) for name in asked}
+    found = {name: point.quantities.quantity(name, wanted.get(name)) for name in asked}
     return {**values, **found}
 
 
@@ -287,7 +287,7 @@ def _gradient(
     points: DesignPoints, point: DesignPoint, measured: Iterable[str]
 ) -> dict[str, dict[str, float]]:
     return {
-        name: dict(zip(points.names, point.measured.slopes[name].tolist(), strict=True))
+        name: dict(zip(points.names, point.quantities.slopes[name].tolist(), strict=True))
         for name in measured
     }
 

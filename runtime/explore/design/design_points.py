@@ -9,7 +9,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.design.following import BranchFollower
-from nonsmooth.runtime.explore.design.quantities import Measured, measure
+from nonsmooth.runtime.explore.design.quantities import QuantityValues, measure
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.newton import CONVERGED
 
@@ -47,14 +47,14 @@ class DesignPoint:
     numbers : array (n,)
         Of its equations.
     orbit : Orbit
-    measured : Measured
+    quantities : QuantityValues
         Derivatives are by the parameters themselves.
     """
 
     place: np.ndarray
     numbers: np.ndarray
     orbit: Orbit
-    measured: Measured
+    quantities: QuantityValues
 
 
 class DesignPoints:

@@ -105,7 +105,7 @@ def optimality(
     if aim.levelled:
         levels = aim.level_rows(point, level)
         near = np.abs(levels.values) <= _ACTIVE
-        corner = corner_of(point.measured.derivatives, aim.quantity, near)
+        corner = corner_of(point.quantities.derivatives, aim.quantity, near)
         slopes.extend(levels.slopes[near])
         free.extend([False] * int(near.sum()))
     gradient = aim.slope(point)

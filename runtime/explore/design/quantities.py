@@ -18,7 +18,7 @@ __all__ = [
     "PEAK",
     "RADIUS",
     "Gap",
-    "Measured",
+    "QuantityValues",
     "measure",
     "multiplier_gap",
     "sides_of",
@@ -28,7 +28,7 @@ RADIUS, MULTIPLIER, PEAK = "spectral_radius", "multiplier", "peak:"
 _IMAGINARY = 1e-30  # of a derivative by a complex step
 
 
-class Measured(NamedTuple):
+class QuantityValues(NamedTuple):
     """Quantities at one orbit, and their derivatives by q parameters.
 
     Attributes
@@ -63,7 +63,7 @@ class Measured(NamedTuple):
         return float(found[np.abs(found - wanted).argmin()].real)
 
 
-def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> Measured:
+def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> QuantityValues:
     """Measure quantities at an orbit, and differentiate them.
 
     Parameters
@@ -76,7 +76,7 @@ def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> Measured:
 
     Returns
     -------
-    Measured
+    QuantityValues
 
     Raises
     ------
@@ -93,7 +93,7 @@ def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> Measured:
             continue
         value, slope = found.quantity(name)
         values[name], slopes[name] = float(value), np.asarray(slope, dtype=float)
-    return Measured(values, slopes, found)
+    return QuantityValues(values, slopes, found)
 
 
 def sides_of(peak: str) -> tuple[str, str]:
