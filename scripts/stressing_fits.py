@@ -16,8 +16,7 @@ __all__ = ["fits_chunk", "impacting"]
 WALL = "wall-reaches-stop"
 FEWEST, MOST = 0.90, 0.99  # of the intervals
 FREE = ("k", "r", "v0")
-EVENTS = 8
-STARTS = 4
+EVENTS = 12
 
 
 def impacting() -> Any:
@@ -38,13 +37,13 @@ def impacting() -> Any:
 
 def truth_of(rng: np.random.Generator) -> tuple[dict[str, float], dict[str, float]]:
     """Parameters and start of a motion."""
-    point = {"c": 0.05, "w": 2.1, "k": rng.uniform(2, 3.3), "r": rng.uniform(0.6, 0.9)}
+    point = {"c": 0.05, "w": 2.1, "k": rng.uniform(2, 4), "r": rng.uniform(0.6, 0.9)}
     return point, {"x": -0.6, "v": rng.uniform(-0.4, 0.4)}
 
 
 def by_series(motion: Any, rng: np.random.Generator) -> tuple[dict[str, np.ndarray], Any]:
     """Positions at 80 times, some of them missing; the noise is not told."""
-    times = np.linspace(0.1, 12, 80)
+    times = np.linspace(0.1, 14, 80)
     values = motion(times)[:, 0] + 0.01 * rng.normal(size=80)
     values[rng.random(80) < 0.1] = np.nan
     return {"t": times, "x": values}, None
@@ -72,7 +71,7 @@ def fits_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
         held, runs = Counter[str](), 0
         while runs < count:
             point, start = truth_of(rng)
-            motion = ns.simulate(system, point, start, until=30)
+            motion = ns.simulate(system, point, start, until=40)
             if sum(WALL in names for names in motion.boundaries) < EVENTS:
                 continue
             data, sigma = measure(motion, rng)
@@ -85,15 +84,9 @@ def fits_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
                 system,
                 data,
                 parameters={**point, **guess},
-                bounds={
-                    "k": (0.9 * point["k"], 1.1 * point["k"]),
-                    "r": (0.4, 1),
-                    "v0": (start["v"] - 0.3, start["v"] + 0.3),
-                },
+                bounds={"k": (1, 6), "r": (0.2, 1), "v0": (-2, 2)},
                 start=begin,
                 sigma=sigma,
-                starts=STARTS,
-                seed=runs,
             )
             good = (fit.lower <= truth) & (truth <= fit.upper)
             held.update(dict(zip(FREE, good.tolist(), strict=True)))

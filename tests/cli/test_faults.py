@@ -31,6 +31,7 @@ FIT = (
     "fit rigid-stop impacts.csv m1=1 m2=2 k1=1 k2=5 r=0.7:1 --from x1=0,x2=0,v1=1.5,v2=0"
     " --sigma 0.01"
 )
+DESIGN = "design dry-friction/symmetric V=2.6:2.8 --minimise spectral_radius"
 # each option that names a file or a folder to be written, and a command that asks for little
 WRITERS = {
     ("equations", "--out"): "equations mine.py --format markdown --out TARGET",
@@ -50,6 +51,8 @@ WRITERS = {
     ("find", "--save"): f"find {FRICTION} --starts 1 --transitions 30 --save TARGET",
     ("find", "--plot"): f"find {FRICTION} --starts 1 --transitions 30"
     " --basins x1=-1:1:2,v1=-1:1:2 --plot TARGET.png",
+    ("design", "--save"): f"{DESIGN} --save TARGET",
+    ("design", "--plot"): f"{DESIGN} --plot TARGET.png",
     ("fit", "--save"): f"{FIT} --save TARGET",
     ("fit", "--plot"): f"{FIT} --plot TARGET.png",
     ("sweep", "--save"): f"sweep {SWEPT} --state x1 --at slip-stick {REST} --save TARGET",

@@ -13,7 +13,7 @@ from scipy.stats import norm
 from scipy.stats import t as student
 
 import nonsmooth as ns
-from nonsmooth.derive import Parameter, RigidStop, oscillator
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.explore.fitting import minimise
 
@@ -26,6 +26,16 @@ SYSTEM = oscillator(
     stiffness=[[k]],
     elements=[RigidStop("x", at=0.2, restitution=r, name="wall")],
     parameters=[Parameter("c", "damping"), Parameter("k", "stiffness"), Parameter("m", "mass")],
+)
+FORCED = oscillator(
+    "struck-forced",
+    ["x"],
+    mass=[[1]],
+    damping=[[c]],
+    stiffness=[[k]],
+    forcing=[Harmonic("2.1", cosine=[1])],
+    elements=[RigidStop("x", at=0.2, restitution=r, name="wall")],
+    parameters=[Parameter("c", "damping"), Parameter("k", "stiffness")],
 )
 TRUTH: dict[str, Any] = {"k": 4.0, "m": 1.0, "r": 0.9, "c": 0.02}
 START: dict[str, Any] = {"x": -1.0, "v": 0.0}
@@ -245,6 +255,22 @@ def test_several_starts_find_what_one_misses_and_are_seeded() -> None:
     np.testing.assert_array_equal(found.estimates, again.estimates)
     assert told[:6] == [(n, len(found.costs)) for n in range(1, len(found.costs) + 1)][:6]
     assert min(found.costs) == pytest.approx(found.chi2 / 2)
+
+
+def test_a_long_record_leads_to_its_minimum_by_way_of_its_beginnings() -> None:
+    """A direct search ends among motions that miss an impact, hundreds of deviations off."""
+    point = {"c": 0.05, "k": 3.464111363815697, "r": 0.8491271795904692}
+    start = {"x": -0.6, "v": 0.31577651988954014}
+    motion = ns.simulate(FORCED, point, start, transitions=12)
+    found = ns.fit(
+        FORCED,
+        {WALL: motion.times[1:]},
+        parameters=point | {"k": 3.439368044531334, "r": 0.8434874405963568},
+        bounds={"k": (1, 6), "r": (0.2, 1), "v0": (-2, 2)},
+        start=start | {"v": 0.28724740051015457},
+        sigma=2e-3,
+    )
+    np.testing.assert_allclose(found.estimates, [point["k"], point["r"], start["v"]], rtol=1e-9)
 
 
 def test_a_point_without_enough_events_shortens_the_step() -> None:

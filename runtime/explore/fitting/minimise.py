@@ -3,6 +3,9 @@
 Trust regions reject a trial point whose residuals are not finite and take a quarter of the step:
 so motions that do not exist, are too short or graze a boundary end no search. The noise of columns
 without standard deviations is estimated from their residuals, in turn with the parameters.
+
+The longer a record, the more minima its sum of squares has. So each start is searched from twice:
+directly, and by way of longer and longer beginnings of the records.
 """
 
 from __future__ import annotations
@@ -21,6 +24,8 @@ __all__ = ["Minimum", "minimise"]
 
 _TOLERANCE = 1e-12
 _MOST = 200  # evaluations of one search
+_GROWTH = 1.4  # from one beginning of the records to the next
+_ROUGHLY = 1e-4  # tolerance of searches over beginnings
 _ROUNDS = 20  # of estimating the noise
 _SETTLED = 1e-6  # relative change of the noise
 _LEAST = 1e-12  # noise, as a part of the spread of the data
@@ -106,11 +111,14 @@ def minimise(
     stopped = False
     try:
         for place, point in enumerate(points):
-            found = _search(problem, point, noise, loss)
-            evaluations += found.nfev
-            costs[place] = found.cost
-            if best is None or found.cost < best.cost:
-                best = found
+            for begun in (point, _approached(problem, point, noise, loss)):
+                if not np.isfinite(problem.residuals(begun, noise).values).all():
+                    continue
+                found = _search(problem, begun, noise, loss)
+                evaluations += found.nfev
+                costs[place] = np.fmin(costs[place], found.cost)
+                if best is None or found.cost < best.cost:
+                    best = found
             progress(place + 1, len(points))
     except KeyboardInterrupt:
         if best is None:
@@ -137,7 +145,13 @@ def minimise(
     return result
 
 
-def _search(problem: FitProblem, point: np.ndarray, noise: Noise, loss: str) -> Any:
+def _search(
+    problem: FitProblem,
+    point: np.ndarray,
+    noise: Noise,
+    loss: str,
+    tolerance: float = _TOLERANCE,
+) -> Any:
     from scipy.optimize import least_squares
 
     known: dict[bytes, Residuals] = {}
@@ -160,11 +174,24 @@ def _search(problem: FitProblem, point: np.ndarray, noise: Noise, loss: str) -> 
         method="trf",
         x_scale="jac",
         loss=loss_of(loss, problem.data),
-        ftol=_TOLERANCE,
-        xtol=_TOLERANCE,
-        gtol=_TOLERANCE,
+        ftol=tolerance,
+        xtol=tolerance,
+        gtol=tolerance,
         max_nfev=_MOST,
     )
+
+
+def _approached(problem: FitProblem, point: np.ndarray, noise: Noise, loss: str) -> np.ndarray:
+    """Where searches over longer and longer beginnings of the records lead."""
+    passed = np.sort(problem.passed)
+    enough = passed[min(len(point), len(passed)) - 1 :]
+    part = float(enough[enough > 0].min(initial=1.0))
+    while part < 1:
+        shorter = problem.beginning(part)
+        if np.isfinite(shorter.residuals(point, noise).values).all():
+            point = _search(shorter, point, noise, loss, _ROUGHLY).x
+        part *= _GROWTH
+    return point
 
 
 def _starts(problem: FitProblem, count: int, seed: int) -> np.ndarray:

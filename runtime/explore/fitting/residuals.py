@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -60,6 +60,35 @@ class FitProblem:
     def data(self) -> int:
         """How many numbers were measured."""
         return sum(len(series.values) for _, series in self.series)
+
+    @property
+    def passed(self) -> np.ndarray:
+        """What part of its record has passed at each datum, (m,)."""
+        found = []
+        for each in self.experiments:
+            length = (each.last - each.first) or 1.0
+            found += [(series.times - each.first) / length for series in each.series]
+        return np.concatenate(found)
+
+    def beginning(self, part: float) -> FitProblem:
+        """The same problem with the first part of each record alone.
+
+        Parameters
+        ----------
+        part : float
+            Of the time between the first and the last datum of an experiment.
+
+        Returns
+        -------
+        FitProblem
+        """
+        experiments = []
+        for each in self.experiments:
+            last = each.first + part * (each.last - each.first)
+            kept = (series.until(last) for series in each.series)
+            series = tuple(found for found in kept if len(found.values))
+            experiments.append(replace(each, series=series))
+        return replace(self, experiments=tuple(experiments))
 
     def sigma(self, series: MeasuredSeries, noise: Noise) -> np.ndarray:
         """Standard deviations of a series.
