@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.showing import Shown
 
 __all__ = ["DifferentiableFunction"]
 
@@ -16,8 +17,8 @@ Derivatives = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 Pullback = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 
-@dataclass(frozen=True, eq=False)
-class DifferentiableFunction:
+@dataclass(frozen=True, eq=False, repr=False)
+class DifferentiableFunction(Shown):
     """A function of q numbers with m values, and its exact derivatives.
 
     Where it has no value, as where there is no orbit, values and derivatives are NaN.
@@ -48,9 +49,9 @@ class DifferentiableFunction:
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
     reference: np.ndarray
-    evaluate: Callable[[np.ndarray], np.ndarray] = field(repr=False)
-    differentiate: Derivatives = field(repr=False)
-    pull: Pullback | None = field(default=None, repr=False)
+    evaluate: Callable[[np.ndarray], np.ndarray]
+    differentiate: Derivatives
+    pull: Pullback | None = None
 
     def __call__(self, x: Any) -> np.ndarray:
         """Evaluate the function.

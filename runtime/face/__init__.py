@@ -61,7 +61,6 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Proof
     from nonsmooth.runtime.proof.motion.validate import validate
-    from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
     from nonsmooth.runtime.simulation.last_cycle import Recurrence, itinerary_of
     from nonsmooth.runtime.simulation.lyapunov import lyapunov
     from nonsmooth.runtime.simulation.motion_function import motion_function
@@ -90,7 +89,6 @@ __all__ = [
     "Locus",
     "MissingExtra",
     "Motion",
-    "MotionDerivatives",
     "NoConvergence",
     "NonsmoothError",
     "Orbit",
@@ -159,7 +157,6 @@ _HOMES = {
     "Locus": "explore.continuation.locus",
     "MissingExtra": "core.errors",
     "Motion": "orbits.motion",
-    "MotionDerivatives": "simulation.derivatives",
     "NoConvergence": "core.errors",
     "NonsmoothError": "core.errors",
     "Orbit": "orbits.orbit",

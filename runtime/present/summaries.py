@@ -14,6 +14,7 @@ from nonsmooth.runtime.model.naming import itinerary_text, shown_name
 from nonsmooth.runtime.present.notebook import table_html
 
 if TYPE_CHECKING:
+    from nonsmooth.runtime.core.differentiable import DifferentiableFunction
     from nonsmooth.runtime.explore.continuation.branch import Branch
     from nonsmooth.runtime.explore.continuation.event import Event
     from nonsmooth.runtime.explore.continuation.locus import Locus
@@ -297,6 +298,14 @@ def _trajectories(motions: Trajectories) -> Summary:
     return f"{_many(size, 'motion')} of {shown_name(motions.structure.name)}, shape {shape}", rows
 
 
+def _differentiable_function(function: DifferentiableFunction) -> Summary:
+    inputs = zip(function.inputs, function.reference.tolist(), strict=True)
+    return "function with exact derivatives", [
+        ("of", [f"{name} = {value:.6g}" for name, value in inputs]),
+        ("gives", list(function.outputs)),
+    ]
+
+
 def _recurrence(cycle: Recurrence) -> Summary:
     return f"cycle of {_many(len(cycle.itinerary), 'phase')}", [
         ("itinerary", [itinerary_text(cycle.itinerary)]),
@@ -389,6 +398,7 @@ _KINDS: Mapping[str, Callable[[Any], Summary]] = {
     "Certificate": _certificate,
     "Check": _check,
     "Design": _design,
+    "DifferentiableFunction": _differentiable_function,
     "Event": _event,
     "EventCertificate": _event_certificate,
     "Experiment": _experiment,

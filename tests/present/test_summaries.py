@@ -72,6 +72,8 @@ def result(kind: str) -> Any:
             return flip()
         case "Locus":
             return ns.continue_event(branch(), flip(), "eta", (3.99, 4.01))
+        case "DifferentiableFunction":
+            return ns.orbit_function(ns.solve(ORBIT), by=["V", "eta"], of=["period", "trace"])
         case "Design":
             return ns.design(ns.solve(SYMMETRIC), minimise="period", over={"V": (0.6, 0.7)})
         case "Certificate":
