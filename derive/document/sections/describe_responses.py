@@ -281,7 +281,8 @@ def _pair(
     below = notation.latex(resultant)
     if resultant == 1:
         return (Line(left, "=", tuple(terms)),)
-    front = notation.latex(1 / resultant)
+    sign, text = notation.factor(1 / resultant)
+    front = f"- {text}" if sign < 0 else text
     pieces = [rf"{front} \biggl({terms[0]}", *terms[1:]]
     pieces[-1] += r"\biggr)"
     lines = [Line(left, "=", tuple(pieces))]
