@@ -388,9 +388,18 @@ IN_GALLERY = [
 ]
 
 
+TOO_WIDE = pytest.mark.xfail(strict=True, reason="saltation matrices of two bodies are too wide")
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
-@pytest.mark.parametrize("name", IN_GALLERY)
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=TOO_WIDE) if name.startswith("impact_damper/") else name
+        for name in IN_GALLERY
+    ],
+)
 def test_no_line_of_the_gallery_is_cut(name: str, tmp_path: Path) -> None:
     fits_the_page(document_of(name)[0], tmp_path)
 
