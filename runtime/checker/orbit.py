@@ -316,8 +316,26 @@ class CheckedOrbit:
         That is the product of (I - f n / n f) and resets; of forced orbits of the saltations
         at fixed times. Its other multipliers are zero.
         """
+        return self.map_on(*self.declared.section)
+
+    def map_on(self, begin: int, free: Sequence[int], basis: Any) -> Any:
+        """The derivative of the Poincare map by some coordinates where a phase begins.
+
+        Parameters
+        ----------
+        begin : int
+            Number of the phase.
+        free : sequence of int
+            The n coordinates.
+        basis : rows (N + 1, n)
+            Changes of the state by these: exact entries.
+
+        Returns
+        -------
+        matrix (n, n)
+            Of the coordinates.
+        """
         chain, now, count = self.chain, self.now, len(self.chain.fields)
-        begin, free, basis = self.declared.section
         found = self.numbers(basis)
         for place in (k % count for k in range(begin, begin + count)):
             rate = chain.fields[place] * now.ends[place]
@@ -333,8 +351,13 @@ class CheckedOrbit:
             found = chain.resets[place] * moved - jump * ((n * moved) / (n * rate)[0, 0])
         return matrix([[found[i, j] for j in range(len(free))] for i in free])
 
-    def enclosures(self) -> dict[str, Any]:
+    def enclosures(self, section: Any = None) -> dict[str, Any]:
         """Of all that is stated by name.
+
+        Parameters
+        ----------
+        section : matrix, optional
+            The Poincare map's derivative; if not given on the smallest section.
 
         Returns
         -------
@@ -346,7 +369,8 @@ class CheckedOrbit:
         found |= dict(zip(declared.dwell, self.dwell, strict=True))
         period = self.chain.period
         found["period"] = sum(self.dwell, arb(0)) if period is None else period
-        found["trace"] = trace_of(self.section) + len(self.declared.translations)
+        section = self.section if section is None else section
+        found["trace"] = trace_of(section) + len(self.declared.translations)
         return found
 
 

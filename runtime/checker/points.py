@@ -5,6 +5,7 @@ from typing import Any
 from flint import arb, ctx
 
 from nonsmooth.runtime.checker.declared import StatedSystem
+from nonsmooth.runtime.checker.derivatives import check_derivatives
 from nonsmooth.runtime.checker.exact import (
     agreed_claims,
     ball,
@@ -46,6 +47,7 @@ def check(content: dict[str, Any]) -> None:
     exists, admissible, stable = agreed_claims(content["claims"], content["reasons"])
     if exists != "proved":
         told = [content[name] for name in ("enclosures", "multipliers", "margins")]
+        told += [content.get(name) for name in ("derivatives", "directions")]
         demand(not any(told), "numbers of no orbit")
     if exists == "undecided":
         told = [content[name] for name in ("box", "declaration", "closing", "given_period")]
@@ -84,6 +86,7 @@ def check(content: dict[str, Any]) -> None:
         if stable != "undecided":
             verdict = stability(orbit)
             demand(verdict == stable, f"stability is {verdict}")
+        check_derivatives(content, {**content["parameters"], **period}, orbit)
     demand(admissible == "proved" or not content["margins"], "margins of no motion")
     if admissible != "undecided":
         with ctx.workprec(min(bits, _ENOUGH) + _GUARD):

@@ -2,7 +2,7 @@
 
 A type stands for its instances, a pattern for texts that it matches, [shape] for a list of any
 length, (shape, ...) for one of this length, {name: shape} for exactly these names, `Named` for
-any names, and `Either` for one of several.
+any names, `Maybe` for an entry that may be missing, and `Either` for one of several.
 """
 
 import re
@@ -19,6 +19,12 @@ class Malformed(Failure):
 
 class Named(NamedTuple):
     """Entries by any names."""
+
+    shape: Any
+
+
+class Maybe(NamedTuple):
+    """An entry that may be missing."""
 
     shape: Any
 
@@ -138,6 +144,10 @@ CERTIFICATE = {
         }
     ],
     "box": _BOX,
+    # where derivatives are asked for
+    "derivatives": Maybe(Named(_BALLS)),
+    "directions": Maybe(Named(Named(NUMBER))),
+    "no_derivatives": Maybe(Named(str)),
 }
 MAP = {
     **_FILE,
@@ -203,7 +213,7 @@ def check_shape(entry: Any, shape: Any, where: str = "the file") -> None:
     ----------
     entry : object
         Read from JSON.
-    shape : type, pattern, Either, Named, dict, list or tuple
+    shape : type, pattern, Either, Maybe, Named, dict, list or tuple
         What the entry has to be.
     where : str, default "the file"
         Place of the entry, for the message.
@@ -218,6 +228,8 @@ def check_shape(entry: Any, shape: Any, where: str = "the file") -> None:
             _demand(type(entry) is shape, where)
         case re.Pattern():
             _demand(isinstance(entry, str) and shape.fullmatch(entry), where)
+        case Maybe(inner):
+            check_shape(entry, inner, where)
         case Either(shapes):
             _either(entry, shapes, where)
         case Named(inner):
@@ -227,10 +239,11 @@ def check_shape(entry: Any, shape: Any, where: str = "the file") -> None:
         case dict():
             _demand(isinstance(entry, dict), where)
             for name in sorted(entry.keys() ^ shape.keys()):
-                kind = "missing" if name in shape else "unknown"
-                raise Malformed(f"{name!r} of {where} is {kind}")
-            for name, inner in shape.items():
-                check_shape(entry[name], inner, f"{name!r} of {where}")
+                if not isinstance(shape.get(name), Maybe):
+                    kind = "missing" if name in shape else "unknown"
+                    raise Malformed(f"{name!r} of {where} is {kind}")
+            for name in entry:
+                check_shape(entry[name], shape[name], f"{name!r} of {where}")
         case list():
             _demand(isinstance(entry, list), where)
             for number, part in enumerate(entry, 1):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
@@ -47,6 +47,7 @@ class Proven(StrEnum):
     "nonsmooth certify dry-friction/global-stick eta=0.98\n\n"
     "nonsmooth certify rigid-stop/one-impact T=2*pi --digits 100 --require proved\n\n"
     "nonsmooth certify my_oscillator.py:loop --save certificate.json\n\n"
+    "nonsmooth certify dry-friction/global-stick eta=0.98 --derivatives eta,V\n\n"
     "nonsmooth certify dry-friction/global-stick V=0.9:1.1 eta=0.9:1.1 --save map.json"
     " --plot map.png\n\n"
     "nonsmooth certify dry-friction/global-stick --all tau=0:12.6 tau1=0:20\n\n"
@@ -93,6 +94,15 @@ def certify(
         Path | None,
         typer.Option("--plot", metavar="FILE", help="Draw the box's map: .png, .svg or .pdf."),
     ] = None,
+    derivatives: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--derivatives",
+            metavar="NAME,...",
+            help="Enclose the derivatives of start, dwell times, period, trace and multipliers by"
+            " these given numbers.",
+        ),
+    ] = None,
     check: Annotated[
         Path | None,
         typer.Option(
@@ -123,7 +133,7 @@ def certify(
     With --all ranges are of dwell times, and orbits are counted; with --events: what happens.
     """
     if check is not None:
-        options = (parameters, guess, digits, bits, save, resume, plot, tiles)
+        options = (parameters, guess, digits, bits, save, resume, plot, tiles, derivatives)
         chosen = (every, events, overwrite, yes)
         if any(chosen) or any(option is not None and option != [] for option in options):
             raise InputError("--check takes a file, and perhaps its orbit, and nothing else")
@@ -132,6 +142,8 @@ def certify(
         raise InputError("an orbit is missing, or --check FILE")
     if every and events:
         raise InputError("--all and --events are two questions: ask one of them")
+    if derivatives and (every or events or is_box(parameters)):
+        raise InputError("--derivatives are for one orbit, at one point")
     near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
     if is_box(parameters) and not (every or events):
         if digits is not None or bits is not None:
@@ -163,7 +175,8 @@ def certify(
             orbit, parameters or [], near, wanted, resume, save, as_json=as_json
         )
         return code if code == INTERRUPTED else _judged(told, require, code)
-    return _certify(orbit, parameters, near, wanted, require, save, as_json)
+    by = split(derivatives) if derivatives else None
+    return _certify(orbit, parameters, near, wanted, by, require, save, as_json)
 
 
 def _certify(
@@ -171,6 +184,7 @@ def _certify(
     parameters: list[str] | None,
     near: dict[str, float] | None,
     bits: int,
+    by: Sequence[str] | None,
     require: Proven | None,
     save: Path | None,
     as_json: bool,
@@ -183,7 +197,7 @@ def _certify(
     values = assignments("parameter", parameters or [])
     with steps(f"solving {orbit}") as begin:
         found = solve(orbit, values, near)
-        certificate = prove(found, bits, begin=begin)
+        certificate = prove(found, bits, derivatives=by, begin=begin)
     written = Written()
     written.save(certificate.save, save)
     code = written.show_one(

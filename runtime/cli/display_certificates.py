@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
@@ -20,6 +21,7 @@ __all__ = [
     "share_table",
     "show_box",
     "show_certificate",
+    "show_derivatives",
     "show_events",
 ]
 
@@ -65,6 +67,8 @@ def show_certificate(certificate: Certificate) -> None:
     if certificate.chosen:
         names = ", ".join(certificate.chosen)
         out.print(Text(f"{names} left open: chosen for this proof", style="dim"))
+    for name, reason in certificate.no_derivatives.items():
+        out.print(Text(f"no derivatives by {name}: {reason}", style="dim"))
     if not certificate.enclosures:
         return
     table = listing("enclosure", "", "unique within")
@@ -75,6 +79,7 @@ def show_certificate(certificate: Certificate) -> None:
         imaginary = "" if im.contains(0) else f" + {im} i"
         table.add_row(f"multiplier {number}", f"{re}{imaginary}", "")
     show_table(table, out)
+    show_derivatives(out, certificate)
     if certificate.margins:
         table = listing("phase", "boundary", "respected by at least")
         for margin in certificate.margins:
@@ -82,6 +87,28 @@ def show_certificate(certificate: Certificate) -> None:
             size = f"{_rounded(margin['least'])} ({margin['quantity']})"
             table.add_row(place, margin["boundary"], size)
         show_table(table, out)
+
+
+def show_derivatives(out: Console, certificate: Certificate) -> None:
+    """Show the derivatives that are enclosed, and what moves where that has another name.
+
+    Parameters
+    ----------
+    out : Console
+    certificate : Certificate
+        As `certify` gives it.
+    """
+    if not certificate.derivatives:
+        return
+    table = listing("derivative", "by", "")
+    for quantity, rates in certificate.derivatives.items():
+        for name, enclosure in rates.items():
+            table.add_row(quantity, name, str(enclosure))
+    show_table(table, out)
+    for name, direction in certificate.directions.items():
+        if direction.keys() != {name}:
+            moves = ", ".join(f"{other} by {rate}" for other, rate in direction.items())
+            out.print(Text(f"with {name} by 1 moves {moves}", style="dim"))
 
 
 def show_box(found: BoxCertificate) -> None:

@@ -13,6 +13,7 @@ from nonsmooth.runtime.cli.display_certificates import (
     UNIFORM,
     enclosure_table,
     share_table,
+    show_derivatives,
 )
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.core.values import Value
@@ -72,6 +73,7 @@ def _show_point(out: Console, certificate: Certificate, *, compared: bool) -> No
         for name, enclosure in certificate.enclosures.items():
             table.add_row(name, str(enclosure))
         show_table(table, out)
+    show_derivatives(out, certificate)
 
 
 def _show_map(out: Console, found: BoxCertificate, *, compared: bool) -> None:

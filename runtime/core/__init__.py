@@ -5,6 +5,7 @@
 `arithmetic`               one set of functions for floats, mpmath and balls
 `complex_steps`            derivatives by tiny imaginary parts, in doubles and in any digits
 `differentiable`           functions with exact derivatives, as optimisers take them
+`dual_balls`               derivatives in balls, by dual numbers
 `errors`                   the exceptions of the package, under one root
 `exponential_balls`        divided differences of the exponential in balls and Taylor models
 `exponential_differences`  the same in doubles

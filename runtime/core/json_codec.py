@@ -21,7 +21,8 @@ annotation                     entry
 ``X | None``                   null, or that
 `BlankText`, `BlankDigits`...  an empty text, or that
 ``Literal["a", "b"]``          one of these
-a record                       an object with exactly its fields
+a record                       an object with exactly its fields; one that has a default and is
+                               that is not there
 ``Any``                        whatever is there
 ``Annotated[X, Codec(...)]``   what its two functions say
 =============================  ==================================================================
@@ -32,7 +33,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import MISSING, dataclass, fields, is_dataclass
 from fractions import Fraction
 from functools import cache
 from types import NoneType, UnionType
@@ -335,20 +336,26 @@ def _optional(part: Codec, nothing: Any = None) -> Codec:
 def _record(kind: Any) -> Codec:
     hints = get_type_hints(kind, include_extras=True)
     ways = {field.name: _codec(hints[field.name]) for field in fields(kind)}
+    left_out = {f.name: f.default for f in fields(kind) if f.default is not MISSING}
 
     def write(record: Any) -> dict[str, Any]:
-        return {name: way.write(getattr(record, name)) for name, way in ways.items()}
+        held = {name: getattr(record, name) for name in ways}
+        return {
+            name: ways[name].write(value)
+            for name, value in held.items()
+            if name not in left_out or value != left_out[name]
+        }
 
     def read(entry: Any) -> Any:
         if type(entry) is not dict:
             raise _Refused(_WRONG_TYPE)
         for name in ways:
-            if name not in entry:
+            if name not in entry and name not in left_out:
                 raise _Refused(" is missing", (name,))
         for name in entry:
             if name not in ways:
                 raise _Refused(" is unknown", (name,))
-        return kind(**_named(entry, ways))
+        return kind(**_named(entry, {name: ways[name] for name in entry}))
 
     return Codec(write, read)
 

@@ -15,6 +15,8 @@ from functools import cache
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.core.dual_balls import DualBall, rate_of, value_of
+
 if TYPE_CHECKING:
     from flint import arb, arb_mat
 
@@ -372,17 +374,17 @@ class TaylorModel:
 
 
 def range_of(number: Any) -> Any:
-    """All values of a model, or of what is a ball already.
+    """All values of a model, or of what is a ball already; of a dual number its value.
 
     Parameters
     ----------
-    number : TaylorModel, arb or arb_mat
+    number : TaylorModel, DualBall, arb or arb_mat
 
     Returns
     -------
     arb or arb_mat
     """
-    return number.range() if isinstance(number, TaylorModel) else number
+    return number.range() if isinstance(number, TaylorModel) else value_of(number)
 
 
 def middle_of(number: Any) -> Any:
@@ -390,31 +392,34 @@ def middle_of(number: Any) -> Any:
 
     Parameters
     ----------
-    number : TaylorModel, arb or arb_mat
+    number : TaylorModel, DualBall, arb or arb_mat
 
     Returns
     -------
     arb or arb_mat
     """
-    return (number.parts[0] if isinstance(number, TaylorModel) else number).mid()
+    return (number.parts[0] if isinstance(number, TaylorModel) else value_of(number)).mid()
 
 
 def matrix(rows: Sequence[Sequence[Any]]) -> Any:
-    """A matrix of balls and models: a model if any entry is one.
+    """A matrix of balls and models, or of balls and dual numbers: one of these if any entry is.
 
     Parameters
     ----------
-    rows : sequence of sequence of number, arb or TaylorModel
+    rows : sequence of sequence of number, arb, TaylorModel or DualBall
 
     Returns
     -------
-    arb_mat or TaylorModel
+    arb_mat, TaylorModel or DualBall
     """
     from flint import arb_mat
 
     space = next((x.space for row in rows for x in row if isinstance(x, TaylorModel)), None)
     if space is None:
-        return arb_mat([list(row) for row in rows])
+        values = arb_mat([list(map(value_of, row)) for row in rows])
+        if not any(isinstance(x, DualBall) for row in rows for x in row):
+            return values
+        return DualBall(values, arb_mat([list(map(rate_of, row)) for row in rows]))
     return TaylorModel(space, tuple(_stacked(space, rows)))
 
 

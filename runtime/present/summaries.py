@@ -333,6 +333,11 @@ def _certificate(proof: Certificate) -> Summary:
         ("enclosed", _stated(wanted)),
         ("given", _given(proof.parameters)),
         ("orbit", _stated(rest)),
+        *(
+            (f"by {name}", _stated({of: rates[name] for of, rates in proof.derivatives.items()}))
+            for name in proof.directions
+        ),
+        *((f"by {name}", [reason]) for name, reason in proof.no_derivatives.items()),
     ]
 
 

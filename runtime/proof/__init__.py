@@ -21,6 +21,7 @@
 `multipliers`               trace and multipliers, and on which side of the unit circle they are
 `orbit_claims`              what is claimed of one orbit: existence, admissibility, stability
 `orbit_to_prove`               what is to be proved: an orbit of any kind as a cycle of its system
+`parameter_derivatives`     how a proved orbit moves with its parameters
 `parametric_declaration`    the declaration of a file, as functions of its parameters
 `sign_along_phase`          whether an affine function stays negative along a phase
 `statement`                 the exact system, as a certificate states it and the checker reads it

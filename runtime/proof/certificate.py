@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError
@@ -141,6 +142,13 @@ class Certificate(Shown):
     declaration, closing : dict
         The system, as functions of its parameters, and the way in which the cycle closes, as
         in the file; empty where nothing is claimed.
+    derivatives : dict of str to dict of str to Stated
+        Of each quantity that is enclosed, by each parameter that was asked for.
+    directions : dict of str to dict of str to Fraction
+        How the system's parameters, and the "period", move with each of these: e1 = ur1 - us1
+        moves ur1 where us1 was chosen.
+    no_derivatives : dict of str to str
+        By which of those that were asked for there is no derivative, and why.
     """
 
     orbit: str
@@ -161,6 +169,9 @@ class Certificate(Shown):
     given_period: Value | None
     declaration: Mapping[str, Any] = field(repr=False)
     closing: Mapping[str, Any] = field(repr=False)
+    derivatives: Mapping[str, Mapping[str, Stated]] = field(default_factory=dict)
+    directions: Mapping[str, Mapping[str, Fraction]] = field(default_factory=dict)
+    no_derivatives: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def proved(self) -> bool:
@@ -195,6 +206,16 @@ class Certificate(Shown):
         dict
             The certificate, ready for `json.dumps`.
         """
+        told: dict[str, Any] = {}
+        if self.derivatives:
+            of = self.derivatives
+            told["derivatives"] = {name: balls_json(rates) for name, rates in of.items()}
+            told["directions"] = {
+                name: {parameter: str(rate) for parameter, rate in direction.items()}
+                for name, direction in self.directions.items()
+            }
+        if self.no_derivatives:
+            told["no_derivatives"] = dict(self.no_derivatives)
         return {
             **orbit_json(self),
             "chosen": list(self.chosen),
@@ -209,6 +230,7 @@ class Certificate(Shown):
             ],
             "margins": [dict(margin) for margin in self.margins],
             "box": [asdict(x) for x in self.box],
+            **told,
         }
 
     def save(self, path: str | os.PathLike[str]) -> None:

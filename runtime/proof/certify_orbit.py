@@ -26,6 +26,12 @@ from nonsmooth.runtime.proof.orbit_to_prove import (
     subject_of,
     system_of,
 )
+from nonsmooth.runtime.proof.parameter_derivatives import (
+    ProvedDerivatives,
+    asked_parameters,
+    derivatives_along,
+    directions,
+)
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD, system_declaration
 from nonsmooth.runtime.proof.statement import closing_json, decimals
 from nonsmooth.runtime.proof.vanishing import vanishing_along
@@ -38,12 +44,14 @@ __all__ = ["FEWEST_BITS", "MOST_BITS", "certify", "stated"]
 FEWEST_BITS, MOST_BITS = 53, 400_000
 _SLACK = 8  # radii are stated so much larger than they are found
 _ENOUGH = 128  # bits that do for admissibility, as a rule
+_NOTHING = ProvedDerivatives()
 
 
 def certify(
     orbit: Orbit,
     bits: int = 128,
     *,
+    derivatives: Sequence[str] | str | bool | None = None,
     begin: Callable[[str], object] = lambda step: None,
 ) -> Certificate:
     """Prove that there is an orbit near a computed one, that it is a motion, and its stability.
@@ -59,6 +67,9 @@ def certify(
         A converged one.
     bits : int
         The enclosures have about so many bits.
+    derivatives : sequence of str, str or bool, optional
+        Enclose the derivatives of start, dwell times, period, trace and multipliers by these
+        numbers that were given for the orbit, the others kept; True for all of them.
     begin : function of a text, optional
         Is told which step begins.
 
@@ -69,7 +80,8 @@ def certify(
     Raises
     ------
     InputError
-        For an orbit that has not converged, or bits outside 53 ... 400000.
+        For an orbit that has not converged, bits outside 53 ... 400000, or derivatives by
+        what was not given.
 
     Examples
     --------
@@ -77,13 +89,18 @@ def certify(
     >>> certificate = ns.certify(ns.solve("dry-friction/global-stick"))
     >>> certificate.proved, certificate.trace.contains("0.5")
     (True, False)
+    >>> orbit = ns.solve("dry-friction/global-stick")
+    >>> rates = ns.certify(orbit, derivatives="eta").derivatives
+    >>> round(float(rates["trace"]["eta"]), 12)
+    0.027461474...
     """
     if isinstance(bits, bool) or not isinstance(bits, int) or not FEWEST_BITS <= bits <= MOST_BITS:
         raise InputError(f"bits = {bits!r} is not an integer from {FEWEST_BITS} to {MOST_BITS}")
+    by = asked_parameters(orbit, derivatives)
     try:
         subject = subject_of(orbit)
     except NotCovered as reason:
-        return _uncovered(orbit, bits, str(reason))
+        return _uncovered(orbit, bits, str(reason), by)
     work = bits + GUARD
     with flint_precision(work):
         region = None
@@ -93,9 +110,9 @@ def certify(
             begin("existence")
             root = locate(region, bits)
         except (NotCovered, ZeroDivisionError) as reason:
-            return _certificate(subject, region, bits, Missing("undecided", str(reason)))
+            return _certificate(subject, region, bits, Missing("undecided", str(reason)), by)
         except Missing as missing:
-            return _certificate(subject, region, bits, missing)
+            return _certificate(subject, region, bits, missing, by)
         begin("stability")
         number = region.tables.number_at()
         stability = claim_of_map(region, number, root.equations, root.linearised.shooting)
@@ -104,7 +121,12 @@ def certify(
         if region.tables.exact and any(len(t.boundaries) > 1 for t in region.cycle.transitions):
             region = _with_vanishing(region, root, dwell)
         judgement = _admissible(region, root, dwell, work)
-        return _certificate(subject, region, bits, root, stability, judgement)
+        found = _NOTHING
+        if by:
+            begin("derivatives")
+            along = directions(orbit, subject.chosen, by)
+            found = derivatives_along(region, root, stability.multipliers(region), along)
+        return _certificate(subject, region, bits, root, by, stability, judgement, found)
 
 
 def _with_vanishing(region: Region, root: IsolatedOrbit, dwell: Sequence[arb]) -> Region:
@@ -132,8 +154,10 @@ def _certificate(
     region: Region | None,
     bits: int,
     root: IsolatedOrbit | Missing,
+    by: Sequence[str],
     stability: MapClaim | None = None,
     judgement: Judgement | None = None,
+    found: ProvedDerivatives = _NOTHING,
 ) -> Certificate:
     """Everything by name."""
     claims = dict.fromkeys(CLAIMS, "undecided")
@@ -144,6 +168,7 @@ def _certificate(
     if isinstance(root, Missing):
         claims["existence"], reasons["existence"] = root.verdict, root.reason
         reasons |= dict.fromkeys(CLAIMS[1:], NO_ORBIT)
+        found = ProvedDerivatives(missing=dict.fromkeys(by, NO_ORBIT))
     else:
         assert region is not None
         assert stability is not None
@@ -164,7 +189,7 @@ def _certificate(
     declaration: dict[str, Any] = {}
     how: dict[str, Any] = {}
     if region is not None and claims["existence"] != "undecided":
-        declaration, how = _statement(region)
+        declaration, how = _statement(region, found)
     return Certificate(
         orbit=subject.label,
         system=subject.kernels.name,
@@ -184,22 +209,30 @@ def _certificate(
         given_period=None if region is None else region.closing.period,
         declaration=declaration,
         closing=how,
+        derivatives={
+            quantity: {name: stated(x, bits, found.size(name, x)) for name, x in rates.items()}
+            for quantity, rates in found.rates.items()
+        },
+        directions=found.directions,
+        no_derivatives=found.missing,
     )
 
 
-def _statement(region: Region) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Declaration and closing as the file states them."""
-    subject, tables, closing = region.subject, region.tables, region.closing
+def _statement(region: Region, found: ProvedDerivatives) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Declaration and closing as the file states them: over the parameters that move, if any do."""
+    subject, tables = region.subject, region.tables
+    closing = region.closing if found.closing is None else found.closing
     cycle, timed = subject.cycle, closing.kind == "period"
     declared = system_declaration(
         subject.kernels, cycle, tables, subject.start_names, subject.dwell_names, timed=timed
     )
-    variables = [value.text for value in tables.constants]
+    constants = (value.text for value in tables.constants)
+    variables = [*found.moving, *(constants if found.closing is None else found.constants)]
     over = [*declared["parameters"], *declared.get("constants", ())]
     return declared, closing_json(closing, cycle, over, variables, PERIOD)
 
 
-def stated(ball: arb, bits: int, size: int = 0) -> Stated:
+def stated(ball: arb, bits: int, size: arb | int = 0) -> Stated:
     """A wider ball than was found: the check computes it anew, with other roundings.
 
     A number that is computed from others of a size may be much smaller than these.
@@ -210,7 +243,7 @@ def stated(ball: arb, bits: int, size: int = 0) -> Stated:
         What was found.
     bits : int
         Precision of the enclosures.
-    size : int, default 0
+    size : int or arb, default 0
         How large the numbers are that it is computed from.
 
     Returns
@@ -236,7 +269,7 @@ def _margin(margin: Margin) -> dict[str, Any]:
     }
 
 
-def _uncovered(orbit: Orbit, bits: int, reason: str) -> Certificate:
+def _uncovered(orbit: Orbit, bits: int, reason: str, by: Sequence[str]) -> Certificate:
     """The certificate of an orbit that no proof can be about."""
     reasons = {CLAIMS[0]: reason} | dict.fromkeys(CLAIMS[1:], NO_ORBIT)
     claims = dict.fromkeys(CLAIMS, "undecided")
@@ -259,4 +292,5 @@ def _uncovered(orbit: Orbit, bits: int, reason: str) -> Certificate:
         given_period=None,
         declaration={},
         closing={},
+        no_derivatives=dict.fromkeys(by, NO_ORBIT),
     )

@@ -441,7 +441,7 @@ def test_pairs_on_the_unit_circle_are_told_from_others(
 
 RUNTIME = files("nonsmooth.runtime")
 # of `core`, with tests of their own
-ARITHMETIC = {"taylor_models", "rational_functions", "irrational_numbers"}
+ARITHMETIC = {"taylor_models", "dual_balls", "rational_functions", "irrational_numbers"}
 
 
 def sources() -> dict[str, str]:

@@ -16,6 +16,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.present.files.event_certificates import save_events
 from tests.certified import LOOP, kicked, loop
 from tests.checker.test_mutations import renewed
+from tests.proof.test_parameter_derivatives import damped_at_zero
 
 STICK = "dry-friction/global-stick"
 BOX = {"V": ("0.99", "1.01")}
@@ -30,6 +31,10 @@ def written(name: str, folder: Path) -> str:
             ns.certify(ns.solve(STICK)).save(path)
         case "symmetric":
             ns.certify(ns.solve("dry-friction/symmetric")).save(path)
+        case "moving":
+            ns.certify(ns.solve(STICK), derivatives=["eta", "e1"]).save(path)
+        case "family":
+            ns.certify(damped_at_zero(), derivatives=True).save(path)
         case "own":
             ns.certify(loop()).save(path)
         case "map":
@@ -88,6 +93,26 @@ def event(content: Any, name: str, value: Any) -> None:
     content["events"][0][name] = value
 
 
+def turned(content: Any, quantity: str, name: str) -> None:
+    """A derivative with its sign turned."""
+    found = content["derivatives"][quantity][name]
+    middle = found["mid"]
+    found["mid"] = middle[1:] if middle.startswith("-") else f"-{middle}"
+
+
+def renamed(content: Any, old: str, new: str) -> None:
+    """Derivatives that are said to be by another parameter, along the same direction."""
+    for entry in (*content["derivatives"].values(), content["directions"]):
+        entry[new] = entry.pop(old)
+
+
+def no_family(content: Any) -> None:
+    """Derivatives by a damping, with which there is no such orbit: as of the equations alone."""
+    content["directions"]["c"] = {"c": "1"}
+    for rates in content["derivatives"].values():
+        rates["c"] = {"mid": "0", "rad": "1000"}
+
+
 FALSE: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "census at another parameter": ("census", census_at),
     "census in a smaller box": ("census", smaller_box),
@@ -113,6 +138,19 @@ FALSE: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "multipliers twice": ("point", lambda c: c["multipliers"].append(c["multipliers"][0])),
     "another kind of event": ("events", lambda c: event(c, "kind", "fold")),
     "reasons": ("symmetric", lambda c: c.update(reasons={})),
+    "a derivative of another sign": ("moving", lambda c: turned(c, "tau", "eta")),
+    "a derivative of the trace": ("moving", lambda c: turned(c, "trace", "e1")),
+    "a derivative of a multiplier": ("moving", lambda c: turned(c, "multiplier 1 re", "eta")),
+    "a derivative of the start": ("moving", lambda c: turned(c, "x20", "e1")),
+    "derivatives by others": ("moving", lambda c: renamed(c, "eta", "chi")),
+    "derivatives by the same": ("moving", lambda c: renamed(c, "e1", "ur1")),
+    "a direction that is longer": ("moving", lambda c: c["directions"].update(e1={"ur1": "2"})),
+    "another direction": ("moving", lambda c: c["directions"].update(e1={"us1": "-1"})),
+    "a direction of nothing": ("moving", lambda c: c["directions"].update(e1={})),
+    "a direction of a period": ("moving", lambda c: c["directions"].update(e1={"period": "1"})),
+    "no directions": ("moving", lambda c: c.pop("directions") and c),
+    "derivatives of fewer": ("moving", lambda c: c["derivatives"].pop("tau") and c),
+    "derivatives of no family": ("family", no_family),
 }  # fmt: skip
 
 

@@ -51,6 +51,11 @@ def _events(*branches: ns.Branch) -> Any:
 FILES: dict[str, Callable[[], Any]] = {
     "derived": lambda: ns.certify(ns.solve(STICK)),
     "unstable": lambda: ns.certify(ns.solve("dry-friction/symmetric")),
+    "derivatives": lambda: ns.certify(ns.solve(STICK), derivatives=["eta", "e1"]),
+    "derivatives-conservative": lambda: ns.certify(
+        ns.solve("elastic-stop/one-contact"), derivatives=["m1", "T"]
+    ),
+    "derivatives-composed": lambda: ns.certify(loop(k="sqrt(2)"), derivatives=True),
     "conservative": lambda: ns.certify(ns.solve("elastic-stop/one-contact")),
     "irrational-period": lambda: ns.certify(
         ns.solve("rigid-stop/one-impact", {"T": "2*pi", "k1": "sqrt(2)"})
@@ -97,6 +102,7 @@ NOTES = (
     r"tiles/\d+/looked_at",
     r"(conditions|undecided|beyond|looked)\b.*",  # of the search for all orbits
     r"orbits/\d+/unique.*",
+    r"no_derivatives.*",
 )
 HINTS = (
     r".*\bbits",
@@ -108,7 +114,9 @@ HINTS = (
 )
 # what is changed into another truth, which is proved
 TRUE = (
-    r"(.*/)?enclosures/[^/]+/rad",  # sharper, of what is exactly so
+    r"(.*/)?(enclosures/[^/]+|derivatives/[^/]+/[^/]+)/rad",  # sharper, of what is exactly so
+    r"derivatives/multiplier [12] (re|im)",  # of several proved ones some may be told
+    r"derivatives/(x10|v10|v20)",  # zero by both parameters: exchanged
     r"box/[^/]+/[01]",  # a smaller box
     r"enclosures/trace",  # left out where nothing is claimed of stability
     r"parameters/a",  # where a wall stands that is only looked at

@@ -59,6 +59,12 @@ def test_people_see_claims_reasons_and_margins() -> None:
         ([STICK, "--bits", "128", "--digits", "30"], 2, "--digits and --bits"),
         ([STICK, "eta=0"], 2, "eta"),
         ([STICK, "etta=1"], 2, "did you mean"),
+        ([STICK, "--derivatives", "W"], 2, "unknown given parameter 'W'"),
+        ([STICK, "--derivatives", "us1"], 2, "unknown given parameter 'us1'"),
+        ([STICK, "--derivatives", ""], 2, "no parameter is named"),
+        ([STICK, "V=0.99:1.01", "--derivatives", "eta"], 2, "one orbit, at one point"),
+        ([STICK, "V=0.99:1.01", "--events", "--derivatives", "eta"], 2, "one orbit, at one point"),
+        (["--check", "x.json", "--derivatives", "eta"], 2, "--check takes a file"),
         ([STICK, "--check", "x.json"], 2, "cannot be read"),
         (["--check", "nowhere.json"], 2, "nowhere.json"),
         ([STICK, "--save", "."], 2, "it is a folder"),
@@ -69,6 +75,37 @@ def test_exit_codes(arguments: list[str], code: int, told: str) -> None:
     assert found == code
     assert told in err
     assert len(err.splitlines()) == bool(told)
+
+
+def test_derivatives_are_told_saved_and_proved_again(tmp_path: Path) -> None:
+    path = tmp_path / "proof.json"
+    by = ("--derivatives", "eta,e1")
+    code, out, err = run(STICK, *by, "--json", "--save", str(path))
+    assert (code, err) == (0, "")
+    told = json.loads(out)
+    assert told["directions"] == {"eta": {"eta": "1"}, "e1": {"ur1": "1"}}
+    sharp = ns.refine(ns.solve(STICK), 60).derivatives(["eta", "e1"])
+    for quantity in ("tau", "trace", "period"):
+        for name, rate in zip(sharp.by, sharp.quantity(quantity)[1], strict=True):
+            found = told["derivatives"][quantity][name]
+            assert abs(rate - type(rate)(found["mid"])) < float(found["rad"]) < 1e-36
+    code, shown, _ = run(STICK, *by)
+    assert code == 0
+    assert "derivative" in shown
+    assert "with e1 by 1 moves ur1 by 1" in shown
+    code, again, _ = run("--check", str(path))
+    assert code == 0
+    rows = [line.split() for line in shown.splitlines() if line.strip().startswith("tau1 ")]
+    assert rows
+    for row in rows:
+        if row[1] in ("eta", "e1"):
+            assert " ".join(row[2:]) in " ".join(again.split())
+
+
+def test_people_see_why_there_is_no_derivative() -> None:
+    code, out, _ = run("dry-friction/solution-ii", "--derivatives", "V")
+    assert code == 1
+    assert "no derivatives by V: no orbit is proved to exist" in out
 
 
 def test_a_users_orbit_is_certified_saved_and_checked(tmp_path: Path) -> None:

@@ -21,7 +21,11 @@ from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in
 from nonsmooth.runtime.proof.certificate import GUARD
 from nonsmooth.runtime.proof.exact_tables import exact_tables, irrational_texts
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, physical_values
-from nonsmooth.runtime.proof.parametric_declaration import orbit_declaration, system_declaration
+from nonsmooth.runtime.proof.parametric_declaration import (
+    PERIOD,
+    orbit_declaration,
+    system_declaration,
+)
 from nonsmooth.runtime.proof.statement import rational
 
 __all__ = ["compare_box", "compare_census", "compare_certificate", "compare_events"]
@@ -47,7 +51,11 @@ def compare_certificate(content: Content) -> bool:
     Failure
         If the declaration is another one.
     """
-    return _compare(content, _declared_at_point, "at its parameters")
+    compared = _compare(content, _declared_at_point, "at its parameters")
+    directions = content.get("directions", {})
+    for name, direction in directions.items():
+        _check_direction(named_in(content), name, {n: Fraction(x) for n, x in direction.items()})
+    return compared
 
 
 def compare_box(content: Content) -> bool:
@@ -158,6 +166,30 @@ def _compare(
     if declare(named, content) != content["declaration"]:
         raise Failure(f"the declaration is not that of {content['system']} {where}")
     return named.called
+
+
+def _check_direction(named: NamedOrbit, name: str, rates: Mapping[str, Fraction]) -> None:
+    """Refuse a direction along which more changes of what is given for the orbit than one number.
+
+    What its equations do not take may move as it likes: of e1 = ur1 - us1 any of both.
+    """
+    kernels = named.derived
+    known = {table.name for table in named.kernels.parameters}
+    fixed, sums = (known, {}) if kernels is None else (kernels.parameter_names, kernels.combined)
+    if name == named.period:
+        known, wanted = {PERIOD}, {PERIOD: 1}
+    else:
+        wanted = {other: int(other == name) for other in fixed if other != named.period}
+    required = () if kernels is None else kernels.required
+    wanted |= dict.fromkeys(required, 0)
+    moves = {
+        other: sum(factor * rates.get(term, 0) for term, factor in sums[other].items())
+        if other in sums
+        else rates.get(other, 0)
+        for other in wanted
+    }
+    if moves != wanted or 1 not in wanted.values() or not rates.keys() <= known:
+        raise Failure(f"the derivatives by {name} are along another direction")
 
 
 def _declared_at_point(named: NamedOrbit, content: Content) -> Mapping[str, Any]:

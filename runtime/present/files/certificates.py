@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 from nonsmooth.runtime.core.json_codec import BlankValue
@@ -60,6 +61,9 @@ class CertificateEntries:
     box: tuple[Unknown, ...]
     declaration: Mapping[str, Any]
     closing: Mapping[str, Any]
+    derivatives: Mapping[str, Enclosures] | None = None
+    directions: Mapping[str, Mapping[str, Fraction]] | None = None
+    no_derivatives: Mapping[str, str] | None = None
 
 
 CERTIFICATE = FileFormat(
@@ -163,4 +167,7 @@ def certificate_of(entries: CertificateEntries) -> Certificate:
         given_period=entries.given_period,
         declaration=declaration,
         closing=entries.closing,
+        derivatives={name: enclosed(x, bits) for name, x in (entries.derivatives or {}).items()},
+        directions=entries.directions or {},
+        no_derivatives=entries.no_derivatives or {},
     )

@@ -1,0 +1,287 @@
+"""Proved derivatives by parameters: against refined orbits, differences, closed forms, neighbours."""
+
+from __future__ import annotations
+
+import random
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+import sympy as sp
+from flint import arb_mat
+
+import nonsmooth as ns
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    Harmonic,
+    Parameter,
+    RigidStop,
+    SecondOrder,
+    SoftStop,
+    System,
+    Transition,
+    oscillator,
+)
+from nonsmooth.runtime.core.arithmetic import exact_ball
+from nonsmooth.runtime.core.dual_balls import DualBall
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof import parameter_derivatives
+from nonsmooth.runtime.proof.certificate import Certificate, Stated
+from tests.certified import LOOP, loop, rooted, struck_together
+
+STICK = "dry-friction/global-stick"
+BUILT_IN = (STICK, "dry-friction/symmetric", "rigid-stop/one-impact", "elastic-stop/one-contact")
+DIGITS = 45
+
+
+def about(enclosure: Stated, number: Any) -> bool:
+    """Whether it contains a number of so many digits, with the error that this has."""
+    with flint_precision(400):
+        error = exact_ball(10.0 ** (5 - DIGITS)) * (1 + abs(exact_ball(number)))
+        return bool(abs(enclosure.ball - exact_ball(number)).lower() <= error)
+
+
+def agrees(found: Certificate, orbit: Orbit) -> None:
+    """Every derivative that is enclosed is that of the orbit in many digits."""
+    sharp = ns.refine(orbit, DIGITS).derivatives(tuple(found.directions))
+    rates = {"period": sharp.period, "trace": sharp.trace}
+    rates |= dict(zip(orbit.dwell_time_names, sharp.dwell_times, strict=True))
+    rates |= {n: x for n, x in sharp.unknowns.items() if n in found.enclosures}
+    assert rates.keys() <= found.derivatives.keys()
+    for quantity, by in rates.items():
+        for name, rate in zip(sharp.by, by, strict=True):
+            enclosure = found.derivatives[quantity][name]
+            assert about(enclosure, rate), (quantity, name, str(enclosure), rate)
+            size = max(abs(float(enclosure)), 1.0)
+            assert float(enclosure.ball.rad()) < size * 2.0 ** (16 - found.bits)
+    for of, by in zip(sharp.section.multipliers, sharp.multipliers, strict=True):
+        for place, parts in enumerate(found.multipliers, 1):
+            re, im = map(float, parts)
+            if abs(complex(re, im) - complex(of)) > 1e-9:
+                continue
+            for name, rate in zip(sharp.by, by, strict=True):
+                assert about(found.derivatives[f"multiplier {place} re"][name], rate.real)
+                imaginary = found.derivatives.get(f"multiplier {place} im")
+                assert about(imaginary[name], rate.imag) if imaginary else abs(im) < 1e-9
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_orbits_of_the_paper(name: str, tmp_path: Path) -> None:
+    orbit = ns.solve(name)
+    found = ns.certify(orbit, derivatives=True)
+    assert found.directions.keys() == orbit.given.keys()
+    assert not found.no_derivatives
+    assert found.derivatives.keys() >= found.enclosures.keys()
+    agrees(found, orbit)
+    found.save(tmp_path / "proof.json")
+    assert ns.check_certificate(tmp_path / "proof.json").difference is None
+    again = ns.load_certificate(tmp_path / "proof.json")
+    assert again.to_json() == found.to_json()
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_differences_of_refined_orbits(name: str) -> None:
+    """Starts too: they are in the system's coordinates, at parameters that were chosen."""
+    orbit = ns.solve(name)
+    found = ns.certify(orbit, derivatives=True)
+    step = Fraction(1, 10**18)
+    chosen = {n: found.parameters[n] for n in found.chosen}
+    for parameter in found.directions:
+        value = orbit.given[parameter].exact
+        if value is None:
+            continue
+        sides = []
+        for sign in (1, -1):
+            near = ns.solve(name, {**orbit.given, **chosen, parameter: value + sign * step})
+            sides.append(ns.certify(near, 256).enclosures)
+        for quantity in found.enclosures:
+            up, down = (side[quantity].ball for side in sides)
+            with flint_precision(300):
+                slope = (up - down) / (2 * exact_ball(1e-18))
+            missed = abs(slope - found.derivatives[quantity][parameter].ball)
+            assert missed.upper() < 1e-14 * (1 + abs(slope)), (parameter, quantity)
+
+
+def test_closed_forms() -> None:
+    # tau1 = pi/sqrt(k), v0 = 1/(1 - r), and r is the multiplier and the trace
+    found = ns.certify(loop(k="9/4", r="1/3"), derivatives=("k", "r")).derivatives
+    assert found["trace"]["r"].contains("1")
+    assert found["multiplier 1 re"]["r"].contains("1")
+    assert found["trace"]["k"].contains("0")
+    assert found["v0"]["r"].contains("9/4")
+    with flint_precision(200):
+        pi = sp.pi.evalf(50) / sp.Rational(27, 4)
+        assert found["tau1"]["k"].contains(f"-{pi}") or abs(float(found["tau1"]["k"]) + pi) < 1e-15
+        assert float(found["period"]["k"]) == pytest.approx(float(found["tau1"]["k"]), rel=1e-15)
+
+
+def test_irrational_parameters() -> None:
+    for orbit in (
+        loop(k="sqrt(2)", r="sqrt(2)/3", a="pi"),
+        ns.solve("rigid-stop/one-impact", {"T": "2*pi", "k1": "sqrt(2)"}),
+    ):
+        found = ns.certify(orbit, derivatives=True)
+        assert found.directions.keys() == orbit.given.keys()
+        agrees(found, orbit)
+
+
+def test_the_mean_value_theorem_between_neighbours() -> None:
+    """The trace changes between two proved orbits by a rate between those at both ends."""
+    ends = ("0.98", "0.981")
+    proofs = [ns.certify(ns.solve(STICK, {"eta": x}), derivatives="eta") for x in ends]
+    for quantity in ("period", "tau", "x10"):
+        low, high = (proof.enclosures[quantity].ball for proof in proofs)
+        slope = float((high - low) * 1000)
+        rates = sorted(float(proof.derivatives[quantity]["eta"]) for proof in proofs)
+        assert rates[0] < slope < rates[1], quantity
+
+
+def _forced() -> System:
+    w, f, z = (Parameter(name, name) for name in ("w", "f", "z"))
+    return oscillator(
+        "pushed", ["x"], [[1]], [[1]], [[z.symbol]],
+        forcing=[Harmonic(w.symbol, (f.symbol,))],
+        elements=[SoftStop("x", "1/2", stiffness=20, damping="4/5")], parameters=(w, f, z),
+    )  # fmt: skip
+
+
+def _struck() -> System:
+    w, c, r = (Parameter(name, name) for name in ("w", "c", "r"))
+    return oscillator(
+        "knocked", ["x", "y"], [[1, 0], [0, 2]], [[3, -1], [-1, 2]],
+        [[c.symbol, 0], [0, sp.Rational(1, 5)]],
+        forcing=[Harmonic(w.symbol, ("6/5", 0))],
+        elements=[RigidStop("x", "1/10", r.symbol)], parameters=(w, c, r),
+    )  # fmt: skip
+
+
+def _settled(kernels: SystemKernels, values: dict[str, str]) -> Orbit | None:
+    """What a motion comes to; None where that is no orbit of few phases that is regular."""
+    size = len(kernels.table["states"])
+    cosines = [kernels.table["states"].index(c) for c, _ in kernels.table["forcing"]]
+    try:
+        motion = ns.simulate(kernels, values, [float(i in cosines) for i in range(size)], until=400)
+        orbit = ns.solve(kernels, values, itinerary=ns.itinerary_of(motion), throw=False)
+    except InputError:
+        return None
+    return orbit if orbit.converged else None
+
+
+@pytest.mark.parametrize("declared", [_forced, _struck])
+def test_random_forced_systems(declared: Any, tmp_path: Path) -> None:
+    drawn, kernels, seen = random.Random(7), load_system(declared()), 0
+    names = [table.name for table in kernels.parameters]
+    about_them = {"w": 130, "f": 70, "z": 20, "c": 30, "r": 60}
+    for _ in range(12):
+        values = {n: f"{round(about_them[n] * drawn.uniform(0.8, 1.2))}/100" for n in names}
+        orbit = _settled(kernels, values)
+        found = None if orbit is None else ns.certify(orbit, derivatives=True)
+        if found is None or not found.derivatives:
+            continue
+        agrees(found, orbit)
+        found.save(tmp_path / "proof.json")
+        assert ns.check_certificate(tmp_path / "proof.json").difference is None
+        seen += 1
+        if seen == 3:
+            break
+    assert seen >= 2
+
+
+def _damped() -> SystemKernels:
+    """Conservative at c = 0 alone; its period changes with the energy."""
+    x, v = sp.symbols("x v", real=True)
+    c = Parameter("c", "damping", lower="-1/2", upper="1/2")
+    place = sp.Rational(1, 10)
+    return load_system(
+        System(
+            "damped", "a mass between two springs", (x, v), (c,),
+            (
+                Configuration("right", SecondOrder([[1]], [[1]], damping=[[c.symbol]]),
+                              (Boundary("falls", place - x),)),
+                Configuration("left", SecondOrder([[1]], [[4]]), (Boundary("rises", x - place),)),
+            ),
+            (Transition("right", {"falls"}, "left"), Transition("left", {"rises"}, "right")),
+        )
+    )  # fmt: skip
+
+
+def damped_at_zero() -> Orbit:
+    """One of its family of orbits."""
+    motion = ns.simulate(_damped(), {"c": "0"}, [0.0, 2.0], transitions=6)
+    itinerary = ns.itinerary_of(motion)
+    return ns.solve(_damped(), {"c": "0"}, itinerary=itinerary, given={"period": "4.8"})
+
+
+def test_what_is_conservative_at_one_point_alone_has_no_derivative() -> None:
+    found = ns.certify(damped_at_zero(), derivatives=True)
+    assert found.no_derivatives.keys() == {"c"}
+    assert "no energy was found" in found.no_derivatives["c"]
+    assert {*found.derivatives["period"]} == {"period"}
+    assert found.derivatives["period"]["period"].contains("1")
+
+
+@pytest.mark.parametrize(
+    ("orbit", "by", "told"),
+    [
+        (lambda: ns.solve("dry-friction/solution-ii"), "V", "no orbit is proved"),
+        (struck_together, "c", "corner"),
+        (
+            lambda: ns.solve(
+                rooted(), {"a": "9", "r": "1/2"}, [*[3.1, 1.5], *[0.0, 2.0]], itinerary=LOOP
+            ),
+            "r",
+            "the declaration takes sqrt of its parameters",
+        ),
+    ],
+)
+def test_why_there_is_no_derivative(orbit: Any, by: str, told: str, tmp_path: Path) -> None:
+    found = ns.certify(orbit(), derivatives=by)
+    assert not found.derivatives
+    assert not found.directions
+    assert told in found.no_derivatives[by]
+    assert told in found._repr_html_()
+    found.save(tmp_path / "proof.json")
+    assert ns.load_certificate(tmp_path / "proof.json").no_derivatives == found.no_derivatives
+    assert ns.check_certificate(tmp_path / "proof.json").difference is None
+
+
+def test_what_was_not_asked_for_is_not_there(tmp_path: Path) -> None:
+    found = ns.certify(loop())
+    assert not {"derivatives", "directions", "no_derivatives"} & found.to_json().keys()
+    found.save(tmp_path / "proof.json")
+    assert "derivatives" not in (tmp_path / "proof.json").read_text()
+    with pytest.raises(InputError, match="unknown given parameter 'rr'"):
+        ns.certify(loop(), derivatives=["rr"])
+    with pytest.raises(InputError, match="no parameter is named"):
+        ns.certify(loop(), derivatives=[])
+
+
+def test_sums_move_what_was_left_open() -> None:
+    assert ns.certify(ns.solve(STICK), derivatives="e1").directions == {"e1": {"ur1": 1}}
+    given = ns.solve(STICK, {"us1": "1", "ur1": "4"})
+    assert ns.certify(given, derivatives="e1").directions == {"e1": {"ur1": 1}}
+
+
+def test_a_wrong_sign_is_seen(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """A bug in the prover's right-hand side: the tests here and the checker see it."""
+    rate_of = parameter_derivatives.rate_of
+    orbit = loop()
+
+    def turned(number: Any) -> Any:
+        wrong = isinstance(number, DualBall) and isinstance(number.value, arb_mat)
+        wrong = wrong and number.ncols() == 1
+        return -rate_of(number) if wrong else rate_of(number)
+
+    monkeypatch.setattr(parameter_derivatives, "rate_of", turned)
+    found = ns.certify(orbit, derivatives=True)
+    found.save(tmp_path / "proof.json")
+    told = ns.check_certificate(tmp_path / "proof.json").difference
+    assert told is not None
+    assert "the derivative of" in told
+    with pytest.raises(AssertionError):
+        agrees(found, orbit)
