@@ -1,4 +1,4 @@
-"""Proved derivatives by parameters: against refined orbits, differences, closed forms, neighbours."""
+"""Proved derivatives by parameters: against refined orbits, differences and closed forms."""
 
 from __future__ import annotations
 
