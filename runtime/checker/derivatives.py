@@ -60,6 +60,7 @@ def check_derivatives(
     demand(declared.bound and declared.rational, "the declaration is no function of parameters")
     declared.closes()
     point = [arb(number_in(parameters[name])) for name in moving]
+    orbit = _sharper(orbit)
     slopes = orbit.passage(orbit.chain, orbit.root, orbit.flows).slopes
     for name, direction in along.items():
         rates = {parameter: exact(text) for parameter, text in direction.items()}
@@ -76,6 +77,15 @@ def check_derivatives(
             demand(proved, f"the derivative of {quantity} by {name} is not in its enclosure")
     middles = [_fraction(value) for value in point]
     independent(declared, constants, [(x, x) for x in middles])
+
+
+def _sharper(orbit: CheckedOrbit) -> CheckedOrbit:
+    """The same orbit in a box around its enclosure, where that can be shown to be sharper."""
+    found = CheckedOrbit(orbit.declared, orbit.number)
+    widest = max((x.rad() for x in orbit.root), key=float)
+    radii = [2 * x.rad() + widest / 2**16 for x in orbit.root]  # no side is empty
+    unique, _ = found.locate([x.mid() for x in orbit.root], radii)
+    return found if unique else orbit
 
 
 def _rates(

@@ -92,7 +92,7 @@ def certify(
     >>> orbit = ns.solve("dry-friction/global-stick")
     >>> rates = ns.certify(orbit, derivatives="eta").derivatives
     >>> round(float(rates["trace"]["eta"]), 12)
-    0.027461474...
+    0.027461473206
     """
     if isinstance(bits, bool) or not isinstance(bits, int) or not FEWEST_BITS <= bits <= MOST_BITS:
         raise InputError(f"bits = {bits!r} is not an integer from {FEWEST_BITS} to {MOST_BITS}")
@@ -210,7 +210,7 @@ def _certificate(
         declaration=declaration,
         closing=how,
         derivatives={
-            quantity: {name: stated(x, bits, found.size(name, x)) for name, x in rates.items()}
+            quantity: {name: stated(x, bits, found.size(name)) for name, x in rates.items()}
             for quantity, rates in found.rates.items()
         },
         directions=found.directions,

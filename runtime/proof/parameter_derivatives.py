@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 from nonsmooth.runtime.core.dual_balls import DualBall, rate_of, value_of
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.taylor_models import matrix
-from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.model.completion import followers
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
@@ -32,6 +32,7 @@ from nonsmooth.runtime.proof.exact_tables import (
     rational_of,
     tables_over,
 )
+from nonsmooth.runtime.proof.krawczyk import Krawczyk
 from nonsmooth.runtime.proof.multipliers import CORNER, product_of, trace_of
 from nonsmooth.runtime.proof.orbit_claims import named_numbers
 from nonsmooth.runtime.proof.orbit_equations import Equations, Flows, Linearised
@@ -45,6 +46,8 @@ if TYPE_CHECKING:
 __all__ = ["Direction", "ProvedDerivatives", "asked_parameters", "derivatives_along", "directions"]
 
 Direction = Mapping[str, Fraction]  # how parameters of the system, or the period, move
+_SHARE = 24  # bits
+_MORE = 48  # bits for what is lost through the phases: the check has sixteen beyond them
 _GRAZING = "a boundary may be reached tangentially: there no derivative is claimed"
 
 
@@ -75,24 +78,22 @@ class ProvedDerivatives:
     moving: tuple[str, ...] = ()
     constants: tuple[str, ...] = ()
 
-    def size(self, name: str, rate: arb) -> arb | int:
-        """How large the numbers are that a zero is computed from: no zero for the check.
+    def size(self, name: str) -> arb:
+        """A small share of the largest derivative by a number: zeros are computed from such.
 
         Parameters
         ----------
         name : str
-            Of the parameter.
-        rate : arb
-            A derivative by it.
+            Of the number.
 
         Returns
         -------
-        arb or int
-            0 for what is not exactly zero.
+        arb
         """
-        if not rate.is_zero():
-            return 0
-        return max((abs(rates[name]).mid() for rates in self.rates.values()), key=float)
+        from flint import arb
+
+        largest = max((abs(rates[name]).mid() for rates in self.rates.values()), key=float)
+        return largest * arb(2) ** -_SHARE
 
 
 def asked_parameters(orbit: Orbit, by: Sequence[str] | str | bool | None) -> tuple[str, ...]:
@@ -197,11 +198,13 @@ def derivatives_along(
         return ProvedDerivatives(missing=missing)
     names = tuple(dict.fromkeys(name for direction in left.values() for name in direction))
     try:
-        moving = _moving_region(region, names)
-        found = {
-            name: _rates(moving, names, root, multipliers, direction)
-            for name, direction in left.items()
-        }
+        with flint_precision(_bits() + _MORE):
+            moving = _moving_region(region, names)
+            sharp = _sharper(region, root)
+            found = {
+                name: _rates(moving, names, sharp, multipliers, direction)
+                for name, direction in left.items()
+            }
     except (NotCovered, ZeroDivisionError) as problem:
         return ProvedDerivatives(missing=missing | dict.fromkeys(left, str(problem)))
     quantities = next(iter(found.values()))
@@ -264,6 +267,16 @@ def _bits() -> int:
     return int(ctx.prec)
 
 
+def _sharper(region: Region, root: IsolatedOrbit) -> IsolatedOrbit:
+    """The same orbit at a higher precision: Krawczyk's image of a box contains all its roots."""
+    equations = region.equations(region.tables.number_at())
+    image = root.contraction.image
+    test = Krawczyk(equations, [x.mid() for x in image])
+    found = test.sharpened(test([x.rad() for x in image]))
+    linearised = equations.linearised(found.image, found.flows)
+    return IsolatedOrbit(equations, found, linearised, root.box)
+
+
 def _values(subject: Subject, names: Iterable[str]) -> list[Any]:
     """Values of parameters of the system and of the period."""
     return [subject.period if name == PERIOD else subject.values[name] for name in names]
@@ -319,7 +332,7 @@ def _of_multipliers(
 
     C. G. J. Jacobi (1841). The imaginary part of a real one is left out.
     """
-    from flint import acb, arb_mat
+    from flint import acb, acb_poly, arb_mat
 
     size = section.nrows()
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
@@ -329,7 +342,10 @@ def _of_multipliers(
         traces.append((trace_of(part * change), trace_of(part)))
         part = section * part + coefficients[k] * unit
     found: dict[str, arb] = {}
-    for number, multiplier in enumerate(multipliers, 1):
+    polynomial = acb_poly(coefficients)
+    slope = polynomial.derivative()
+    for number, given in enumerate(multipliers, 1):
+        multiplier = given.mid() - polynomial(given.mid()) / slope(given)  # the same, sharper
         above, below = acb(0), acb(0)
         for moved, own in traces:
             above, below = above * multiplier + moved, below * multiplier + own

@@ -37,6 +37,7 @@ from tests.certified import LOOP, loop, rooted, struck_together
 STICK = "dry-friction/global-stick"
 BUILT_IN = (STICK, "dry-friction/symmetric", "rigid-stop/one-impact", "elastic-stop/one-contact")
 DIGITS = 45
+GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
 
 
 def about(enclosure: Stated, number: Any) -> bool:
@@ -58,7 +59,7 @@ def agrees(found: Certificate, orbit: Orbit) -> None:
             enclosure = found.derivatives[quantity][name]
             assert about(enclosure, rate), (quantity, name, str(enclosure), rate)
             size = max(abs(float(enclosure)), 1.0)
-            assert float(enclosure.ball.rad()) < size * 2.0 ** (16 - found.bits)
+            assert float(enclosure.ball.rad()) < size * 2.0 ** (5 - found.bits)
     for of, by in zip(sharp.section.multipliers, sharp.multipliers, strict=True):
         for place, parts in enumerate(found.multipliers, 1):
             re, im = map(float, parts)
@@ -84,6 +85,21 @@ def test_orbits_of_the_paper(name: str, tmp_path: Path) -> None:
     assert again.to_json() == found.to_json()
 
 
+@pytest.mark.parametrize("bits", [53, 64, 300, 1000])
+def test_every_precision_is_proved_again(bits: int, tmp_path: Path) -> None:
+    for name in BUILT_IN:
+        found = ns.certify(ns.solve(name), bits, derivatives=True)
+        found.save(tmp_path / "proof.json")
+        assert ns.check_certificate(tmp_path / "proof.json").difference is None, name
+        widest = max(
+            enclosure.ball.rad()
+            for rates in found.derivatives.values()
+            for enclosure in rates.values()
+        )
+        with flint_precision(64):
+            assert widest * exact_ball(2) ** bits < 1000
+
+
 @pytest.mark.parametrize("name", BUILT_IN)
 def test_differences_of_refined_orbits(name: str) -> None:
     """Starts too: they are in the system's coordinates, at parameters that were chosen."""
@@ -105,6 +121,26 @@ def test_differences_of_refined_orbits(name: str) -> None:
                 slope = (up - down) / (2 * exact_ball(1e-18))
             missed = abs(slope - found.derivatives[quantity][parameter].ball)
             assert missed.upper() < 1e-14 * (1 + abs(slope)), (parameter, quantity)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "backlash_gear.py:rattle",
+        "brake_pad.py:pressed",
+        "den_hartog.py:without-rest",
+        "impact_damper.py:struck-twice",
+        "impact_oscillator.py:one-period",
+        "beam.py:one-contact",
+    ],
+)
+def test_declared_orbits_of_the_gallery(name: str, tmp_path: Path) -> None:
+    orbit = ns.solve(f"{GALLERY}/{name}")
+    found = ns.certify(orbit, derivatives=True)
+    assert found.directions.keys() == orbit.given.keys()
+    agrees(found, orbit)
+    found.save(tmp_path / "proof.json")
+    assert ns.check_certificate(tmp_path / "proof.json").difference is None
 
 
 def test_closed_forms() -> None:
