@@ -93,9 +93,11 @@ def random_oscillator(
 class MovedMotion:
     """A motion's sequence of configurations, followed in fifty digits from moved numbers."""
 
-    def __init__(self, system: System, motion: ns.Trajectory) -> None:
+    def __init__(
+        self, system: System, motion: ns.Trajectory, apart: np.ndarray | None = None
+    ) -> None:
         self.system, self.motion = system, motion
-        linearisation = MotionLinearisation(motion, np.empty(0))
+        linearisation = MotionLinearisation(motion, np.empty(0), apart)
         self.transitions, self.instants = linearisation.transitions, linearisation.instants
 
     def difference(
@@ -124,6 +126,35 @@ class MovedMotion:
                 np.array([float(((a - b) / width).mid()) for a, b in zip(up, down, strict=True)])
                 for up, down in zip(above, below, strict=True)
             )
+
+    def one_sided(
+        self, parameters: dict[str, float], start: np.ndarray, times: np.ndarray, sign: int
+    ) -> np.ndarray:
+        """Derivatives of states (m, N) at fixed times on one side, where the motion is exact.
+
+        Parameters
+        ----------
+        parameters : dict of str to float
+            Direction; of what is left out nothing changes.
+        start : array (N,)
+            Direction.
+        times : array (m,)
+        sign : int
+            1, or -1 for numbers that fall.
+
+        Returns
+        -------
+        array (m, N)
+        """
+        with Balls.working(BITS):
+            moved, here = (
+                self._followed(parameters, start, times, step) for step in (sign * STEP, Fraction())
+            )
+            dwell = [float(b - a) for a, b in zip([arb(0), *moved[0]], moved[0], strict=False)]
+            assert min(dwell) > -1e-35, "the sequence is not that of the moved motion"
+            width = arb(sign * STEP.numerator) / STEP.denominator
+            found = [float(((a - b) / width).mid()) for a, b in zip(moved[1], here[1], strict=True)]
+        return np.reshape(found, (len(times), -1))
 
     def _followed(
         self, parameters: dict[str, float], start: np.ndarray, times: np.ndarray, step: Fraction

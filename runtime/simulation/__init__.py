@@ -13,6 +13,7 @@
 `observables`             `observe`: peaks, averages, contact and friction forces
 `observable_derivatives`  derivatives of extremes, averages, times in configurations
 `one_sided`               where a motion has one-sided derivatives alone
+`coming_apart`            boundaries reached together, in the order of the moved motion
 `phase_functions`         affine functions of the state along the phases of a motion
 `recurrence`              the phases after which a motion comes back
 `returns`                 `poincare_map`: the Poincare map by simulation

@@ -20,12 +20,19 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives
+from nonsmooth.runtime.simulation.coming_apart import (
+    DirectedMotion,
+    along,
+    directed_motions,
+    gathered,
+    scattered,
+)
 from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation, input_names
 from nonsmooth.runtime.simulation.observable_derivatives import (
     ObservableDerivatives,
     observable_derivatives,
 )
-from nonsmooth.runtime.simulation.one_sided import CUT, check_sides
+from nonsmooth.runtime.simulation.one_sided import CUT, check_sides, check_times
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 __all__ = ["MotionDerivatives", "motion_derivatives"]
@@ -44,8 +51,11 @@ class MotionDerivatives:
     trajectory : Trajectory
     by : tuple of str
     times : array (m,)
-    linearisation : MotionLinearisation
-        What forward and reverse pass share.
+    one_sided : {"+", "-"} or None
+        By numbers that grow, or that fall, or both.
+    parts : tuple of DirectedMotion
+        One for all numbers; several where boundaries that are reached together come apart in
+        an order that depends on the number.
 
     Examples
     --------
@@ -62,15 +72,29 @@ class MotionDerivatives:
     trajectory: Trajectory
     by: tuple[str, ...]
     times: np.ndarray
-    linearisation: MotionLinearisation
+    one_sided: str | None
+    parts: tuple[DirectedMotion, ...]
+
+    @cached_property
+    def _linearisations(self) -> tuple[MotionLinearisation, ...]:
+        """What forward and reverse pass share, of each part."""
+        return tuple(part.linearisation(self.times) for part in self.parts)
+
+    @cached_property
+    def _directions(self) -> tuple[tuple[TableDerivatives, np.ndarray], ...]:
+        """Changes of tables and start by the numbers of each part."""
+        return tuple(
+            linear.directions(tuple(self.by[column] for column in part.columns))
+            for part, linear in zip(self.parts, self._linearisations, strict=True)
+        )
 
     @cached_property
     def _forward(self) -> tuple[np.ndarray, ...]:
-        return self.linearisation.forward(*self._directions)
-
-    @cached_property
-    def _directions(self) -> tuple[TableDerivatives, np.ndarray]:
-        return self.linearisation.directions(self.by)
+        found = [
+            linear.forward(*directions)
+            for linear, directions in zip(self._linearisations, self._directions, strict=True)
+        ]
+        return gathered(self.parts, found, len(self.by))
 
     @property
     def states(self) -> np.ndarray:
@@ -81,18 +105,25 @@ class MotionDerivatives:
     def event_times(self) -> np.ndarray:
         """Derivatives (n - 1, q) of the transitions' times.
 
-        NaN where a boundary behind which nothing changes is reached tangentially.
+        Of boundaries that come apart that of the first. NaN where the boundary is reached
+        tangentially and nothing changes behind it, or both sides differ.
         """
         return self._forward[1]
 
     @property
     def before(self) -> np.ndarray:
-        """Derivatives (n, N, q) of the states in front of the transitions, which move."""
+        """Derivatives (n, N, q) of the states in front of the transitions, which move.
+
+        In front of the first of boundaries that come apart; NaN where both sides differ.
+        """
         return self._forward[2]
 
     @property
     def behind(self) -> np.ndarray:
-        """Derivatives (n, N, q) of the states behind the transitions, which move."""
+        """Derivatives (n, N, q) of the states behind the transitions, which move.
+
+        Behind the last of boundaries that come apart; NaN where both sides differ.
+        """
         return self._forward[3]
 
     @property
@@ -119,7 +150,8 @@ class MotionDerivatives:
         Parameters
         ----------
         direction : mapping of str to float, or array (q,)
-            Change of each of the numbers; of those that a mapping leaves out none.
+            Change of each of the numbers; of those that a mapping leaves out none. On one side
+            the motion is moved along it, or against it.
 
         Returns
         -------
@@ -129,7 +161,8 @@ class MotionDerivatives:
         Raises
         ------
         InputError
-            For an unknown name, or another count of numbers.
+            For an unknown name, another count of numbers, or a direction in which the motion
+            has no derivative.
         """
         if isinstance(direction, Mapping):
             for name in direction:
@@ -139,12 +172,20 @@ class MotionDerivatives:
         factors = np.asarray(direction, dtype=float)
         if factors.shape != (len(self.by),):
             raise InputError(f"the direction has not {len(self.by)} entries: {', '.join(self.by)}")
-        tables, starts = self._directions
-        along = TableDerivatives(*(np.tensordot(factors, part, axes=1)[None] for part in tables))
-        found = self.linearisation.forward(along, (starts @ factors)[:, None])
+        plain = self.parts[0].trajectory is self.trajectory and len(self.parts) == 1
+        if plain:
+            tables, starts = self._directions[0]
+            turned = (np.tensordot(factors, part, axes=1)[None] for part in tables)
+            every = self._linearisations[0].forward(
+                TableDerivatives(*turned), (starts @ factors)[:, None]
+            )
+        elif self.one_sided is None:
+            every = tuple(part @ factors[:, None] for part in self._forward)
+        else:
+            every = _directional(self, factors)
         return {
             name: part[..., 0]
-            for name, part in zip(("states", "event_times", "before", "behind"), found, strict=True)
+            for name, part in zip(("states", "event_times", "before", "behind"), every, strict=True)
         }
 
     def vjp(
@@ -185,14 +226,18 @@ class MotionDerivatives:
             if found.shape != shape:
                 raise InputError(f"factors of {name} have the shape {found.shape}, not {shape}")
             factors.append(found)
-        fields, rows, resets, start = self.linearisation.reverse(*factors)
-        tables, starts = self._directions
-        return np.asarray(
-            np.tensordot(tables.fields, fields, axes=3)
-            + np.tensordot(tables.rows, rows, axes=2)
-            + np.tensordot(tables.resets, resets, axes=3)
-            + start @ starts
-        )
+        gradient = np.empty(len(self.by))
+        for part, linear, (tables, starts) in zip(
+            self.parts, self._linearisations, self._directions, strict=True
+        ):
+            fields, rows, resets, start = linear.reverse(*scattered(part, *factors))
+            gradient[part.columns] = (
+                np.tensordot(tables.fields, fields, axes=3)
+                + np.tensordot(tables.rows, rows, axes=2)
+                + np.tensordot(tables.resets, resets, axes=3)
+                + start @ starts
+            )
+        return gradient
 
     def observables(self, since: float = 0.0) -> ObservableDerivatives:
         """Differentiate what `nonsmooth.observe` tells of the motion.
@@ -221,7 +266,7 @@ class MotionDerivatives:
         along the motion; the flows and transitions carry the errors on. Their largest size,
         times what the slowest speed at which a boundary is reached makes of it.
         """
-        return self.linearisation.condition()
+        return max(linear.condition() for linear in self._linearisations)
 
 
 def motion_derivatives(
@@ -261,5 +306,20 @@ def motion_derivatives(
     array = np.atleast_1d(np.asarray([] if times is None else times, dtype=float))
     if not ((array >= 0) & (array <= trajectory.end)).all():
         raise InputError(f"a time is not between 0 and the end of the motion, {trajectory.end!r}")
-    check_sides(trajectory, chosen, array, one_sided)
-    return MotionDerivatives(trajectory, chosen, array, MotionLinearisation(trajectory, array))
+    check_times(trajectory, array, one_sided)
+    directions = np.eye(len(chosen))
+    parts = directed_motions(trajectory, chosen, directions, one_sided)
+    for part in parts:
+        check_sides(part, chosen, directions, array, one_sided)
+    found = MotionDerivatives(trajectory, chosen, array, one_sided, parts)
+    found._linearisations  # noqa: B018 - what has no derivative is refused here
+    return found
+
+
+def _directional(found: MotionDerivatives, factors: np.ndarray) -> tuple[np.ndarray, ...]:
+    """One-sided derivatives along a direction: not a sum of those by numbers."""
+    direction = factors[:, None]
+    (part,) = directed_motions(found.trajectory, found.by, direction, found.one_sided)
+    check_sides(part, found.by, direction, found.times, found.one_sided)
+    linear = part.linearisation(found.times)
+    return gathered((part,), [linear.forward(*along(linear, found.by, direction))], 1)

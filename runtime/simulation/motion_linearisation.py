@@ -20,10 +20,16 @@ _ERROR = 64 * np.finfo(float).eps
 
 
 class MotionLinearisation:
-    """A motion's phases, transitions and tables, linearised once for all directions."""
+    """A motion's phases, transitions and tables, linearised once for all directions.
 
-    def __init__(self, trajectory: Trajectory, times: np.ndarray) -> None:
-        self.trajectory, self.times = trajectory, times
+    Transitions that are `apart` follow another one without any time between, but have a time of
+    their own in the moved motion.
+    """
+
+    def __init__(
+        self, trajectory: Trajectory, times: np.ndarray, apart: np.ndarray | None = None
+    ) -> None:
+        self.trajectory, self.times, self.apart = trajectory, times, apart
         run, count = trajectory.run, len(trajectory.times)
         self.transitions: Transitions = transitions_behind(trajectory, together=True)
         phases = np.searchsorted(run.times, times, side="right") - 1
@@ -97,6 +103,8 @@ class MotionLinearisation:
             axis=1
         )
         beyond[1:] = True
+        if self.apart is not None:
+            beyond &= ~self.apart
         return np.asarray((dwell == 0) & beyond)
 
     @cached_property

@@ -8,14 +8,14 @@ of its integrand's change, and at the ends of phases by what the transitions' ti
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.simulation.extremes import Extreme
 from nonsmooth.runtime.simulation.flow_derivatives import quadrature
-from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation
 from nonsmooth.runtime.simulation.observables import contact_rows, observe, sticking
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.transition_derivatives import extended
@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.simulation.derivatives import MotionDerivatives
 
 __all__ = ["ContactDerivatives", "ObservableDerivatives", "observable_derivatives"]
+
+
+_TIED = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,8 +87,12 @@ def observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> Obse
     Raises
     ------
     InputError
-        As for `observe`, or where the motion ended where it cannot go on.
+        As for `observe`, where the motion ended where it cannot go on, or where boundaries
+        come apart whose times differ on both sides.
     """
+    (motion, *others) = found.parts
+    if others or motion.trajectory is not found.trajectory:
+        return _joined(found, since)
     trajectory, by = found.trajectory, found.by
     system, structure = trajectory.system, trajectory.structure
     values, phases = observe(trajectory, since), phases_of(trajectory, since)
@@ -97,9 +104,9 @@ def observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> Obse
     begins = np.concatenate([np.zeros((1, len(by))), found.event_times])[first:]
     begins[0] = 0.0
     ends = np.concatenate([begins[1:], found.end[None]])
-    tables, starts = found.linearisation.directions(by)
     at = np.concatenate([nodes, [extreme.time for extreme in wanted]])
-    linear = MotionLinearisation(trajectory, np.minimum(at, trajectory.end))
+    linear = motion.linearisation(np.minimum(at, trajectory.end))
+    tables, starts = linear.directions(by)
     changes = linear.forward(tables, starts)[0]
     # functions: the states, then force, velocity and surface of each contact
     size = len(structure.states)
@@ -137,7 +144,9 @@ def observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> Obse
         return np.asarray((slope - total / duration * by_duration) / duration)
 
     def extreme(one: int, which: int) -> np.ndarray:
-        return _extreme(found, rows, slopes, one, wanted[which], changes[len(nodes) + which])
+        upper = size <= which < 2 * size or (which >= 2 * size and which % 2 == 1)
+        change = changes[len(nodes) + which]
+        return _extreme(found, rows, slopes, one, wanted[which], upper, change)
 
     names = structure.states
     spent = np.zeros((len(structure.configurations), len(by)))
@@ -171,6 +180,39 @@ def observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> Obse
     )
 
 
+def _joined(found: MotionDerivatives, since: float) -> ObservableDerivatives:
+    """By all numbers, from the motions with the transitions that each of them makes."""
+    every: list[tuple[np.ndarray, ObservableDerivatives]] = []
+    for part in found.parts:
+        if part.open.any():
+            reached = found.trajectory.boundaries[1 + int(np.argmax(part.open))]
+            raise InputError(
+                f"{' and '.join(reached)} are reached together: observables have derivatives on"
+                " one side there; ask for them by one_sided"
+            )
+        by = tuple(found.by[column] for column in part.columns)
+        own = replace(found, trajectory=part.trajectory, by=by, parts=(part.alone,))
+        every.append((part.columns, observable_derivatives(own, since)))
+
+    def join(parts: list[Any]) -> Any:
+        if isinstance(parts[0], dict):
+            keys = dict.fromkeys(key for part in parts for key in part)
+            return {key: join([part.get(key) for part in parts]) for key in keys}
+        if isinstance(parts[0], ContactDerivatives):
+            return ContactDerivatives(
+                *(join([getattr(part, f.name) for part in parts]) for f in fields(parts[0]))
+            )
+        whole = np.zeros(len(found.by))
+        for (columns, _), part in zip(every, parts, strict=True):
+            whole[columns] = 0.0 if part is None else part
+        return whole
+
+    names = [f.name for f in fields(ObservableDerivatives) if f.name != "by"]
+    return ObservableDerivatives(
+        found.by, *(join([getattr(own, name) for _, own in every]) for name in names)
+    )
+
+
 def _rows(found: MotionDerivatives, rows: np.ndarray) -> np.ndarray:
     """The functions by configuration (configurations, K, N + 1), from rows or their changes."""
     system = replace(found.trajectory.system, rows=rows)
@@ -187,26 +229,39 @@ def _extreme(
     slopes: np.ndarray,
     one: int,
     extreme: Extreme,
+    upper: bool,
     change: np.ndarray,
 ) -> np.ndarray:
-    """Derivatives of an extreme: of the state at its time, or on a side of a transition."""
+    """Derivatives of an extreme: of the state at its time, or on a side of a transition.
+
+    On one side of boundaries that come apart, of the one that then is the extreme.
+    """
     trajectory = found.trajectory
     run, time = trajectory.run, extreme.time
     phase = int(np.searchsorted(run.times, time, side="right")) - 1
     state = trajectory(min(time, trajectory.end))
     where = int(run.configurations[phase])
     near = np.abs(run.times[1:] - time) <= 64 * np.spacing(max(time, 1.0))
-    best = np.inf
+    found_at = []
     for entry in np.flatnonzero(near) + 1:
         sides = (
             (int(run.configurations[entry - 1]), run.before[entry], found.before[entry]),
             (int(run.configurations[entry]), run.states[entry], found.behind[entry]),
         )
         for configuration, border, moved in sides:
-            missed = abs(rows[configuration, one] @ extended(border) - extreme.value)
-            if missed < best:
-                best, where, state, change = missed, configuration, border, moved
-    return np.asarray(rows[where, one, :-1] @ change + slopes[:, where, one] @ extended(state))
+            row = rows[configuration, one]
+            missed = abs(row @ extended(border) - extreme.value)
+            rates = row[:-1] @ moved + slopes[:, configuration, one] @ extended(border)
+            found_at.append((missed, rates))
+    if not found_at:
+        return np.asarray(rows[where, one, :-1] @ change + slopes[:, where, one] @ extended(state))
+    best, rates = min(found_at, key=lambda pair: pair[0])
+    if not found.parts[0].apart.any() or found.one_sided is None:
+        return np.asarray(rates)
+    tied = [
+        own for missed, own in found_at if missed <= best + _TIED * max(1.0, abs(extreme.value))
+    ]
+    return np.asarray((np.max if upper == (found.one_sided == "+") else np.min)(tied, axis=0))
 
 
 def _columns(parts: Iterable[dict[str, Any]]) -> dict[str, np.ndarray]:

@@ -15,14 +15,13 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
-from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation
+from nonsmooth.runtime.simulation.coming_apart import DirectedMotion, along, told_direction
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 from nonsmooth.runtime.simulation.transition_derivatives import extended, field_at
 
-__all__ = ["CUT", "check_sides"]
+__all__ = ["CUT", "check_sides", "check_times"]
 
 CUT = (Status.UNDECLARED, Status.IMMEDIATE, Status.OVERFLOW, Status.AMBIGUOUS)
-_TOGETHER = 1e-9  # by which linearised boundary functions may differ that vanish together
 _ERROR = 64 * np.finfo(float).eps
 
 
@@ -35,15 +34,12 @@ class _Touch(NamedTuple):
     transition: int = 0
 
 
-def check_sides(
-    trajectory: Trajectory, by: tuple[str, ...], times: np.ndarray, one_sided: str | None
-) -> None:
-    """Raise InputError unless a motion has the derivatives that are asked for.
+def check_times(trajectory: Trajectory, times: np.ndarray, one_sided: str | None) -> None:
+    """Raise InputError for a side that is none, or a time at which the motion breaks off.
 
     Parameters
     ----------
     trajectory : Trajectory
-    by : tuple of str
     times : array (m,)
         Held fixed.
     one_sided : {"+", "-"} or None
@@ -51,7 +47,7 @@ def check_sides(
     Raises
     ------
     InputError
-        Names what is touched, when, and by which number it is passed.
+        Says which.
     """
     if one_sided not in (None, "+", "-"):
         raise InputError(f"one_sided is {one_sided!r}, neither '+' nor '-'")
@@ -61,17 +57,43 @@ def check_sides(
                 f"the motion ends at t = {trajectory.end!r}: {trajectory.message};"
                 " it has no derivative there"
             )
+
+
+def check_sides(
+    motion: DirectedMotion,
+    by: tuple[str, ...],
+    directions: np.ndarray,
+    times: np.ndarray,
+    one_sided: str | None,
+) -> None:
+    """Raise InputError unless a motion has the derivatives that are asked for.
+
+    Parameters
+    ----------
+    motion : DirectedMotion
+    by : tuple of str
+    directions : array (numbers, q)
+        Those of `motion` are its columns.
+    times : array (m,)
+        Held fixed.
+    one_sided : {"+", "-"} or None
+
+    Raises
+    ------
+    InputError
+        Names what is touched, when, and by which number it is passed.
+    """
+    trajectory = motion.trajectory
     touches = [*_grazings(trajectory), *_beginnings(trajectory), *_coincidences(trajectory, times)]
-    sets = trajectory.run.sets
-    if not touches and not (sets & (sets - 1)).any():
+    if not touches:
         return
+    own = directions[:, motion.columns]
     at = np.array([touch.time for touch in touches])
-    linearisation = MotionLinearisation(trajectory, at)
-    tables, starts = linearisation.directions(by)
-    states, events, before, _ = linearisation.forward(tables, starts)
+    linearisation = motion.linearisation(at)
+    tables, starts = along(linearisation, by, own)
+    states, events, _, _ = linearisation.forward(tables, starts)
     sign = {None: 0.0, "+": 1.0, "-": -1.0}[one_sided]
     smooth = linearisation.transitions.smooth
-    _check_together(linearisation, by, tables.rows, events, before)
     for touch, change, state in zip(touches, states, trajectory(at), strict=True):
         if touch.row is None:
             rises = np.where(smooth[touch.transition], 0.0, events[touch.transition])
@@ -80,42 +102,12 @@ def check_sides(
             rises = row[:-1] @ change + tables.rows[:, touch.row] @ extended(state)
         wrong = np.flatnonzero(rises if one_sided is None else sign * rises > 0)
         if wrong.size:
-            name, what = by[wrong[0]], "derivative"
+            label, what = told_direction(by, own[:, wrong[0]]), "derivative"
             if one_sided is not None:
                 what = f"derivative on the side {one_sided}"
             raise InputError(
-                f"{touch.told} at t = {touch.time!r}: the motion has no {what} by {name} there"
+                f"{touch.told} at t = {touch.time!r}: the motion has no {what} by {label} there"
             )
-
-
-def _check_together(
-    linearisation: MotionLinearisation,
-    by: tuple[str, ...],
-    rows: np.ndarray,
-    events: np.ndarray,
-    before: np.ndarray,
-) -> None:
-    """Refuse boundaries that are reached together unless they stay together."""
-    trajectory = linearisation.trajectory
-    system, run = trajectory.system, trajectory.run
-    for entry in np.flatnonzero(run.sets & (run.sets - 1)).tolist():
-        shapes = system.structure.boundaries[int(run.configurations[entry - 1])]
-        state = extended(run.before[entry])
-        for place, shape in enumerate(shapes):
-            if not int(run.sets[entry]) >> place & 1:
-                continue
-            row = system.rows[shape.row]
-            parts = row[:-1, None] * before[entry], rows[:, shape.row].T * state[:, None]
-            size = sum(np.abs(part).sum(axis=0) for part in parts)
-            size = size + np.abs(row[:-1]) @ np.abs(linearisation.transitions.velocities[entry - 1])
-            left = np.abs(sum(part.sum(axis=0) for part in parts))
-            apart = np.flatnonzero(left > _TOGETHER * size * max(1.0, np.abs(events).max()))
-            if apart.size:
-                raise InputError(
-                    f"{' and '.join(trajectory.boundaries[entry])} are reached together"
-                    f" at t = {float(run.times[entry])!r}: the motion has no derivative by"
-                    f" {by[apart[0]]} there"
-                )
 
 
 def _grazings(trajectory: Trajectory) -> Iterator[_Touch]:

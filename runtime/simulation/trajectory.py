@@ -325,7 +325,8 @@ class Trajectory(Shown):
         times : array (m,), optional
             Times that are held fixed, at which the states are differentiated.
         one_sided : {"+", "-"}, optional
-            Where the motion has no derivative: that by numbers which grow, or which fall.
+            Where the motion has no derivative: that by numbers which grow, or which fall. Of
+            boundaries that are reached together each number has its own order.
 
         Returns
         -------

@@ -16,7 +16,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Transitions", "extended", "field_at", "transitions_behind"]
+__all__ = ["Transitions", "extended", "field_at", "fitting_resets", "transitions_behind"]
 
 _IMPACTS = 3  # in a row, each sooner than the one before: they accumulate
 _ERROR = 64 * np.finfo(float).eps
@@ -134,7 +134,7 @@ def transitions_behind(
         lowest = (reached & -reached).bit_length() - 1
         shape = system.structure.boundaries[source][lowest]
         row, now, then = system.rows[shape.row], before[here], behind[here]
-        resets = _resets(system, source, target, reached, now, then)
+        resets = fitting_resets(system, source, target, reached, now, then)
         velocities, after = field_at(system, source, now), field_at(system, target, then)
         jumps = after - np.einsum("nij,nj->ni", system.resets[resets][..., :-1], velocities)
         speeds = velocities @ row[:-1]
@@ -164,7 +164,7 @@ def transitions_behind(
     return found
 
 
-def _resets(
+def fitting_resets(
     system: PiecewiseLinear,
     source: int,
     target: int,
@@ -172,7 +172,21 @@ def _resets(
     before: np.ndarray,
     behind: np.ndarray,
 ) -> np.ndarray:
-    """Indices (n,) of the resets that the transitions took: those that fit best."""
+    """Indices (n,) of the resets that transitions took: those that fit best.
+
+    Parameters
+    ----------
+    system : PiecewiseLinear
+    source, target : int
+        Configurations.
+    reached : int
+        Boundaries that are reached together, as a mask.
+    before, behind : array (n, N)
+
+    Returns
+    -------
+    array (n,) of int
+    """
     boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
     known = sorted({t.reset for t in system.structure.transitions_to(source, boundaries, target)})
     images = np.einsum("rij,nj->rni", system.resets[known], extended(before))

@@ -1,0 +1,496 @@
+"""Boundaries that a motion reaches together, and a moved motion one after the other.
+
+A motion that is moved by e d reaches coincident boundaries at times that are linear in e. Which
+of them comes first, and what follows then, is what the engine does from a start shortly in front
+of them, moved by a small e. The derivative in the direction d is that of this sequence at e = 0,
+with no time between its transitions: the product of their saltation matrices (S. A. Burden,
+S. S. Sastry, D. E. Koditschek and S. Revzen, SIAM J. Appl. Dyn. Syst. 15, 2016). It holds if the
+sequence comes to where the motion itself goes on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.flows import flow_states
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.model.table_derivatives import TableDerivatives
+from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation
+from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.start_derivatives import nearest_start
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+from nonsmooth.runtime.simulation.transition_derivatives import (
+    extended,
+    fitting_resets,
+)
+
+__all__ = [
+    "DirectedMotion",
+    "along",
+    "directed_motions",
+    "gathered",
+    "scattered",
+    "told_direction",
+]
+
+_TOGETHER = 1e-9  # by which linearised boundary functions may differ that vanish together
+_NEAR = 1e-8  # relative: within which a sequence comes to where the motion is
+_STEPS = (1e-5, 1e-7)  # of the time to the neighbouring transitions: how far events come apart
+_FRONT, _BEHIND, _MOST = 20.0, 1e3, 64  # where to look, in these steps; how many transitions
+
+
+@dataclass(frozen=True, eq=False)
+class DirectedMotion:
+    """A motion as it is reached from some directions: with transitions one after the other.
+
+    Attributes
+    ----------
+    trajectory : Trajectory
+        With an entry for each transition of the moved motion.
+    columns : array (k,) of int
+        The directions for which it is.
+    settled : float
+        Until when no boundaries come apart any more.
+    apart : array (m - 1,) of bool
+        Transitions that come later than those in front of them, to first order alone.
+    first, last : array (n - 1,) of int
+        For each transition of the motion itself those that stand for it.
+    open : array (n - 1,) of bool
+        Transitions of the motion itself whose times have no derivative.
+    """
+
+    trajectory: Trajectory
+    columns: np.ndarray
+    settled: float
+    apart: np.ndarray
+    first: np.ndarray
+    last: np.ndarray
+    open: np.ndarray
+
+    def linearisation(self, times: np.ndarray) -> MotionLinearisation:
+        """What the derivatives in its directions are made of.
+
+        Parameters
+        ----------
+        times : array (m,)
+            Held fixed.
+
+        Returns
+        -------
+        MotionLinearisation
+        """
+        return MotionLinearisation(self.trajectory, times, self.apart)
+
+    @property
+    def alone(self) -> DirectedMotion:
+        """The same as a motion of its own, whose transitions stand for themselves."""
+        count = len(self.apart)
+        own, none = np.arange(count), np.zeros(count, dtype=bool)
+        return replace(self, columns=np.arange(len(self.columns)), first=own, last=own, open=none)
+
+
+def directed_motions(
+    trajectory: Trajectory, by: tuple[str, ...], directions: np.ndarray, side: str | None
+) -> tuple[DirectedMotion, ...]:
+    """Put boundaries that come apart in the order in which moved motions reach them.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    by : tuple of str
+        The numbers.
+    directions : array (numbers, q)
+        Of their changes.
+    side : {"+", "-"} or None
+        Along the directions, against them, or both ways, which have to agree.
+
+    Returns
+    -------
+    tuple of DirectedMotion
+        Together they have each direction once.
+
+    Raises
+    ------
+    InputError
+        Where a moved motion goes on elsewhere, or both sides differ; the message names the
+        boundaries, the time and the direction.
+    """
+    count = len(trajectory.times) - 1
+    same, none = np.arange(count), np.zeros(count, dtype=bool)
+    todo = [
+        DirectedMotion(trajectory, np.arange(directions.shape[1]), -1.0, none, same, same, none)
+    ]
+    done = []
+    while todo:
+        motion = todo.pop()
+        moment = _next_moment(motion, by, directions[:, motion.columns])
+        if moment is None:
+            done.append(motion)
+        else:
+            todo.extend(_split(motion, moment, by, directions[:, motion.columns], side))
+    return tuple(done)
+
+
+def gathered(
+    parts: Sequence[DirectedMotion], found: Sequence[tuple[np.ndarray, ...]], directions: int
+) -> tuple[np.ndarray, ...]:
+    """Derivatives at the motion's own transitions, from those of its parts.
+
+    Parameters
+    ----------
+    parts : sequence of DirectedMotion
+    found : sequence of tuple of array
+        What `MotionLinearisation.forward` gives of each.
+    directions : int
+
+    Returns
+    -------
+    tuple of array
+        In the same order, along all directions.
+    """
+    count, (states, _, behind, _) = len(parts[0].first), found[0]
+    shape = (count + 1, behind.shape[1], directions)
+    every = (
+        np.empty((*states.shape[:2], directions)),
+        np.empty((count, directions)),
+        np.empty(shape),
+        np.empty(shape),
+    )
+    for part, own in zip(parts, found, strict=True):
+        first, last = (np.concatenate([[0], places + 1]) for places in (part.first, part.last))
+        kept = own[0], own[1][part.first], own[2][first], own[3][last]
+        for whole, piece in zip(every, kept, strict=True):
+            whole[..., part.columns] = piece
+        for whole, skipped in zip(every[1:], (0, 1, 1), strict=True):
+            whole[np.ix_(*_places(np.flatnonzero(part.open) + skipped, whole, part.columns))] = (
+                np.nan
+            )
+    return every
+
+
+def _places(entries: np.ndarray, whole: np.ndarray, columns: np.ndarray) -> tuple[np.ndarray, ...]:
+    inner = tuple(np.arange(size) for size in whole.shape[1:-1])
+    return entries, *inner, columns
+
+
+def scattered(
+    part: DirectedMotion,
+    states: np.ndarray,
+    event_times: np.ndarray,
+    before: np.ndarray,
+    behind: np.ndarray,
+) -> tuple[np.ndarray, ...]:
+    """Factors of the motion's own results as those of what stands for it in one part.
+
+    Parameters
+    ----------
+    part : DirectedMotion
+    states : array (m, N)
+    event_times : array (n - 1,)
+    before, behind : array (n, N)
+
+    Returns
+    -------
+    tuple of array
+        NaN where a result with a factor has no derivative.
+    """
+    count, size = part.trajectory.states.shape
+    times, front, back = np.zeros(count - 1), np.zeros((count, size)), np.zeros((count, size))
+    first, last = (np.concatenate([[0], places + 1]) for places in (part.first, part.last))
+    for whole, places, given, skipped in (
+        (times, part.first, event_times, 0),
+        (front, first, before, 1),
+        (back, last, behind, 1),
+    ):
+        entries = np.flatnonzero(part.open) + skipped
+        taken = given.copy()
+        taken[entries] = np.where(taken[entries] == 0, 0.0, np.nan)
+        np.add.at(whole, places, taken)
+    return states, times, front, back
+
+
+class _Meeting(NamedTuple):
+    """Transitions at one instant, of which some moved motions make several.
+
+    Attributes
+    ----------
+    begin, end : int
+        Entries of the first and the last of them.
+    apart : array (k,) of bool
+        Directions in which boundaries come apart.
+    change : array (N, k)
+        Of the state in front of them, at their time.
+    shift : array (k,)
+        Largest change of a boundary's time.
+    told : str
+    """
+
+    begin: int
+    end: int
+    apart: np.ndarray
+    change: np.ndarray
+    shift: np.ndarray
+    told: str
+
+
+def _next_moment(
+    motion: DirectedMotion, by: tuple[str, ...], directions: np.ndarray
+) -> _Meeting | None:
+    """The first instant, of those that are not settled, at which boundaries come apart."""
+    trajectory = motion.trajectory
+    system, run = trajectory.system, trajectory.run
+    several = np.flatnonzero(((run.sets & (run.sets - 1)) != 0) & (run.times > motion.settled))
+    if not several.size:
+        return None
+    linear = motion.linearisation(np.empty(0))
+    tables, starts = along(linear, by, directions)
+    _, events, before, _ = linear.forward(tables, starts)
+    found = linear.transitions
+    for entry in several.tolist():
+        source = int(run.configurations[entry - 1])
+        state, velocity = extended(run.before[entry]), found.velocities[entry - 1]
+        change = before[entry] - velocity[:, None] * events[entry - 1]
+        apart, shift = np.zeros((2, directions.shape[1]))
+        for place, shape in enumerate(system.structure.boundaries[source]):
+            if not int(run.sets[entry]) >> place & 1:
+                continue
+            row = system.rows[shape.row]
+            own = tables.rows[:, shape.row].T * state[:, None]
+            parts = row[:-1, None] * before[entry], own
+            size = sum(np.abs(part).sum(axis=0) for part in parts)
+            size = size + np.abs(row[:-1]) @ np.abs(velocity)
+            left = np.abs(sum(part.sum(axis=0) for part in parts))
+            apart = apart + ~(left <= _TOGETHER * size * max(1.0, np.nanmax(np.abs(events))))
+            with np.errstate(divide="ignore", invalid="ignore"):
+                later = np.abs((row[:-1] @ change + own.sum(axis=0)) / (row[:-1] @ velocity))
+            shift = np.fmax(shift, later)
+        if apart.any():
+            begin = end = entry
+            while begin > 1 and run.times[begin - 1] == run.times[entry]:
+                begin -= 1
+            while end + 1 < len(run.times) and run.times[end + 1] == run.times[entry]:
+                end += 1
+            names, at = " and ".join(trajectory.boundaries[entry]), float(run.times[entry])
+            told = f"{names} are reached together at t = {at!r}"
+            change = before[begin] - found.velocities[begin - 1][:, None] * events[begin - 1]
+            return _Meeting(begin, end, apart > 0, change, shift, told)
+    return None
+
+
+def along(
+    linear: MotionLinearisation, by: tuple[str, ...], directions: np.ndarray
+) -> tuple[TableDerivatives, np.ndarray]:
+    """Changes of the tables (k, ...) and of the start (N, k) in directions.
+
+    Parameters
+    ----------
+    linear : MotionLinearisation
+    by : tuple of str
+        The numbers.
+    directions : array (numbers, k)
+
+    Returns
+    -------
+    TableDerivatives, array (N, k)
+    """
+    tables, starts = linear.directions(by)
+    turned = (np.tensordot(directions.T, part, axes=1) for part in tables)
+    return TableDerivatives(*turned), starts @ directions
+
+
+def _split(
+    motion: DirectedMotion,
+    moment: _Meeting,
+    by: tuple[str, ...],
+    directions: np.ndarray,
+    side: str | None,
+) -> Iterator[DirectedMotion]:
+    """The motion's directions, by the sequences in which they pass one moment."""
+    settled = float(motion.trajectory.times[moment.begin])
+    groups: dict[object, tuple[DirectedMotion, list[int]]] = {}
+    for k in range(directions.shape[1]):
+        if not moment.apart[k]:
+            groups.setdefault(None, (replace(motion, settled=settled), []))[1].append(k)
+            continue
+        signs = {"+": (1.0,), "-": (-1.0,), None: (1.0, -1.0)}[side]
+        ways = [
+            _MovedPassage(motion, moment, by, directions[:, k], k, sign).passed() for sign in signs
+        ]
+        if side is None:
+            one, other = (behind for _, behind in ways)
+            if not np.abs(one - other).max() <= _TOGETHER * max(1.0, np.abs(one).max()):
+                label = told_direction(by, directions[:, k])
+                raise InputError(f"{moment.told}: the motion has no derivative by {label} there")
+            inside = (motion.first >= moment.begin - 1) & (motion.last < moment.end)
+            ways = [(replace(way, open=way.open | inside), behind) for way, behind in ways]
+        found = replace(ways[0][0], settled=settled)
+        run = found.trajectory.run
+        key = run.configurations.tobytes(), tuple(run.sets.tolist())
+        groups.setdefault(key, (found, []))[1].append(k)
+    for found, members in groups.values():
+        yield replace(found, columns=motion.columns[members])
+
+
+@dataclass(frozen=True, eq=False)
+class _MovedPassage:
+    """How the motion moved along one direction, or against it, passes a moment."""
+
+    motion: DirectedMotion
+    moment: _Meeting
+    by: tuple[str, ...]
+    direction: np.ndarray
+    column: int
+    sign: float
+
+    def passed(self) -> tuple[DirectedMotion, np.ndarray]:
+        """The motion with the sequence's transitions, and its change (N,) behind them."""
+        trajectory, moment = self.motion.trajectory, self.moment
+        run, begin, end = trajectory.run, moment.begin, moment.end
+        if not np.isfinite([*moment.change[:, self.column], moment.shift[self.column]]).all():
+            raise self._refused("one of them is touched, and the order is open")
+        if run.times[begin] == run.times[begin - 1]:
+            raise self._refused("no time passes in front of them")
+        moved = [self._moved(step) for step in _STEPS]
+        found, other = ((m.run.configurations.tolist(), m.run.sets.tolist()) for m in moved)
+        if found != other:
+            raise self._refused("the order is open to first order")
+        local = moved[0]
+        kernels = local.structure.kernels
+        assert kernels is not None
+        system = piecewise(kernels, trajectory.parameters)
+        before, states = [], [run.before[begin]]
+        for entry in range(1, len(local.times)):
+            source, target = local.run.configurations[entry - 1 : entry + 1].tolist()
+            reached = int(local.run.sets[entry])
+            sides = local.before[entry : entry + 1], local.states[entry : entry + 1]
+            (reset,) = fitting_resets(local.system, source, target, reached, *sides).tolist()
+            before.append(states[-1])
+            states.append(system.resets[reset] @ extended(states[-1]))
+            for place, shape in enumerate(system.structure.boundaries[source]):
+                terms = system.rows[shape.row] * extended(before[-1])
+                missed = abs(terms.sum()) > _NEAR * np.abs(terms).sum()
+                if missed and reached >> place & 1 and local.times[entry] > local.times[entry - 1]:
+                    raise self._refused(f"{shape.name} follows")
+        name = local.configurations[-1]
+        order = ", then ".join(" and ".join(names) for names in local.boundaries[1:])
+        behind = run.states[end]
+        if name != trajectory.configurations[end] or not len(before):
+            raise self._refused(f"{order} leads to {name}")
+        if np.abs(states[-1] - behind).max() > _NEAR * np.abs(behind).max():
+            raise self._refused(f"{order} leads to another state")
+        found_run = replace(
+            run,
+            times=_put(run.times, begin, end, np.full(len(before), run.times[begin])),
+            configurations=_put(run.configurations, begin, end, local.run.configurations[1:]),
+            before=_put(run.before, begin, end, np.array(before)),
+            states=_put(run.states, begin, end, np.array([*states[1:-1], behind])),
+            sets=_put(run.sets, begin, end, local.run.sets[1:]),
+        )
+        way = self._inserted(Trajectory(system, found_run), np.diff(local.times) > 0)
+        return way, self._checked(way, len(before))
+
+    def _moved(self, step: float) -> Trajectory:
+        """The moved motion through the moment; boundaries come apart by so much."""
+        trajectory, moment = self.motion.trajectory, self.moment
+        run, begin, end = trajectory.run, moment.begin, moment.end
+        now, shift = float(run.times[begin]), float(moment.shift[self.column])
+        waits = [now - float(run.times[begin - 1])]
+        later = float(run.times[end + 1]) if end + 1 < len(run.times) else run.end
+        waits += [later - now] * (later > now)
+        width = step * min(waits)
+        given = {name: float(value) for name, value in trajectory.parameters.items()}
+        rates = {n: float(r) for n, r in zip(self.by, self.direction, strict=True) if n in given}
+        size = self.sign * width / shift
+        size *= min(1.0, *(step * max(1.0, abs(given[n])) / abs(size * r)
+                           for n, r in rates.items() if r), 1.0)  # fmt: skip
+        width = abs(size) * shift
+        parameters = trajectory.parameters | {n: given[n] + size * r for n, r in rates.items() if r}
+        source = int(run.configurations[begin - 1])
+        front = _FRONT * width
+        start = flow_states(
+            trajectory.system, source, np.array([waits[0] - front]), run.states[begin - 1 : begin]
+        )[0]
+        start = start + size * moment.change[:, self.column]
+        kernels = trajectory.structure.kernels
+        assert kernels is not None
+        start = nearest_start(piecewise(kernels, parameters), source, start)
+        name = trajectory.structure.configurations[source]
+        try:
+            found = simulate(
+                kernels, parameters, start.tolist(), name,
+                until=front + _BEHIND * width, transitions=_MOST,
+            )  # fmt: skip
+        except InputError as error:
+            raise self._refused(str(error)) from None
+        if found.status != Status.UNTIL:
+            raise self._refused(found.message)
+        return found
+
+    def _inserted(self, trajectory: Trajectory, later: np.ndarray) -> DirectedMotion:
+        """The motion with other transitions in the moment; some are later than those before."""
+        motion, begin, end = self.motion, self.moment.begin, self.moment.end
+        first, last, opened = motion.first.copy(), motion.last.copy(), motion.open.copy()
+        inside = (first >= begin - 1) & (last < end)
+        more = len(later) - (end - begin + 1)
+        behind = first >= end
+        first[behind] += more
+        last[behind] += more
+        first[inside], last[inside] = begin - 1, begin + len(later) - 2
+        opened[inside] |= inside.sum() > 1
+        apart = np.concatenate([motion.apart[: begin - 1], [False], later[1:], motion.apart[end:]])
+        return DirectedMotion(trajectory, motion.columns, 0.0, apart, first, last, opened)
+
+    def _checked(self, way: DirectedMotion, count: int) -> np.ndarray:
+        """The change (N,) behind the moment at a fixed time; refuse what is of higher order."""
+        linear = way.linearisation(np.empty(0))
+        try:
+            found = linear.transitions
+        except InputError as error:
+            raise self._refused(str(error)) from None
+        tables, starts = along(linear, self.by, self.direction[:, None])
+        _, events, _, behind = linear.forward(tables, starts)
+        begin = self.moment.begin
+        places = np.arange(begin - 1, begin - 1 + count)
+        times = self.sign * events[places, 0]
+        size = np.abs(times).max()
+        sudden = ~found.smooth[places] & ~linear.instants[places]
+        turned = np.abs(linear.saltations[0][places]).max(axis=(1, 2)) > 1 / _NEAR
+        if not (np.diff(times) >= -_NEAR * size).all() or (sudden & turned).any():
+            raise self._refused("the order is open to first order")
+        last = places[-1]
+        return np.asarray(behind[last + 1, :, 0] - found.behind[last] * events[last, 0])
+
+    def _refused(self, why: str) -> InputError:
+        side = "+" if self.sign > 0 else "-"
+        label = told_direction(self.by, self.direction)
+        return InputError(
+            f"{self.moment.told}: {why}; the motion has no derivative on the side {side}"
+            f" by {label} there"
+        )
+
+
+def _put(array: np.ndarray, begin: int, end: int, new: np.ndarray) -> np.ndarray:
+    """An array with other entries in place of those from begin to end."""
+    return np.concatenate([array[:begin], new.astype(array.dtype), array[end + 1 :]])
+
+
+def told_direction(by: tuple[str, ...], direction: np.ndarray) -> str:
+    """What a message calls a direction: by its number, if it is that of one.
+
+    Parameters
+    ----------
+    by : tuple of str
+    direction : array (numbers,)
+
+    Returns
+    -------
+    str
+    """
+    moving = np.flatnonzero(direction)
+    return by[moving[0]] if len(moving) == 1 else "the direction"

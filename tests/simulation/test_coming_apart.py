@@ -1,0 +1,237 @@
+"""Boundaries that are reached together and come apart: one-sided derivatives by the moved order."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    FirstOrder,
+    Parameter,
+    RigidStop,
+    System,
+    Transition,
+    oscillator,
+)
+from nonsmooth.runtime.simulation.coming_apart import DirectedMotion
+from tests.moved_motions import MovedMotion
+
+BY = ("p", "q", "s", "a0", "b0", "c0")
+
+
+def corner(
+    seed: int, velocities: dict[str, tuple[int, int]], linear: bool = True
+) -> tuple[System, dict[str, float]]:
+    """Four fields that meet at a = p, b = q; the one in front moves to there by (1, 1, ...)."""
+    draw = np.random.default_rng(seed)
+    states = sp.symbols("a b c", real=True)
+    a, b = states[:2]
+    p, q, s = found = [Parameter(name, name) for name in "pqs"]
+    configurations, transitions = [], []
+    for name, velocity in {"low": (1, 1), **velocities}.items():
+        matrix = sp.Matrix(3, 3, lambda *_: sp.Rational(int(draw.integers(-8, 9)), 16))
+        matrix = matrix if linear and name != "low" else sp.zeros(3)
+        load = [*velocity, 1 + s.symbol * int(draw.integers(1, 4))]
+        boundaries = []
+        if name in ("low", "other"):
+            boundaries.append(Boundary("first", a - p.symbol))
+        if name in ("low", "one"):
+            boundaries.append(Boundary("second", b - q.symbol))
+        configurations.append(Configuration(name, FirstOrder(matrix, load), tuple(boundaries)))
+    transitions = [
+        Transition("low", {"first"}, "one"),
+        Transition("low", {"second"}, "other"),
+        Transition("low", {"first", "second"}, "high"),
+        Transition("one", {"second"}, "high"),
+        Transition("other", {"first"}, "high"),
+    ]
+    system = System(
+        f"corner-{seed}", "four fields", states, tuple(found), tuple(configurations), transitions
+    )
+    return system, {"p": 1.0, "q": 1.0, "s": 0.5}
+
+
+APART = {"one": (2, 3), "other": (1, 2), "high": (1, 1)}
+
+
+def one_sided_digits(
+    system: System, part: DirectedMotion, name: str, sign: int, times: np.ndarray
+) -> np.ndarray:
+    """States' one-sided derivatives by differences in fifty digits along the part's sequence.
+
+    The sequence is that of the moved motion: no phase takes a negative time.
+    """
+    motion = part.trajectory
+    moved = np.array([float(f"{state}0" == name) for state in motion.names])
+    parameters = {key: float(key == name) for key in motion.parameters}
+    follower = MovedMotion(system, motion, part.apart)
+    return follower.one_sided(parameters, moved, times, sign)
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("side", ["+", "-"])
+def test_the_order_is_that_of_the_moved_motion(seed: int, side: str) -> None:
+    system, data = corner(seed, APART)
+    motion = ns.simulate(system, data, [0, 0, 0.25], "low", until=1.5)
+    assert motion.boundaries[1:] == (("first", "second"),)
+    times = np.array([0.5, 1.25, 1.5])
+    found = motion.derivatives(BY, times=times, one_sided=side)
+    assert len(found.parts) >= 2
+    sign = 1 if side == "+" else -1
+    for part in found.parts:
+        for column in part.columns.tolist():
+            expected = one_sided_digits(system, part, BY[column], sign, times)
+            np.testing.assert_allclose(found.states[..., column], expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("side", ["+", "-"])
+def test_moved_motions_differ_by_the_one_sided_derivative(side: str) -> None:
+    """By the simulation itself, of a moved start: what comes first is not handed over."""
+    system, data = corner(7, APART)
+    start, step = np.array([0, 0, 0.25]), 1e-6 if side == "+" else -1e-6
+    motion = ns.simulate(system, data, start, "low", until=1.5)
+    found = motion.derivatives(BY, times=[1.5], one_sided=side)
+    for place, name in enumerate(BY):
+        moved, own = data.copy(), start.copy()
+        if name in data:
+            moved[name] += step
+        else:
+            own[place - 3] += step
+        other = ns.simulate(system, moved, own, "low", until=1.5)
+        assert name in ("s", "c0") or other.transitions == 2
+        difference = (other(1.5) - motion(1.5)) / step
+        np.testing.assert_allclose(found.states[0, :, place], difference, atol=2e-5)
+
+
+def test_one_sided_derivatives_along_a_direction_are_no_sum() -> None:
+    system, data = corner(3, APART)
+    start, step = np.array([0, 0, 0.25]), 1e-6
+    motion = ns.simulate(system, data, start, "low", until=1.5)
+    found = motion.derivatives(BY, times=[1.5], one_sided="+")
+    along = {"a0": 1.0, "b0": 2.0}
+    moved = ns.simulate(system, data, start + step * np.array([1, 2, 0]), "low", until=1.5)
+    difference = (moved(1.5) - motion(1.5)) / step
+    np.testing.assert_allclose(found.jvp(along)["states"][0], difference, atol=2e-5)
+    summed = found.states[0] @ np.array([along.get(name, 0.0) for name in BY])
+    assert np.abs(summed - difference).max() > 1e-3
+
+
+@pytest.mark.parametrize("side", ["+", "-"])
+def test_reverse_is_forward_where_orders_differ(side: str) -> None:
+    system, data = corner(2, APART)
+    motion = ns.simulate(system, data, [0, 0, 0.25], "low", until=1.5)
+    found = motion.derivatives(BY, times=[0.5, 1.5], one_sided=side)
+    draw = np.random.default_rng(1)
+    names = ("states", "event_times", "before", "behind")
+    factors = {name: draw.normal(size=getattr(found, name).shape[:-1]) for name in names}
+    expected = sum(
+        np.tensordot(part, getattr(found, name), axes=part.ndim) for name, part in factors.items()
+    )
+    np.testing.assert_allclose(found.vjp(**factors), expected, rtol=1e-12, atol=1e-12)
+    assert found.condition >= 1
+
+
+def test_orders_that_do_not_agree_have_no_derivative_but_on_a_side() -> None:
+    system, data = corner(0, APART)
+    motion = ns.simulate(system, data, [0, 0, 0.25], "low", until=1.5)
+    with pytest.raises(ns.InputError, match=r"first and second are reached together .* by p"):
+        motion.derivatives(["s", "p"])
+    # both are reached sooner or later together
+    assert np.isfinite(motion.derivatives(["s", "c0"], times=[1.5]).states).all()
+
+
+def test_an_order_that_leads_elsewhere_is_refused_with_its_name() -> None:
+    system, data = corner(1, APART | {"one": (2, -1)}, linear=False)
+    motion = ns.simulate(system, data, [0, 0, 0.25], "low", until=1.5)
+    with pytest.raises(ns.InputError, match=r"first leads to one; .* on the side \+ by a0"):
+        motion.derivatives(["a0"], one_sided="+")
+    assert motion.derivatives(["a0"], times=[1.5], one_sided="-").states.shape == (1, 3, 1)
+
+
+def twins() -> System:
+    """Two masses that a spring and a damper couple, each in front of a stop of its own."""
+    names = ("h1", "h2", "r1", "r2", "k", "d")
+    p = [Parameter(name, name, lower=-1 if name == "d" else 0) for name in names]
+    h1, h2, r1, r2, k, d = (parameter.symbol for parameter in p)
+    pair = sp.Matrix([[1, -1], [-1, 1]])
+    stops = [RigidStop("x1", h1, r1, name="one"), RigidStop("x2", h2, r2, name="two")]
+    return oscillator(
+        "twins", ["x1", "x2"], [[1, 0], [0, 2]], k * pair, d * pair, elements=stops, parameters=p
+    )
+
+
+TWINS = {"h1": 0.5, "h2": 0.5, "r1": 0.5, "r2": 0.75, "k": 1.25, "d": 0.0}
+
+
+def test_a_damper_tells_which_mass_strikes_first() -> None:
+    """In between it changes the other mass's velocity, which the impact then turns or not."""
+    system, times = twins(), np.array([0.625])
+    motion = ns.simulate(system, TWINS | {"d": 0.25}, [0, 0, 1, 1], until=0.75)
+    with pytest.raises(ns.InputError, match="no derivative by h1"):
+        motion.derivatives(["h1"])
+    both = []
+    for sign, side in ((1, "+"), (-1, "-")):
+        found = motion.derivatives(["h1"], times=times, one_sided=side).states[..., 0]
+        expected = one_sided_digits(system, _part(motion, "h1", sign), "h1", sign, times)
+        np.testing.assert_allclose(found, expected, atol=1e-12)
+        both.append(found)
+    assert np.abs(both[0] - both[1]).max() > 0.1
+
+
+def test_orders_that_agree_have_a_derivative() -> None:
+    """Impacts of two masses: in whichever order, as springs have no time to act in between."""
+    system, data = twins(), TWINS
+    motion = ns.simulate(system, data, [0, 0, 1, 1], until=0.75)
+    assert motion.boundaries[1:] == (("one-reaches-stop", "two-reaches-stop"),)
+    found = motion.derivatives(times=[0.25, 0.625])
+    for place, name in enumerate(found.by):
+        for sign in (1, -1):
+            expected = one_sided_digits(system, _part(motion, name, sign), name, sign, found.times)
+            np.testing.assert_allclose(found.states[..., place], expected, atol=1e-12)
+    apart = [name[0] in "hxv" for name in found.by]
+    np.testing.assert_array_equal(np.isnan(found.event_times[0]), apart)
+    np.testing.assert_array_equal(np.isnan(found.behind[1, 0]), apart)
+    direction = np.linspace(1, 2, len(found.by))
+    np.testing.assert_allclose(found.jvp(direction)["states"], found.states @ direction, rtol=1e-13)
+    factors = np.ones(found.states.shape[:2])
+    np.testing.assert_allclose(found.vjp(states=factors), found.states.sum(axis=(0, 1)), rtol=1e-12)
+    assert np.isnan(found.vjp(event_times=[1.0])).tolist() == apart
+
+
+def _part(motion: ns.Trajectory, name: str, sign: int) -> DirectedMotion:
+    (part,) = motion.derivatives([name], one_sided="+" if sign > 0 else "-").parts
+    return part
+
+
+def test_times_of_transitions_are_those_of_the_first_and_the_last() -> None:
+    system, data = corner(5, APART, linear=False)
+    motion = ns.simulate(system, data, [0, 0, 0.25], "low", until=1.5)
+    found = motion.derivatives(["a0", "b0"], one_sided="+")
+    # a is there by the first of both, then b moves by 3, or a by 1
+    np.testing.assert_allclose(found.event_times, [[-1, -1]])
+    np.testing.assert_allclose(found.before[1, :2], [[0, -1], [-1, 0]], atol=1e-15)
+    np.testing.assert_allclose(found.behind[1, :2], [[2 / 3, 0], [0, 2]], atol=1e-14)
+
+
+def test_observables_follow_the_sequence() -> None:
+    system, data = corner(6, APART)
+    start, step = np.array([0, 0, 0.25]), 1e-6
+    motion = ns.simulate(system, data, start, "low", until=1.5)
+    found = motion.derivatives(["a0", "b0"], one_sided="+").observables()
+    for place in (0, 1):
+        own = start.copy()
+        own[place] += step
+        moved = ns.observe(ns.simulate(system, data, own, "low", until=1.5))
+        here = ns.observe(motion)
+        for name in motion.structure.configurations:
+            rate = (moved.fractions[name] - here.fractions[name]) / step
+            assert found.fractions[name][place] == pytest.approx(rate, abs=2e-5)
+        for state in motion.names:
+            rate = (moved.means[state] - here.means[state]) / step
+            assert found.means[state][place] == pytest.approx(rate, abs=2e-5)
+            rate = (moved.maxima[state].value - here.maxima[state].value) / step
+            assert found.maxima[state][place] == pytest.approx(rate, abs=2e-5)
