@@ -199,6 +199,34 @@ class FactoredFlows:
         dense = (functions[..., at.dense, None, None] * self.matrices).sum(axis=-3)
         return np.asarray(self.left.swapaxes(-1, -2) @ (even * self.right + turned) + dense)
 
+    def terms(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The flow of one point as a sum of functions of time, each times a column and a row.
+
+        Returns
+        -------
+        places : array (T,) of int
+            Of the functions.
+        columns : array (T, N)
+        rows : array (T, N + 1)
+        """
+        at, (count, size) = _places(self.shapes), self.matrices.shape[:2]
+        turning = at.sign != 0
+        parts = (
+            (at.even, self.left, self.right),
+            (
+                at.odd[turning],
+                at.sign[turning, None] * self.left[turning],
+                self.right[at.other[turning]],
+            ),
+            (
+                np.repeat(at.dense, size),
+                np.tile(np.eye(self.left.shape[1]), (count, 1)),
+                self.matrices.reshape(-1, self.right.shape[1]),
+            ),
+        )
+        places, columns, rows = (np.concatenate(each) for each in zip(*parts, strict=True))
+        return places, columns, rows
+
     def _parts(self, extended: np.ndarray, sign: np.ndarray) -> np.ndarray:
         found = self._placed(
             np.moveaxis(_times(self.matrices, extended[..., None, :]), -2, 0),

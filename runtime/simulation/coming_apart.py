@@ -155,6 +155,8 @@ def gathered(
         In the same order, along all directions.
     """
     count, (states, _, behind, _) = len(parts[0].first), found[0]
+    if len(parts) == 1 and len(parts[0].apart) == count and not parts[0].open.any():
+        return tuple(found[0])
     shape = (count + 1, behind.shape[1], directions)
     every = (
         np.empty((*states.shape[:2], directions)),

@@ -14,10 +14,11 @@ is below h^40 3e-60 = 3e-20 for half of that, h = 10.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Protocol
 
 import numpy as np
 
-from nonsmooth.runtime.model.factored_flows import matrices_of
+from nonsmooth.runtime.model.factored_flows import FactoredFlows, matrices_of
 from nonsmooth.runtime.model.flows import functions_of, parts_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.simulation.phase_functions import Phases, fastest
@@ -30,14 +31,48 @@ _FEW = 4
 _CHUNK = 2_000_000  # numbers in memory at a time
 
 
-class ConfigurationFlows:
-    """Flows of one configuration over n durations, from n starts.
+class ConfigurationFlows(Protocol):
+    """Flows of one configuration over n durations, from n starts, and their derivatives.
 
     Attributes
     ----------
     matrices : array (n, N, N)
         Derivatives of the states at the ends by those at the starts.
     """
+
+    matrices: np.ndarray
+
+    def changes(self, fields: np.ndarray) -> np.ndarray:
+        """Derivatives of the states at the ends by parameters.
+
+        Parameters
+        ----------
+        fields : array (q, N, N + 1)
+            Derivatives of the field.
+
+        Returns
+        -------
+        array (n, N, q)
+        """
+        ...
+
+    def gradients(self, cotangents: np.ndarray) -> np.ndarray:
+        """Products of factors of the states at the ends with their derivatives by the field.
+
+        Parameters
+        ----------
+        cotangents : array (n, N)
+
+        Returns
+        -------
+        array (N, N + 1)
+            Added up over all durations.
+        """
+        ...
+
+
+class _DenseFlows:
+    """From matrices of all functions of time."""
 
     def __init__(
         self,
@@ -57,37 +92,56 @@ class ConfigurationFlows:
         self._parts = np.concatenate([parts, integrals[..., None]], axis=-1)
 
     def changes(self, fields: np.ndarray) -> np.ndarray:
-        """Derivatives of the states at the ends by parameters.
-
-        Parameters
-        ----------
-        fields : array (q, N, N + 1)
-            Derivatives of the field.
-
-        Returns
-        -------
-        array (n, N, q)
-        """
+        """See `ConfigurationFlows`."""
         count, functions, width = self._parts.shape
         flat = fields.transpose(2, 1, 0).reshape(width, -1)
         turned = self._parts.reshape(-1, width) @ flat
         return np.asarray(self._flows @ turned.reshape(count, functions * self._size, -1))
 
     def gradients(self, cotangents: np.ndarray) -> np.ndarray:
-        """Products of factors of the states at the ends with their derivatives by the field.
-
-        Parameters
-        ----------
-        cotangents : array (n, N)
-
-        Returns
-        -------
-        array (N, N + 1)
-            Added up over all durations.
-        """
+        """See `ConfigurationFlows`."""
         count, functions, width = self._parts.shape
         pulled = (cotangents @ self._flows).reshape(count * functions, self._size)
         return np.asarray(pulled.T @ self._parts.reshape(-1, width))
+
+
+class _FactoredFlows:
+    """From columns and rows: of N states about 2 N of each, and no matrix for each function."""
+
+    def __init__(
+        self,
+        system: PiecewiseLinear,
+        configuration: int,
+        durations: np.ndarray,
+        starts: np.ndarray,
+    ) -> None:
+        flows = system.flows[configuration]
+        assert isinstance(flows, FactoredFlows)
+        self.matrices = flows.at(functions_of(system, configuration, durations))[..., :-1]
+        places, self._columns, rows = flows.terms()
+        self._rows = rows[:, :-1]
+        weights = starts @ rows[:, :-1].T + rows[:, -1]
+        products, integrals = _convolutions(system, configuration, durations)
+        self._products = products[:, places][:, :, places] * weights[:, None]
+        self._integrals = integrals[:, places]
+
+    def changes(self, fields: np.ndarray) -> np.ndarray:
+        """See `ConfigurationFlows`."""
+        found = np.empty((*self.matrices.shape[:2], len(fields)))
+        for place, field in enumerate(fields):
+            turned = self._rows @ field[:, :-1] @ self._columns.T
+            factors = np.einsum("nfg,fg->nf", self._products, turned)
+            factors += self._integrals * (self._rows @ field[:, -1])
+            found[..., place] = factors @ self._columns
+        return found
+
+    def gradients(self, cotangents: np.ndarray) -> np.ndarray:
+        """See `ConfigurationFlows`."""
+        factors = cotangents @ self._columns.T
+        turned = np.einsum("nfg,nf->fg", self._products, factors)
+        linear = self._rows.T @ turned @ self._columns
+        constant = (factors * self._integrals).sum(axis=0) @ self._rows
+        return np.concatenate([linear, constant[:, None]], axis=1)
 
 
 def configuration_flows(
@@ -109,12 +163,14 @@ def configuration_flows(
     """
     for configuration in np.unique(configurations).tolist():
         here = np.flatnonzero(configurations == configuration)
-        size = system.structure.functions[configuration] * starts.shape[1]
+        factored = isinstance(system.flows[configuration], FactoredFlows)
+        count = system.structure.functions[configuration]
+        size = 4 * count**2 if factored else count * starts.shape[1]
         step = max(1, _CHUNK // max(1, size))
         for low in range(0, len(here), step):
             part = here[low : low + step]
-            flows = ConfigurationFlows(system, configuration, durations[part], starts[part])
-            yield configuration, part, flows
+            make = _FactoredFlows if factored else _DenseFlows
+            yield configuration, part, make(system, configuration, durations[part], starts[part])
 
 
 def quadrature(

@@ -121,18 +121,24 @@ class MotionLinearisation:
         count, (size, q) = len(trajectory.times), starts.shape
         added = np.empty((len(self.phases), size, q))
         for configuration, places, flows in self.groups:
-            added[places] = flows.changes(tables.fields[:, configuration])
+            field = tables.fields[:, configuration]
+            moving = np.flatnonzero(field.any(axis=(1, 2)))  # of a start nothing
+            added[places] = 0.0
+            added[np.ix_(places, np.arange(size), moving)] = flows.changes(field[moving])
         saltations, late = self.saltations
         inside = slice(0, count - 1)
-        steps = saltations @ self.carried
         moved = _along(tables.rows, found.rows, found.before)
         offsets = saltations[..., :size] @ added[inside] + late[..., None] * moved[:, None]
         offsets[:, :size] += _along(tables.resets, found.resets, found.before)
         # at the fixed times of the transitions, and last the changes of these
         changes = np.zeros((count, size + 1, q))
         changes[0, :size] = starts
+        steps = saltations @ self.carried if q > size else None
         for k in range(count - 1):
-            np.matmul(steps[k], changes[k], out=changes[k + 1])
+            if steps is None:
+                changes[k + 1] = saltations[k] @ (self.carried[k] @ changes[k])
+            else:
+                np.matmul(steps[k], changes[k], out=changes[k + 1])
             changes[k + 1] += offsets[k]
         beginnings, events = changes[:, :size], changes[1:, size].copy()
         ends = self.matrices[inside] @ beginnings[:-1] + added[inside]
@@ -163,9 +169,8 @@ class MotionLinearisation:
         factors[:-1, :size] += (before[1:, None] @ self.matrices[: count - 1])[:, 0]
         pulled = (states[:, None] @ self.matrices[count - 1 :])[:, 0]
         np.add.at(factors[:, :size], self.phases[count - 1 :], pulled)
-        steps = (saltations @ self.carried).swapaxes(1, 2)
         for k in range(count - 2, -1, -1):
-            factors[k] += steps[k] @ factors[k + 1]
+            factors[k] += factors[k + 1] @ saltations[k] @ self.carried[k]
         ends = before[1:] + (factors[1:, None] @ saltations)[:, 0, :size]
         ends = np.concatenate([ends, states])
         fields = np.zeros_like(system.fields)

@@ -51,12 +51,12 @@ def check_times(trajectory: Trajectory, times: np.ndarray, one_sided: str | None
     """
     if one_sided not in (None, "+", "-"):
         raise InputError(f"one_sided is {one_sided!r}, neither '+' nor '-'")
-    for time in times.tolist():
-        if trajectory.status in CUT and abs(time - trajectory.end) <= 8 * np.spacing(time):
-            raise InputError(
-                f"the motion ends at t = {trajectory.end!r}: {trajectory.message};"
-                " it has no derivative there"
-            )
+    last = np.abs(times - trajectory.end) <= 8 * np.spacing(times)
+    if trajectory.status in CUT and last.any():
+        raise InputError(
+            f"the motion ends at t = {trajectory.end!r}: {trajectory.message};"
+            " it has no derivative there"
+        )
 
 
 def check_sides(
@@ -129,11 +129,13 @@ def _beginnings(trajectory: Trajectory) -> Iterator[_Touch]:
 
 
 def _coincidences(trajectory: Trajectory, times: np.ndarray) -> Iterator[_Touch]:
-    events = trajectory.times[1:]
-    for time in times.tolist():
-        for place in np.flatnonzero(np.abs(events - time) <= 8 * np.spacing(time)).tolist():
+    events, near = trajectory.times[1:], 8 * np.spacing(times)
+    first = np.searchsorted(events, times - near)
+    behind = np.searchsorted(events, times + near, side="right")
+    for which in np.flatnonzero(first < behind).tolist():
+        for place in range(int(first[which]), int(behind[which])):
             told = f"{' and '.join(trajectory.boundaries[place + 1])} is reached"
-            yield _Touch(told, time, None, place)
+            yield _Touch(told, float(times[which]), None, place)
 
 
 def _smooth(system: PiecewiseLinear, configuration: int, boundary: int, state: np.ndarray) -> bool:

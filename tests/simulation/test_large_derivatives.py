@@ -1,0 +1,117 @@
+"""Derivatives of motions of many states, and of configurations that are made when visited."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
+from nonsmooth.runtime.model.factored_flows import FactoredFlows, matrices_of
+from nonsmooth.runtime.simulation.flow_derivatives import configuration_flows
+from tests.moved_motions import MovedMotion
+
+DATA = {"k": 2.0, "F": 1.0, "w": 1.1, "gap": 0.05, "r": 0.8}
+
+
+def chain(count: int) -> System:
+    """Masses in a chain between walls; the first one is forced, and strikes a stop."""
+    found = [Parameter(name, name) for name in DATA]
+    k, force, w, gap, r = (parameter.symbol for parameter in found)
+    stiffness = 2 * sp.eye(count)
+    for i in range(1, count):
+        stiffness[i, i - 1] = stiffness[i - 1, i] = -1
+    damping = sp.Rational(1, 50) * (stiffness + sp.eye(count))
+    stiffness[0, 0] = 1 + k
+    return oscillator(
+        f"long-{count}",
+        [f"x{i}" for i in range(1, count + 1)],
+        sp.eye(count),
+        stiffness,
+        damping=damping,
+        forcing=[Harmonic(w, cosine={"x1": force})],
+        elements=[RigidStop("x1", gap, r, name="stop")],
+        parameters=found,
+    )
+
+
+def rubbing(count: int) -> tuple[System, dict[str, float]]:
+    """Masses in a chain, each on a belt: 3^count configurations, made when they are visited."""
+    found = [Parameter(name, name) for name in ("V", "mu")]
+    belt, force = (parameter.symbol for parameter in found)
+    stiffness = 2 * sp.eye(count)
+    for i in range(1, count):
+        stiffness[i, i - 1] = stiffness[i - 1, i] = -1
+    names = [f"x{i}" for i in range(1, count + 1)]
+    rubs = [
+        Friction(name, force, force * sp.Rational(12 + i, 10), velocity=belt, name=f"belt{i}")
+        for i, name in enumerate(names)
+    ]
+    masses = sp.diag(*[sp.Rational(10 + i, 10) for i in range(count)])
+    system = oscillator(
+        f"rubbing-{count}", names, masses, stiffness, elements=rubs, parameters=found
+    )
+    return system, {"V": 0.5, "mu": 0.25}
+
+
+def compared(system: System, motion: ns.Trajectory, seed: int) -> float:
+    """Largest error of states, times and of the reverse pass, in units of the condition."""
+    rng = np.random.default_rng(seed)
+    times = np.sort(rng.uniform(0, motion.end, 2))
+    found = motion.derivatives(times=times)
+    along = dict(zip(found.by, rng.normal(size=len(found.by)).tolist(), strict=True))
+    linear = found.jvp(along)
+    # a start that its configuration holds moves as its constraints let it
+    parameters = {name: along[name] for name in motion.parameters}
+    events, states = MovedMotion(system, motion).difference(parameters, linear["before"][0], times)
+    missed = max(
+        np.abs(linear["event_times"] - events).max(),
+        np.abs(linear["states"].ravel() - states).max(),
+    )
+    factors = rng.normal(size=linear["states"].shape)
+    direction = np.array([along[name] for name in found.by])
+    pulled = found.vjp(states=factors) @ direction - (factors * linear["states"]).sum()
+    largest = max(1.0, np.abs(events).max(), np.abs(states).max())
+    return float(max(missed, abs(pulled)) / largest / found.condition)
+
+
+@pytest.mark.parametrize("count", [9, 19])  # 20 and 40 states: modes as eigenvectors
+def test_chains_agree_with_fifty_digits(count: int) -> None:
+    system = chain(count)
+    start = {name: 0.0 for name in (f"{a}{i}" for a in "xv" for i in range(1, count + 1))}
+    motion = ns.simulate(system, DATA, start, transitions=6)
+    assert isinstance(motion.system.flows[0], FactoredFlows)
+    assert compared(system, motion, count) < 1e-12
+
+
+def test_factors_and_matrices_have_the_same_derivatives() -> None:
+    system = chain(9)
+    start = {name: 0.0 for name in (f"{a}{i}" for a in "xv" for i in range(1, 10))}
+    motion = ns.simulate(system, DATA, start, transitions=8)
+    factored = motion.system
+    dense = replace(factored, flows=tuple(matrices_of(flows) for flows in factored.flows))
+    own = motion.run.configurations[:-1].astype(int), np.diff(motion.times), motion.states[:-1]
+    (one,), (other,) = (
+        [flows for *_, flows in configuration_flows(each, *own)] for each in (factored, dense)
+    )
+    np.testing.assert_allclose(one.matrices, other.matrices, atol=1e-12)
+    rng = np.random.default_rng(1)
+    fields = rng.normal(size=(3, *factored.fields.shape[1:]))
+    np.testing.assert_allclose(one.changes(fields), other.changes(fields), atol=1e-11)
+    factors = rng.normal(size=(8, len(motion.names)))
+    found, expected = one.gradients(factors), other.gradients(factors)
+    np.testing.assert_allclose(found, expected, atol=1e-11)
+    moved = np.einsum("nij,ni->j", one.changes(fields), factors)
+    np.testing.assert_allclose(np.tensordot(fields, found), moved, rtol=1e-11)
+
+
+def test_configurations_that_are_made_when_visited_have_derivatives() -> None:
+    system, data = rubbing(8)
+    start = [*np.linspace(-0.6, 0.7, 8).tolist(), *np.linspace(0.1, 0.45, 8).tolist()]
+    motion = ns.simulate(system, data, start, transitions=12)
+    assert motion.structure.unvisited
+    assert len(set(motion.configurations)) > 4
+    assert compared(system, motion, 3) < 1e-12
