@@ -203,8 +203,8 @@ class OrbitDerivatives:
             An unknown, ``period``, ``trace``, ``determinant`` or ``spectral_radius``. Along the
             motion ``maximum:STATE``, ``minimum:STATE`` and ``peak:STATE`` (of the absolute
             value) over the period; ``peak_acceleration:STATE``; ``peak_force:CONTACT``;
-            ``dissipation`` through all contacts or ``dissipation:CONTACT``, without impacts;
-            ``margin``, the least distance from a boundary that stays away; and
+            ``dissipation`` through all contacts or ``dissipation:CONTACT``, what impacts take
+            included; ``margin``, the least distance from a boundary that stays away; and
             ``transversality``, the least speed with which one is reached.
 
         Returns

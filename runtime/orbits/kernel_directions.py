@@ -129,6 +129,8 @@ def along_tables(
     """An orbit with kernels along its motion, by the tables of its system; see `Evaluation`.
 
     A sum such as e1 = ur1 - us1 is changed by the one of its parameters that is no open one.
+    Of a border collision phases that take no time are left out: what is given and solved for
+    keeps the collision, so that both boundaries go on to be reached together.
 
     Parameters
     ----------
@@ -144,11 +146,9 @@ def along_tables(
     Raises
     ------
     InputError
-        Where boundaries are reached together, or the orbit by tables has no derivatives.
+        Where the orbit by tables has no derivatives.
     """
     kernels = orbit.kernels
-    if orbit.evaluation.border[0]:
-        raise InputError(f"{orbit.name}: along its motion a border collision has no derivatives")
     tables = orbit.problem.by_tables(orbit)
     if orbit.precise:
         tables = tables.problem.refined(tables, orbit.digits, "mpmath")
@@ -156,7 +156,8 @@ def along_tables(
     opened = {table.name for table in kernels.open_parameters}
     physical = {table.name for table in kernels.system.parameters}
     unit = dict(zip(found.by, np.eye(len(found.by), dtype=int), strict=True))
-    for name in kernels.parameter_names:
+    solved = [name for name in found.unknowns if name in kernels.combined or name in physical]
+    for name in dict.fromkeys((*kernels.parameter_names, *solved)):
         rate = unit.get(name, found.unknowns.get(name))
         if rate is None:
             continue

@@ -196,6 +196,7 @@ class KernelProblem:
         Returns
         -------
         Orbit
+            Without phases that take no time.
 
         Raises
         ------
@@ -203,9 +204,17 @@ class KernelProblem:
             If Newton's method finds no orbit by the tables.
         """
         values, dwell = self.physical(orbit, beside).values, orbit.dwell_times.astype(float)
-        start = orbit.states[0].astype(float).tolist() if self._in_system_states else None
+        every = not orbit.evaluation.border[0]
+        lasting = [place for place, wait in enumerate(dwell.tolist()) if every or wait > 0]
+        first = orbit.states[lasting[0]]
+        start = first.astype(float).tolist() if self._in_system_states else None
         found = solve_itinerary(
-            self.system, values, self.itinerary, dwell.tolist(), start, period=self.period(orbit)
+            self.system,
+            values,
+            _joined(self.itinerary, lasting),
+            dwell[lasting].tolist(),
+            start,
+            period=self.period(orbit),
         )
         if not found.converged:
             raise InputError(f"{self.name}: {found.message}")
@@ -239,6 +248,20 @@ class KernelProblem:
     def _phases(self) -> list[tuple[str, str, str]]:
         phases: list[tuple[str, str, str]] = self.kernels.table["phases"]
         return phases
+
+
+def _joined(
+    itinerary: tuple[tuple[str, str], ...], lasting: Sequence[int]
+) -> tuple[tuple[str, str], ...]:
+    """The phases that take time; what ends those behind one is reached together with its end."""
+    ends: list[list[str]] = []
+    turned = np.roll(np.arange(len(itinerary)), -int(lasting[0])).tolist()
+    for place in turned:
+        if place in lasting:
+            ends.append([])
+        ends[-1] += itinerary[place][1].split("+")
+    names = ["+".join(sorted(reached)) for reached in ends]
+    return tuple((itinerary[p][0], name) for p, name in zip(lasting, names, strict=True))
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,6 +18,7 @@ from nonsmooth.runtime.events.boundary_functions import PhaseWaves, interior_max
 from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise
 from nonsmooth.runtime.orbits.directions import Directions
+from nonsmooth.runtime.orbits.impact_losses import impact_losses
 from nonsmooth.runtime.orbits.table_directions import numbers_along, passed, working
 from nonsmooth.runtime.orbits.table_phase_functions import phase_waves
 from nonsmooth.runtime.shooting.derivatives import flows_over
@@ -343,7 +344,7 @@ class OrbitMotionDerivatives:
     def dissipation(self, name: str | None = None) -> Differentiated:
         """Energy lost over a period through contacts: through one, or through all of them.
 
-        Impacts take no time and are not part of it.
+        By friction and dampers of stops, and by impacts; not by dampers of the oscillator.
 
         Parameters
         ----------
@@ -356,7 +357,7 @@ class OrbitMotionDerivatives:
         Raises
         ------
         InputError
-            For an unknown contact, and with many digits.
+            For an unknown contact, with many digits, and where what an impact takes is not told.
         """
         if self.lib is not None:
             raise InputError("dissipation has derivatives in double precision only")
@@ -383,6 +384,9 @@ class OrbitMotionDerivatives:
                     for place in (contact.forces[configuration], contact.velocity, contact.surface)
                 )
                 total += waits[:, phase] * ((force * (surface - velocity)) @ weights)
+        for loss in impact_losses(self):
+            if loss.contact in contacts:
+                total += loss.energy
         return Differentiated(float(total[0].real), imaginary_parts(total, None), float("nan"))
 
     @cached_property
@@ -459,7 +463,10 @@ class OrbitMotionDerivatives:
             Where there is no boundary that could be reached.
         """
         if not self.margins:
-            raise InputError(f"{self.orbit.name}: there is no boundary that stays away")
+            raise InputError(
+                f"{self.orbit.name}: there is no boundary that stays away, and none comes near"
+                " within a phase: no function of a boundary has a maximum there"
+            )
         least = min(self.margins, key=lambda margin: float(margin.value))
         return Differentiated(least.value, least.rates, least.time)
 

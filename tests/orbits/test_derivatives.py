@@ -190,6 +190,15 @@ def test_margins_tell_of_the_next_grazing():
     x = orbit.trajectory()(times)[:, 0]
     inside = x[1:-1][(x[1:-1] > x[:-2]) & (x[1:-1] > x[2:])]
     assert float(margin.value) == pytest.approx(0.01 - inside.max(), abs=1e-6)
+    function = ns.orbit_function(orbit, by=("w", "sigma", "r"), of="margin")
+    point, step = function.reference, 1e-6
+    columns = [
+        (function(point + step * unit) - function(point - step * unit)) / (2 * step)
+        for unit in np.eye(3)
+    ]
+    exact = function.jacobian(point)
+    assert_allclose(exact, np.stack(columns, axis=-1), rtol=1e-6, atol=1e-8)
+    assert abs(exact).min() > 1e-4
 
 
 @pytest.mark.parametrize("name", [*KERNELS[:2], DECLARED[0], DECLARED[4], DECLARED[5]])

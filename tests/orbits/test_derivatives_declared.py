@@ -133,9 +133,27 @@ def test_exchanged_orbits_have_derivatives_along_their_motion():
     assert_allclose(precise.astype(float), ours, rtol=1e-11)
 
 
-def test_a_border_collision_is_refused_by_name():
-    orbit = ns.solve("dry-friction/solution-ii")
-    with pytest.raises(InputError, match="border collision"):
-        orbit.derivatives(one_sided=True).quantity("margin")
+def test_along_a_border_collision_both_boundaries_stay_together():
+    """What is solved for, e1, keeps the collision: all against differences."""
+    name = "dry-friction/solution-ii"
+    orbit = ns.solve(name)
+    found = orbit.derivatives(one_sided=True)
+    wanted = [q for q in found.names if q not in found.unknowns]
+
+    def values(parameter, step):
+        given = {key: float(x) for key, x in orbit.given.items()}
+        given[parameter] += step
+        moved = ns.solve(name, given, dict(orbit.unknowns)).derivatives(one_sided=True)
+        return np.array([float(moved.quantity(q)[0]) for q in wanted])
+
+    exact = np.array([found.quantity(q)[1] for q in wanted])
+    for place, parameter in enumerate(found.by):
+        expected = (values(parameter, 1e-6) - values(parameter, -1e-6)) / 2e-6
+        assert_allclose(exact[:, place], expected, atol=2e-8)
+    precise = ns.refine(orbit, 30).derivatives(one_sided=True).quantity("maximum:x1")[1]
+    assert_allclose(precise.astype(float), found.quantity("maximum:x1")[1], rtol=1e-11)
+
+
+def test_many_orbits_of_a_border_collision_are_refused_by_name():
     with pytest.raises(InputError, match="border collision"):
         ns.solve_many("dry-friction/solution-ii", V=[1.0, 1.01], derivatives="V")

@@ -1,0 +1,108 @@
+"""What impacts take along an orbit: against the work balance over a period, and differences."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
+from tests.places import GALLERY
+
+DATA = {"m": 2.0, "F": 1.0, "w": 1.3, "g": 0.1, "r": 0.6, "d": 0.3}
+COUPLED = sp.Rational(1, 4)
+
+
+def two_masses(place: Any, *more: Any, coupled: bool) -> System:
+    """A forced pair; a stop at a mass, or between both; the mass matrix couples them or not."""
+    found = [Parameter(name, name) for name in DATA]
+    m, force, w, gap, r, d = (parameter.symbol for parameter in found)
+    other = COUPLED if coupled else 0
+    return oscillator(
+        "pair",
+        ["x1", "x2"],
+        mass=[[m, other], [other, 1]],
+        stiffness=[[3, -1], [-1, 2]],
+        damping=[[d, -d / 2], [-d / 2, d]],
+        forcing=[Harmonic(w, cosine={"x1": force})],
+        elements=[RigidStop(place, gap, r, name="hard"), *more],
+        parameters=found,
+    )
+
+
+def settled(system: System) -> ns.Orbit:
+    """The orbit on which a motion from rest settles."""
+    start = dict.fromkeys(("x1", "x2", "v1", "v2"), 0.0)
+    motion = ns.simulate(system, DATA, start, until=400)
+    return ns.solve(system, DATA, itinerary=ns.itinerary_of(motion))
+
+
+def lost(orbit: ns.Orbit) -> float:
+    """What the forcing brings over a period, without what the dampers take."""
+    motion, total = orbit.trajectory(), 0.0
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    ends = [*motion.times.tolist(), motion.end]
+    for begin, end in pairwise(ends):
+        half = (end - begin) / 2
+        if half <= 0:
+            continue
+        states = motion(begin + half * (1 + nodes))
+        v1, v2, cosine = states[:, 2], states[:, 3], states[:, 4]
+        damped = DATA["d"] * (v1**2 - v1 * v2 + v2**2)
+        total += half * float(weights @ (DATA["F"] * cosine * v1 - damped))
+    return total
+
+
+@pytest.mark.parametrize("place", ["x2", {"x2": 1, "x1": -1}], ids=["wall", "between"])
+@pytest.mark.parametrize("coupled", [False, True])
+def test_the_work_balance_holds_over_a_period(place: Any, coupled: bool) -> None:
+    orbit = settled(two_masses(place, coupled=coupled))
+    found = orbit.derivatives()
+    value = found.quantity("dissipation")[0]
+    assert value > 1e-3
+    assert value == pytest.approx(lost(orbit), rel=1e-10)
+    (contact,) = [name for name in found.names if name.startswith("dissipation:")]
+    assert found.quantity(contact)[0] == pytest.approx(value, rel=1e-14)
+
+
+def test_friction_and_impacts_add_up() -> None:
+    rub = Friction("x1", sp.Rational(1, 10), sp.Rational(1, 10), name="rub")
+    orbit = settled(two_masses("x2", rub, coupled=False))
+    found = orbit.derivatives()
+    parts = [found.quantity(name)[0] for name in found.names if name.startswith("dissipation:")]
+    assert len(parts) == 2
+    assert min(parts) > 1e-3
+    assert found.quantity("dissipation")[0] == pytest.approx(sum(parts), rel=1e-14)
+    assert sum(parts) == pytest.approx(lost(orbit), rel=1e-10)
+
+
+def test_losses_have_derivatives() -> None:
+    orbit = settled(two_masses({"x2": 1, "x1": -1}, coupled=True))
+    function = ns.orbit_function(orbit, by=tuple(DATA), of="dissipation")
+    point, step = function.reference, 1e-5
+    expected = [
+        (function(point + step * unit) - function(point - step * unit)) / (2 * step)
+        for unit in np.eye(len(DATA))
+    ]
+    np.testing.assert_allclose(
+        function.jacobian(point).ravel(), np.ravel(expected), rtol=1e-6, atol=1e-8
+    )
+
+
+def test_elastic_impacts_take_nothing() -> None:
+    orbit = ns.solve("rigid-stop/one-impact", {"r": 1})
+    assert orbit.derivatives().quantity("dissipation")[0] == pytest.approx(0, abs=1e-13)
+    damped = ns.solve(f"{GALLERY}/impact_oscillator.py:two-periods")
+    assert damped.derivatives().quantity("dissipation")[0] > 1e-3
+
+
+def test_each_of_two_stops_of_a_mass_has_its_own() -> None:
+    found = ns.solve(f"{GALLERY}/two_stops.py:broken").derivatives()
+    left, right = (found.quantity(f"dissipation:{side}-stop")[0] for side in ("left", "right"))
+    assert min(left, right) > 1e-3
+    assert found.quantity("dissipation")[0] == pytest.approx(left + right, rel=1e-14)
+    assert abs(left - right) > 1e-6
