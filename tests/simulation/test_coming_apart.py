@@ -11,6 +11,7 @@ from nonsmooth.derive import (
     Boundary,
     Configuration,
     FirstOrder,
+    Friction,
     Parameter,
     RigidStop,
     System,
@@ -200,6 +201,30 @@ def test_orders_that_agree_have_a_derivative() -> None:
     factors = np.ones(found.states.shape[:2])
     np.testing.assert_allclose(found.vjp(states=factors), found.states.sum(axis=(0, 1)), rtol=1e-12)
     assert np.isnan(found.vjp(event_times=[1.0])).tolist() == apart
+
+
+def test_configurations_that_were_not_visited_are_made() -> None:
+    """Eight masses in equal pairs, each with a stop, four with friction as well."""
+    h, r = found = [Parameter(name, name) for name in ("h", "r")]
+    names = [f"x{i}" for i in range(1, 9)]
+    stops = [RigidStop(name, h.symbol, r.symbol, name=f"s{name}") for name in names]
+    rubs = [Friction(name, "1/10", "1/5", name=f"f{name}") for name in names[:4]]
+    stiffness = sp.diag(1, 1, 2, 2, 3, 3, 4, 4) / 4
+    system = oscillator(
+        "pairs", names, sp.eye(8), stiffness, elements=[*stops, *rubs], parameters=found
+    )
+    start = np.array([0.0] * 8 + [1.0, 1.0, 1.25, 1.25, 1.5, 1.5, 1.75, 1.75])
+    data, step = {"h": 0.5, "r": 0.5}, 1e-6
+    motion = ns.simulate(system, data, start, until=1.2)
+    assert motion.structure.unvisited
+    assert [len(reached) for reached in motion.boundaries] == [0, 2, 2, 2, 2]
+    found_rates = motion.derivatives(["v20", "v80"], times=[1.1])
+    for place, mass in enumerate((9, 15)):
+        moved = start.copy()
+        moved[mass] += step
+        other = ns.simulate(system, data, moved, until=1.2)
+        difference = (other(1.1) - motion(1.1)) / step
+        np.testing.assert_allclose(found_rates.states[0, :, place], difference, atol=2e-5)
 
 
 def _part(motion: ns.Trajectory, name: str, sign: int) -> DirectedMotion:
