@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -17,7 +18,7 @@ from nonsmooth.runtime.cli.application import (
     check_drawing,
     ranges,
 )
-from nonsmooth.runtime.cli.keeping import Overwrite, check_new, say
+from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, say, worked
 from nonsmooth.runtime.cli.options import (
     AsJson,
     OrbitName,
@@ -50,7 +51,9 @@ class Method(StrEnum):
     "nonsmooth design dry-friction/symmetric V=0.3:3 --minimise spectral_radius\n\n"
     "nonsmooth design dry-friction/symmetric V=0.6:3 eta=3:5 --minimise spectral_radius"
     ' --subject "period<=4.6" --plot design.png --save design.json\n\n'
-    "nonsmooth design dry-friction/symmetric V=0.6:1.3 --solve multiplier=-1"
+    "nonsmooth design dry-friction/symmetric V=0.6:1.3 --solve multiplier=-1\n\n"
+    "nonsmooth design impact_damper.py:struck-twice d=7:10 --minimise peak:x"
+    " --worst-over w=0.95:1.05"
 )
 @answering
 def design(
@@ -87,6 +90,15 @@ def design(
             " parameters that vary.",
         ),
     ] = None,
+    worst_over: Annotated[
+        str | None,
+        typer.Option(
+            "--worst-over",
+            metavar="NAME=A:B",
+            help="The worst along a branch counts, as the peak over a resonance: another"
+            " parameter, and its interval. All conditions hold all along it.",
+        ),
+    ] = None,
     subject: Annotated[
         list[str] | None,
         typer.Option(
@@ -104,6 +116,15 @@ def design(
     ] = Method.SLSQP,
     plot: Plot = None,
     save: SaveResult = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option(
+            "--resume",
+            metavar="FILE",
+            help="Go on with an interrupted design; it is kept in this file unless --save says"
+            " otherwise.",
+        ),
+    ] = None,
     overwrite: Overwrite = False,
     require: Require = None,
     as_json: AsJson = False,
@@ -111,9 +132,12 @@ def design(
     """Find parameters at which an orbit is best, or has wanted values: stability, period, ...."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.explore.design.design import design as find_design
+    from nonsmooth.runtime.present.files.designs import load_design
 
     check_drawing(plot)
-    check_new(save, overwrite)
+    save = resume if save is None else save
+    check_new(save, overwrite, resume, resumes=True)
+    known = None if resume is None else load_design(resume)
     texts = parameters or []
     over = {
         n: (a, b) for n, (a, b, _) in ranges("parameter", [t for t in texts if ":" in t]).items()
@@ -125,18 +149,26 @@ def design(
         if name in over:
             raise InputError(f"parameter {name} is given twice")
     wanted = assignments("quantity", solve or []) or None
-    begin = _beginning(orbit, fixed, over)
-    with counted("designing") as progress:
-        found = find_design(
-            begin,
-            minimise=minimise,
-            maximise=maximise,
-            solve=wanted,
-            over=over,
-            subject_to=subject or (),
-            admissible=not inadmissible,
-            method=method.value,
-            progress=progress,
+    along = {
+        n: (a, b)
+        for n, (a, b, _) in ranges("parameter", [worst_over] if worst_over else []).items()
+    }
+    begin = _beginning(orbit, fixed, {**over, **along})
+    with counted("designing, iterates") as show:
+        found, stopped = worked(
+            lambda: find_design(
+                begin,
+                minimise=minimise,
+                maximise=maximise,
+                solve=wanted,
+                over=over,
+                worst_over=along or None,
+                subject_to=subject or (),
+                admissible=not inadmissible,
+                method=method.value,
+                resume=known,
+                progress=lambda iterates, _: show(iterates),
+            )
         )
     written = Written()
     written.save(found.save, save)
@@ -145,6 +177,8 @@ def design(
 
         written.draw(lambda: design_figure(found), plot)
     code = written.show(found.to_json, lambda: _show(found), as_json=as_json)
+    if stopped:
+        return kept_of(f"{len(found.history)} iterates are done", written.kept(save))
     return code or _judged(found, require or [])
 
 
@@ -192,6 +226,9 @@ def _show(found: Design) -> None:
     for name in (*found.parameters, *found.quantities):
         table.add_row(name, f"{found.before[name]:.12g}", f"{found.after[name]:.12g}")
     show_table(table)
+    for name in found.worst_over:
+        places = ", ".join(f"{value:.6g}" for value in found.worst_at)
+        print(f"worst at {name} = {places}")
     for limit in found.active:
         worth = f", multiplier {limit.multiplier:.6g}" if found.quantity else ""
         print(f"active: {limit.text}{worth}")

@@ -26,6 +26,7 @@
 `kernel_values`          kernels of an orbit at its own numbers
 `many_derivatives`       derivatives of many orbits of one itinerary
 `impact_losses`          energy that impacts take along an orbit
+`local_extremes`         local extremes along an orbit, of which peaks are the largest
 `motion_derivatives`     derivatives of what is seen along an orbit: extremes, margins, states
 `nearby`                 the same orbit at other parameters, followed from where it is known
 `orbit_arrays`           the record of the orbits of one itinerary at many parameter points

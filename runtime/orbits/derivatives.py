@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.orbits.local_extremes import LocalExtreme, local_extremes
 from nonsmooth.runtime.shooting.multiplier_derivatives import (
     MultiplierDerivatives,
     multiplier_derivatives,
@@ -188,6 +189,38 @@ class OrbitDerivatives:
             each._replace(rates=self._by_what_was_given(each.rates))
             for each in self._along[0].transversalities
         )
+
+    def local_extremes(self, name: str) -> tuple[LocalExtreme, ...]:
+        """Local extremes of which a quantity is the largest, with derivatives (q,).
+
+        Where several are equally large the quantity has no derivative, and each of them has.
+
+        Parameters
+        ----------
+        name : str
+            ``maximum:STATE``, ``minimum:STATE``, ``peak:STATE``, ``peak_acceleration:STATE`` or
+            ``peak_force:CONTACT``.
+
+        Returns
+        -------
+        tuple of LocalExtreme
+            By phases, maxima first, each in the order of time.
+
+        Raises
+        ------
+        InputError
+            For another name, and with many digits.
+        """
+        if name not in self._extremes:
+            self._extremes[name] = tuple(
+                each._replace(rates=self._by_what_was_given(each.rates))
+                for each in local_extremes(self._along[0], name)
+            )
+        return self._extremes[name]
+
+    @cached_property
+    def _extremes(self) -> dict[str, tuple[LocalExtreme, ...]]:
+        return {}
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -195,6 +195,8 @@ def _design(design: Design) -> Summary:
         ("ends", ended),
         ("active", active),
         ("begins", began),
+        ("worst over", [f"{n} = {a!r} to {b!r}" for n, (a, b) in design.worst_over.items()]),
+        ("worst at", [f"{value:.6g}" for value in design.worst_at]),
         ("corner", [design.corner] if design.corner else []),
         ("subject to", [condition.text for condition in design.conditions]),
         ("left", [f"{design.residual:.2g}"]),

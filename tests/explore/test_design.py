@@ -3,7 +3,8 @@
 import warnings
 from functools import cache
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from nonsmooth.runtime.explore.design.condition import condition_in
 from nonsmooth.runtime.explore.design.following import BranchFollower
 from nonsmooth.runtime.explore.design.largest import radius_rows
 from nonsmooth.runtime.explore.design.quantities import multiplier_gap
+from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives, multiplier_derivatives
 from tests.places import GALLERY
 
 IMPACTS = f"{GALLERY / 'impact_oscillator.py'}:one-period"
@@ -218,24 +220,71 @@ def test_the_optimum_is_proved() -> None:
     assert set(proof.claims.values()) == {"proved"}
 
 
-@pytest.mark.parametrize("matrix", [[[0.3]], [[0.5, 0.2], [-0.1, -0.7]], [[0.5, -0.4], [0.4, 0.5]]])
-def test_the_level_above_multipliers_is_the_spectral_radius(matrix: Any) -> None:
-    """The least level at which all conditions hold, by bisection, is the eigenvalues'."""
-    from types import SimpleNamespace
+class Turned(NamedTuple):
+    """What stands for the derivatives of an orbit whose section map is a matrix."""
 
-    found = np.array(matrix)
-    section = SimpleNamespace(
-        trace=np.trace(found),
-        determinant=np.linalg.det(found),
-        trace_rates=np.zeros(1),
-        determinant_rates=np.zeros(1),
-    )
-    directions = SimpleNamespace(section=SimpleNamespace(rank=len(found), trivial=0))
-    derivatives: Any = SimpleNamespace(section=section, directions=directions)
-    largest = abs(np.linalg.eigvals(found)).max()
-    level = brentq(lambda t: radius_rows(derivatives, t).values.min(), largest / 2, 5, xtol=1e-14)
+    section: Any
+    directions: Any
+
+
+def turned(matrix: np.ndarray, rates: np.ndarray) -> Any:
+    found = MapDerivatives(matrix, rates, len(matrix), 0)
+    return Turned(multiplier_derivatives(found, None), SimpleNamespace(section=found))
+
+
+MATRICES = {
+    "one": [[0.3]],
+    "negative": [[-0.3]],
+    "two": [[0.5, 0.2], [-0.1, -0.7]],
+    "complex": [[0.5, -0.4], [0.4, 0.5]],
+    "three": [[0.5, -0.4, 0.1], [0.4, 0.5, 0.2], [0.1, 0, 0.6]],
+    "three real": [[0.9, 0.1, 0.1], [0, -0.8, 0.2], [0, 0, 0.89]],
+    "four": [[0.5, -0.4, 0.1, 0], [0.4, 0.5, 0.2, 0.1], [0.1, 0, 0.6, 0.3], [0, 0.1, -0.3, 0.5]],
+}
+
+
+@pytest.mark.parametrize("name", MATRICES)
+def test_the_level_above_multipliers_is_the_spectral_radius(name: str) -> None:
+    """The least level at which all conditions hold, by bisection, is the eigenvalues'."""
+    matrix = np.array(MATRICES[name])
+    derivatives = turned(matrix, np.zeros((1, *matrix.shape)))
+    largest = abs(np.linalg.eigvals(matrix)).max()
+    level = brentq(lambda t: radius_rows(derivatives, t).values.min(), 0.8 * largest, 5, xtol=1e-14)
     assert level == pytest.approx(largest, rel=1e-12)
     assert (radius_rows(derivatives, 1.01 * largest).values > 0).all()
+
+
+@pytest.mark.parametrize("name", MATRICES)
+def test_conditions_of_a_level_have_exact_derivatives(name: str) -> None:
+    """Each row on its own, by differences, also of a single multiplier of either sign."""
+    matrix = np.array(MATRICES[name])
+    rates = np.random.default_rng(5).normal(size=(2, *matrix.shape))
+    level, step = 1.1, 1e-6
+    rows = radius_rows(turned(matrix, rates), level)
+    for place in (0, 1):
+        ends = [
+            radius_rows(turned(matrix + sign * step * rates[place], rates), level).values
+            for sign in (-1, 1)
+        ]
+        rough = (ends[1] - ends[0]) / (2 * step)
+        np.testing.assert_allclose(rows.by_parameters[:, place], rough, atol=1e-7)
+    ends = [radius_rows(turned(matrix, rates), level + sign * step).values for sign in (-1, 1)]
+    np.testing.assert_allclose(rows.by_level, (ends[1] - ends[0]) / (2 * step), atol=1e-7)
+
+
+def test_conditions_are_smooth_where_two_of_several_multipliers_meet() -> None:
+    """On both sides of the collision the same conditions change by their derivatives."""
+    whole = np.diag([0.7, 0.7, -0.2])
+    whole[0, 1] = 1.0
+    rates = np.zeros((1, 3, 3))
+    rates[0, 1, 0] = 1.0  # the two meet at zero: real above, complex below
+    ends = {
+        t: radius_rows(turned(whole + t * rates[0], rates), 0.9) for t in (-1e-4, -1e-9, 1e-9, 1e-4)
+    }
+    for near, far in ((-1e-9, -1e-4), (1e-9, 1e-4)):
+        change = ends[far].values - ends[near].values
+        np.testing.assert_allclose(change, (far - near) * ends[near].by_parameters[:, 0], atol=1e-9)
+    np.testing.assert_allclose(ends[-1e-9].by_parameters, ends[1e-9].by_parameters, atol=1e-7)
 
 
 def test_the_gap_to_a_multiplier_has_exact_derivatives() -> None:

@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from nonsmooth.runtime.explore.design.condition import DesignCondition
 from nonsmooth.runtime.explore.design.design_points import DesignPoint
-from nonsmooth.runtime.explore.design.largest import peak_rows, radius_rows
+from nonsmooth.runtime.explore.design.largest import (
+    ExtremeKey,
+    LevelRows,
+    extreme_rows,
+    is_largest_of_several,
+    radius_rows,
+)
 from nonsmooth.runtime.explore.design.quantities import (
     MULTIPLIER,
-    PEAK,
     RADIUS,
     multiplier_gap,
 )
 
-__all__ = ["Aim", "MarginKey", "Rows"]
+__all__ = ["Aim", "MarginKey", "Rows", "Trial"]
 
 _INSIDE = 1e-10  # of a margin: an orbit at the limit is a motion despite of rounding
 
@@ -42,12 +47,33 @@ class Rows(NamedTuple):
     slopes: np.ndarray
 
 
+class Trial(Protocol):
+    """Parameters that were tried, and the orbits there.
+
+    Attributes
+    ----------
+    place : array (q,)
+        Of the parameters in their bounds.
+    members : tuple of DesignPoint
+        The orbit; or, of a design of the worst along a branch, several orbits of that branch.
+    """
+
+    @property
+    def place(self) -> np.ndarray:
+        """Of the parameters."""
+
+    @property
+    def members(self) -> tuple[DesignPoint, ...]:
+        """The orbits."""
+
+
 @dataclass(frozen=True)
 class Aim:
     """What is made as small as it can be, and the conditions.
 
-    The variables are the places of the parameters in their bounds and, for a spectral radius
-    that is minimised, the level that no multiplier exceeds (the epigraph form).
+    The variables are the places of the parameters in their bounds and, for what is the largest
+    of several, such as a spectral radius that is minimised, the level that none of them exceeds
+    (the epigraph form). All conditions hold for all orbits of a trial.
 
     Attributes
     ----------
@@ -61,6 +87,10 @@ class Aim:
         Of the parameters' intervals.
     margins : tuple of MarginKey
         Boundaries that must not be crossed, each in its phase.
+    extremes : tuple of ExtremeKey
+        Local extremes of a peak, each below the level.
+    spread : bool
+        Whether the worst along a branch is made as small as it can be.
     """
 
     quantity: str
@@ -69,47 +99,68 @@ class Aim:
     scale: float
     lengths: np.ndarray
     margins: tuple[MarginKey, ...] = ()
+    extremes: tuple[ExtremeKey, ...] = ()
+    spread: bool = False
 
     @property
     def levelled(self) -> bool:
         """Whether there is a level among the variables."""
-        largest = self.quantity == RADIUS or self.quantity.startswith(PEAK)
-        return largest and self.sign > 0
+        several = is_largest_of_several(self.quantity, self.sign)
+        return bool(self.quantity) and (self.spread or several)
 
-    def variables(self, point: DesignPoint) -> np.ndarray:
-        """The variables at an orbit.
+    @property
+    def least_level(self) -> float:
+        """Lower bound of the level."""
+        return 0.0 if self.quantity == RADIUS and self.sign > 0 else -np.inf
+
+    def variables(self, point: Trial) -> np.ndarray:
+        """The variables at a trial.
 
         Parameters
         ----------
-        point : DesignPoint
+        point : Trial
 
         Returns
         -------
         array (n,)
         """
-        if not self.levelled:
-            return point.place
-        return np.append(point.place, point.quantities.values[self.quantity] / self.scale)
+        return np.append(point.place, self.value(point)) if self.levelled else point.place
 
-    def value(self, point: DesignPoint) -> float:
-        """What is made small, at an orbit.
+    def worst(self, point: Trial) -> DesignPoint:
+        """The orbit of a trial at which the quantity is worst.
 
         Parameters
         ----------
-        point : DesignPoint
+        point : Trial
+
+        Returns
+        -------
+        DesignPoint
+        """
+        return max(point.members, key=self._value)
+
+    def value(self, point: Trial) -> float:
+        """What is made small, at a trial.
+
+        Parameters
+        ----------
+        point : Trial
 
         Returns
         -------
         float
         """
-        return self.sign * point.quantities.values[self.quantity] / self.scale
+        return self._value(self.worst(point))
 
-    def slope(self, point: DesignPoint) -> np.ndarray:
+    def _value(self, member: DesignPoint) -> float:
+        return self.sign * member.quantities.values[self.quantity] / self.scale
+
+    def slope(self, point: Trial) -> np.ndarray:
         """Derivatives of what is made small by the variables.
 
         Parameters
         ----------
-        point : DesignPoint
+        point : Trial
 
         Returns
         -------
@@ -117,15 +168,20 @@ class Aim:
         """
         if self.levelled:
             return np.asarray(np.eye(len(self.lengths) + 1)[-1])
-        slope = point.quantities.slopes[self.quantity]
-        return np.asarray(self.sign * slope * self.lengths / self.scale)
+        slope = self.worst(point).quantities.slopes[self.quantity]
+        return np.asarray(self.sign * self._by_places(slope) / self.scale)
 
-    def level_rows(self, point: DesignPoint, level: float) -> Rows:
-        """The conditions that the quantity does not exceed the level.
+    def _by_places(self, slopes: np.ndarray) -> np.ndarray:
+        """Derivatives by the places of the parameters; of those along a branch there are more."""
+        count = len(self.lengths)
+        return np.asarray(slopes[..., :count] * self.lengths)
+
+    def level_rows(self, member: DesignPoint, level: float) -> Rows:
+        """The conditions that the quantity of an orbit does not exceed the level.
 
         Parameters
         ----------
-        point : DesignPoint
+        member : DesignPoint
         level : float
             In units of `scale`.
 
@@ -134,22 +190,30 @@ class Aim:
         Rows
             Not negative where they hold.
         """
-        derivatives = point.quantities.derivatives
-        if self.quantity == RADIUS:
-            found = radius_rows(derivatives, level * self.scale)
+        measured, wanted = member.quantities, level * self.scale
+        if self.extremes:
+            found = extreme_rows(measured.derivatives, self.quantity, self.extremes, wanted)
+        elif self.quantity == RADIUS and self.sign > 0:
+            found = radius_rows(measured.derivatives, wanted)
         else:
-            found = peak_rows(derivatives, self.quantity, level * self.scale)
+            value, slope = measured.values[self.quantity], measured.slopes[self.quantity]
+            found = LevelRows(
+                np.array([wanted - self.sign * value]),
+                -self.sign * slope[None],
+                np.ones(1),
+                np.ones(1),
+            )
         by_level = found.by_level[:, None] * self.scale
-        slopes = np.hstack([found.by_parameters * self.lengths, by_level])
-        size = self.scale ** (2 if len(found.values) == 3 else 1)
-        return Rows(found.values / size, slopes / size)
+        slopes = np.hstack([self._by_places(found.by_parameters), by_level])
+        sizes = self.scale**found.powers
+        return Rows(found.values / sizes, slopes / sizes[:, None])
 
-    def condition_rows(self, point: DesignPoint, condition: DesignCondition) -> Rows:
-        """One condition.
+    def condition_rows(self, member: DesignPoint, condition: DesignCondition) -> Rows:
+        """One condition of one orbit.
 
         Parameters
         ----------
-        point : DesignPoint
+        member : DesignPoint
         condition : DesignCondition
 
         Returns
@@ -157,7 +221,7 @@ class Aim:
         Rows
             Not negative where it holds, zero where it is an equation.
         """
-        measured, wanted = point.quantities, float(condition.value)
+        measured, wanted = member.quantities, float(condition.value)
         if condition.quantity == MULTIPLIER:
             gap = multiplier_gap(measured.derivatives, wanted)
             values, slopes = np.array([gap.value]), gap.slope[None]
@@ -169,17 +233,18 @@ class Aim:
             values = np.array([sign * (measured.values[condition.quantity] - wanted)])
             slopes = sign * measured.slopes[condition.quantity][None]
         size = max(1.0, abs(wanted))
-        slopes = slopes * self.lengths / size
-        if self.levelled:
-            slopes = np.hstack([slopes, np.zeros((len(slopes), 1))])
-        return Rows(values / size, slopes)
+        return Rows(values / size, self._with_level(self._by_places(slopes) / size))
 
-    def relaxing(self, point: DesignPoint, condition: DesignCondition) -> np.ndarray:
+    def _with_level(self, slopes: np.ndarray) -> np.ndarray:
+        """Derivatives of what does not depend on the level."""
+        return np.hstack([slopes, np.zeros((len(slopes), 1))]) if self.levelled else slopes
+
+    def relaxing(self, member: DesignPoint, condition: DesignCondition) -> np.ndarray:
         """By how much each row of a condition grows for each unit of its value.
 
         Parameters
         ----------
-        point : DesignPoint
+        member : DesignPoint
         condition : DesignCondition
 
         Returns
@@ -187,7 +252,7 @@ class Aim:
         array (m,)
             Positive where the condition is relaxed; of an equation minus that.
         """
-        derivatives, wanted = point.quantities.derivatives, float(condition.value)
+        derivatives, wanted = member.quantities.derivatives, float(condition.value)
         if condition.quantity == MULTIPLIER:
             found = np.array([-multiplier_gap(derivatives, wanted).by_wanted])
         elif condition.quantity == RADIUS and condition.relation == "<=":
@@ -196,34 +261,33 @@ class Aim:
             found = np.ones(1)
         return found / max(1.0, abs(wanted))
 
-    def margin_rows(self, point: DesignPoint) -> Rows:
+    def margin_rows(self, member: DesignPoint) -> Rows:
         """How far each boundary stays away; far where it has no maximum inside its phase.
 
         Parameters
         ----------
-        point : DesignPoint
+        member : DesignPoint
 
         Returns
         -------
         Rows
         """
-        there = {MarginKey(m.phase, m.boundary): m for m in point.quantities.derivatives.margins}
+        margins = member.quantities.derivatives.margins
+        there = {MarginKey(m.phase, m.boundary): m for m in margins}
         count = len(self.lengths)
         values, slopes = np.ones(len(self.margins)), np.zeros((len(self.margins), count))
         for place, key in enumerate(self.margins):
             if key in there:
                 values[place] = float(there[key].value) - _INSIDE
-                slopes[place] = np.asarray(there[key].rates, dtype=float) * self.lengths
-        if self.levelled:
-            slopes = np.hstack([slopes, np.zeros((len(slopes), 1))])
-        return Rows(values, slopes)
+                slopes[place] = self._by_places(np.asarray(there[key].rates, dtype=float))
+        return Rows(values, self._with_level(slopes))
 
-    def rows(self, point: DesignPoint, level: float, *, equal: bool) -> Rows:
+    def rows(self, point: Trial, level: float, *, equal: bool) -> Rows:
         """All conditions that are equations, or all others.
 
         Parameters
         ----------
-        point : DesignPoint
+        point : Trial
         level : float
             Value of the level's variable, where there is one.
         equal : bool
@@ -234,33 +298,38 @@ class Aim:
         Rows
         """
         found = [
-            self.condition_rows(point, each)
+            self.condition_rows(member, each)
+            for member in point.members
             for each in self.conditions
             if (each.relation == "=") == equal
         ]
         if self.margins and not equal:
-            found.append(self.margin_rows(point))
+            found.extend(self.margin_rows(member) for member in point.members)
         if self.levelled and not equal:
-            found.append(self.level_rows(point, level))
+            found.extend(self.level_rows(member, level) for member in point.members)
         if not found:
             return Rows(np.zeros(0), np.zeros((0, len(self.lengths) + self.levelled)))
         return Rows(np.concatenate([f.values for f in found]), np.vstack([f.slopes for f in found]))
 
-    def missed(self, point: DesignPoint) -> float:
-        """By how much an orbit misses the conditions, in their units.
+    def missed(self, point: Trial) -> float:
+        """By how much a trial misses the conditions, in their units.
 
         Parameters
         ----------
-        point : DesignPoint
+        point : Trial
 
         Returns
         -------
         float
             The largest of all.
         """
-        level = self.variables(point)[-1]
-        equal = np.abs(self.rows(point, level, equal=True).values)
-        short = [self.condition_rows(point, c).values for c in self.conditions if c.relation != "="]
+        equal = np.abs(self.rows(point, 0.0, equal=True).values)
+        short = [
+            self.condition_rows(member, c).values
+            for member in point.members
+            for c in self.conditions
+            if c.relation != "="
+        ]
         if self.margins:
-            short.append(self.margin_rows(point).values)
+            short.extend(self.margin_rows(member).values for member in point.members)
         return float(max(np.concatenate([[0.0], equal, *(-each for each in short)])))

@@ -7,8 +7,9 @@ import numpy as np
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoints
 from nonsmooth.runtime.explore.design.optimum import Design
 from nonsmooth.runtime.explore.design.quantities import MULTIPLIER
+from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["along"]
+__all__ = ["along", "along_branch"]
 
 
 def along(design: Design, parameter: str, count: int) -> tuple[np.ndarray, np.ndarray]:
@@ -27,12 +28,36 @@ def along(design: Design, parameter: str, count: int) -> tuple[np.ndarray, np.nd
     tuple of array (count,), array (count, m)
         Values of the parameter, and of the quantities; NaN where the branch does not lead.
     """
-    place = design.parameters.index(parameter)
-    bounds = design.bounds[place][None]
+    bounds = design.bounds[design.parameters.index(parameter)]
+    return _around(design, design.orbit, parameter, bounds, count)
+
+
+def along_branch(design: Design, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Quantities along the branch of a design, where it began and where it ended.
+
+    Parameters
+    ----------
+    design : Design
+        With `worst_over`.
+    count : int
+        How many values of the branch's parameter.
+
+    Returns
+    -------
+    tuple of array (count,), array (count, m), array (count, m)
+        Values of the parameter, and of the quantities before and after.
+    """
+    ((parameter, interval),) = design.worst_over.items()
+    values, before = _around(design, design.start, parameter, np.array(interval), count)
+    return values, before, _around(design, design.orbit, parameter, np.array(interval), count)[1]
+
+
+def _around(
+    design: Design, orbit: Orbit, parameter: str, interval: np.ndarray, count: int
+) -> tuple[np.ndarray, np.ndarray]:
     wanted = [name for name in design.quantities if name != MULTIPLIER]
-    points = DesignPoints(
-        design.orbit, (parameter,), bounds, wanted, rough=wanted, admissible=False
-    )
+    bounds = interval[None]
+    points = DesignPoints(orbit, (parameter,), bounds, wanted, rough=wanted, admissible=False)
     begin = points.visited[0].place[0]
     parts = np.linspace(0.0, 1.0, count)
     found = np.full((count, len(design.quantities)), np.nan)

@@ -24,16 +24,17 @@ class Beyond(Exception):
 
     Attributes
     ----------
-    near : DesignPoint
-        From where it was tried.
+    near, target : array (q,)
+        Places: from where it was tried, and the trial's.
     distance : float
         How far the branch goes that way, in units of the bounds.
     reason : str
     """
 
-    def __init__(self, near: DesignPoint, distance: float, reason: str) -> None:
+    def __init__(self, near: np.ndarray, target: np.ndarray, distance: float, reason: str) -> None:
         super().__init__(reason)
-        self.near, self.distance, self.reason = near, distance, reason
+        self.near, self.target = near, target
+        self.distance, self.reason = distance, reason
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +56,11 @@ class DesignPoint:
     numbers: np.ndarray
     orbit: Orbit
     quantities: QuantityValues
+
+    @property
+    def members(self) -> tuple[DesignPoint, ...]:
+        """The orbit alone, as the orbits of a trial."""
+        return (self,)
 
 
 class DesignPoints:
@@ -113,7 +119,9 @@ class DesignPoints:
             )
         measured = measure(orbit, self.names, self._quantities)
         place = self._place_of(self._follower.parameters(numbers))
-        self.visited.append(DesignPoint(place, numbers, orbit, measured))
+        self._known: dict[bytes, DesignPoint] = {}
+        self._places = np.empty((64, len(place)))
+        self._keep(DesignPoint(place + 0.0, numbers, orbit, measured))
 
     @property
     def lengths(self) -> np.ndarray:
@@ -137,47 +145,61 @@ class DesignPoints:
         Beyond
             If the branch does not lead there.
         """
-        for known in reversed(self.visited):
-            if np.array_equal(known.place, place):
-                return known
-        gaps = [float(np.abs(known.place - place).max()) for known in self.visited]
+        place = place + 0.0  # one zero
+        known = self._known.get(place.tobytes())
+        if known is not None:
+            return known
+        gaps = np.abs(self._places[: len(self.visited)] - place).max(axis=1)
         near = self.visited[int(np.argmin(gaps))]
         inside = self.bounds[:, 0] + place * self.lengths
         target = np.where(place == 1, self.bounds[:, 1], inside)
         reached = self._follower.reach(near.numbers, target)
         if reached.reason:
-            raise Beyond(near, reached.part * min(gaps), reached.reason)
+            raise Beyond(near.place, place, reached.part * float(gaps.min()), reached.reason)
         judged = self._admissible and not self.watching  # else margins are conditions
         if judged and not self._follower.admissible(reached.numbers):
-            raise Beyond(near, min(gaps) / 2, REFUSED)
+            raise Beyond(near.place, place, float(gaps.min()) / 2, REFUSED)
         orbit = self._follower.orbit(reached.numbers)
         if orbit.status != CONVERGED:
-            raise Beyond(near, min(gaps) / 2, UNDETERMINED)
+            raise Beyond(near.place, place, float(gaps.min()) / 2, UNDETERMINED)
         try:
             measured = measure(orbit, self.names, self._quantities)
         except InputError as problem:
-            raise Beyond(near, min(gaps) / 2, str(problem)) from None
+            raise Beyond(near.place, place, float(gaps.min()) / 2, str(problem)) from None
         for name, slope in measured.slopes.items():
             if name not in self._rough and not np.isfinite(slope).all():
-                raise Beyond(near, min(gaps) / 2, f"{name} has no derivative at a corner")
+                raise Beyond(
+                    near.place,
+                    place,
+                    float(gaps.min()) / 2,
+                    f"{name} has no derivative at a corner",
+                )
         found = DesignPoint(place.copy(), reached.numbers, orbit, measured)
-        self.visited.append(found)
+        self._keep(found)
         if self._progress is not None:
             self._progress(len(self.visited))
         return found
 
-    def is_motion(self, point: DesignPoint) -> bool:
+    def _keep(self, found: DesignPoint) -> None:
+        count = len(self.visited)
+        if count == len(self._places):
+            self._places = np.concatenate([self._places, np.empty_like(self._places)])
+        self._places[count] = found.place
+        self._known[found.place.tobytes()] = found
+        self.visited.append(found)
+
+    def is_motion(self, member: DesignPoint) -> bool:
         """Whether an orbit that was visited is what it has to be.
 
         Parameters
         ----------
-        point : DesignPoint
+        member : DesignPoint
 
         Returns
         -------
         bool
         """
-        return not self._admissible or self._follower.admissible(point.numbers)
+        return not self._admissible or self._follower.admissible(member.numbers)
 
     def _place_of(self, values: np.ndarray) -> np.ndarray:
         return np.asarray((values - self.bounds[:, 0]) / self.lengths)

@@ -1,63 +1,89 @@
 """Largest of several from above: conditions that are smooth where these meet.
 
-The spectral radius is the largest multiplier; the peak of a state its maximum or minus its
-minimum.
+The spectral radius is the largest multiplier; a peak the largest of the local extremes of a
+motion.
 
 All roots of λ² - Tλ + D are in the disc of radius t where t² + D ≥ |T| t and t² ≥ D (E. I. Jury,
 Theory and Application of the z-Transform Method, 1964). Trace and determinant have derivatives
-everywhere, so that an optimum may be a corner, where two multipliers meet or are equally large.
+also where the two roots meet, so that an optimum may be a corner. Several multipliers are taken
+in pairs, each by the map on its invariant plane.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.explore.design.quantities import PEAK, sides_of
+from nonsmooth.runtime.explore.design.multiplier_pairs import multiplier_groups
+from nonsmooth.runtime.explore.design.quantities import RADIUS, is_extreme
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+    from nonsmooth.runtime.orbits.local_extremes import LocalExtreme
 
-__all__ = ["LevelRows", "corner_of", "is_smooth_from_above", "peak_rows", "radius_rows"]
+__all__ = [
+    "ExtremeKey",
+    "LevelRows",
+    "corner_of",
+    "extreme_keys",
+    "extreme_rows",
+    "is_largest_of_several",
+    "radius_rows",
+]
 
 _ZERO = "the multiplier passes through zero"
 _MEET = "two multipliers meet"
 _OPPOSITE = "two multipliers of opposite sign are equally large"
 _TIED = "the largest and the smallest value are equally far from zero"
+_EXTREMES = "several extremes are equally large"
 _SEVERAL = "several multipliers are equally large"
-_SAME_SLOPE = 1e-6  # of extremes that tie by a symmetry
-_SAME = 1e-9  # of two derivatives: those of a conjugate pair
+_SAME_SLOPE = 1e-6  # of extremes that tie by a symmetry, or are one at the end of a phase
 
 
 class LevelRows(NamedTuple):
-    """Conditions of a level, each not negative where the spectral radius is below it.
+    """Conditions of a level, each not negative where what is largest is below it.
 
     Attributes
     ----------
     values : array (m,)
     by_parameters : array (m, q)
     by_level : array (m,)
+    powers : array (m,)
+        Of the unit of what is largest, in which each is measured.
     """
 
     values: np.ndarray
     by_parameters: np.ndarray
     by_level: np.ndarray
+    powers: np.ndarray
 
 
-def is_smooth_from_above(derivatives: OrbitDerivatives) -> bool:
-    """Whether the conditions have derivatives everywhere: up to two multipliers.
+class ExtremeKey(NamedTuple):
+    """Local extremes in a phase, counted from 0: maxima, or minima where the sign is -1."""
+
+    phase: int
+    sign: int
+    number: int
+
+
+def is_largest_of_several(quantity: str, sign: int) -> bool:
+    """Whether what is made small is the largest of several numbers that have derivatives.
 
     Parameters
     ----------
-    derivatives : OrbitDerivatives
+    quantity : str
+    sign : int
+        -1 where it is maximised.
 
     Returns
     -------
     bool
     """
-    section = derivatives.directions.section
-    return section.rank - section.trivial <= 2
+    if quantity.startswith("minimum:"):
+        return sign < 0
+    return sign > 0 and (quantity == RADIUS or is_extreme(quantity))
 
 
 def radius_rows(derivatives: OrbitDerivatives, level: float) -> LevelRows:
@@ -72,58 +98,103 @@ def radius_rows(derivatives: OrbitDerivatives, level: float) -> LevelRows:
     Returns
     -------
     LevelRows
+        Two for a multiplier alone, three for a pair.
     """
-    found, section = derivatives.section, derivatives.directions.section
-    count = section.rank - section.trivial
-    # a trivial multiplier is 1: it adds to the trace and not to the product
-    trace = float(found.trace) - section.trivial
-    trace_rates = np.asarray(found.trace_rates, dtype=float)
-    if count == 1:
-        return LevelRows(
-            np.array([level - trace, level + trace]),
-            np.stack([-trace_rates, trace_rates]),
-            np.ones(2),
-        )
-    if count == 2:
-        product = float(found.determinant)
-        rates = np.asarray(found.determinant_rates, dtype=float)
+    values, by_parameters, by_level, powers = [], [], [], []
+    for group in multiplier_groups(derivatives):
+        trace, product = group.trace, group.determinant
+        trace_rates, rates = group.trace_rates, group.determinant_rates
+        if group.size == 1:
+            values += [level - trace, level + trace]
+            by_parameters += [-trace_rates, trace_rates]
+            by_level += [1.0, 1.0]
+            powers += [1, 1]
+            continue
         square = level**2
-        return LevelRows(
-            square + np.array([product - trace * level, product + trace * level, -product]),
-            np.stack([rates - level * trace_rates, rates + level * trace_rates, -rates]),
-            np.array([2 * level - trace, 2 * level + trace, 2 * level]),
-        )
-    multipliers = found.multipliers.astype(complex)
-    sizes = np.abs(multipliers)
-    rates = np.asarray(found.multiplier_rates, dtype=complex)
-    moved = (np.conj(multipliers)[:, None] * rates).real / np.maximum(sizes, 1e-300)[:, None]
-    return LevelRows(level - sizes, -moved, np.ones(len(sizes)))
+        values += [
+            square + product - trace * level,
+            square + product + trace * level,
+            square - product,
+        ]
+        by_parameters += [rates - level * trace_rates, rates + level * trace_rates, -rates]
+        by_level += [2 * level - trace, 2 * level + trace, 2 * level]
+        powers += [2, 2, 2]
+    return LevelRows(
+        np.array(values), np.array(by_parameters), np.array(by_level), np.array(powers)
+    )
 
 
-def peak_rows(derivatives: OrbitDerivatives, peak: str, level: float) -> LevelRows:
-    """The conditions that a state stays between a level and minus that.
+def extreme_keys(every: Iterable[OrbitDerivatives], quantity: str) -> tuple[ExtremeKey, ...]:
+    """Of how many local extremes a quantity is the largest, phase by phase.
+
+    Parameters
+    ----------
+    every : iterable of OrbitDerivatives
+        Of orbits of one itinerary: the most that one of them has.
+    quantity : str
+
+    Returns
+    -------
+    tuple of ExtremeKey
+    """
+    counts: dict[tuple[int, int], int] = {}
+    for derivatives in every:
+        own: dict[tuple[int, int], int] = {}
+        for extreme in derivatives.local_extremes(quantity):
+            place = extreme.phase, extreme.sign
+            own[place] = own.get(place, 0) + 1
+        counts = {key: max(counts.get(key, 0), own.get(key, 0)) for key in {**counts, **own}}
+    return tuple(ExtremeKey(*place, count) for place, count in sorted(counts.items()))
+
+
+def extreme_rows(
+    derivatives: OrbitDerivatives, quantity: str, keys: Iterable[ExtremeKey], level: float
+) -> LevelRows:
+    """The conditions that no local extreme exceeds a level.
 
     Parameters
     ----------
     derivatives : OrbitDerivatives
-    peak : str
-        ``peak:STATE``.
+    quantity : str
+    keys : iterable of ExtremeKey
+        The largest ones so many; where there are fewer a condition holds by far.
     level : float
 
     Returns
     -------
     LevelRows
     """
-    (high, up), (low, down) = (derivatives.quantity(side) for side in sides_of(peak))
+    found = derivatives.local_extremes(quantity)
+    rows: list[LocalExtreme | None] = []
+    for phase, sign, count in keys:
+        own = [each for each in found if (each.phase, each.sign) == (phase, sign)]
+        largest = sorted(sorted(own, key=_value)[-count:], key=_time)
+        rows += [*largest]
+        rows += [None] * (count - len(largest))
+    far, nothing = max(1.0, abs(level)), np.zeros(len(derivatives.by))
     return LevelRows(
-        np.array([level - float(high), level + float(low)]),
-        np.stack([-np.asarray(up, dtype=float), np.asarray(down, dtype=float)]),
-        np.ones(2),
+        np.array([far if each is None else level - each.value for each in rows]),
+        np.array([nothing if each is None else -each.rates for each in rows], dtype=float),
+        np.array([each is not None for each in rows], dtype=float),
+        np.ones(len(rows)),
     )
 
 
-def corner_of(derivatives: OrbitDerivatives, quantity: str, active: np.ndarray) -> str:
-    """What happens where several conditions act at once.
+def _value(extreme: LocalExtreme) -> float:
+    return extreme.value
+
+
+def _time(extreme: LocalExtreme) -> float:
+    return extreme.time
+
+
+def corner_of(
+    derivatives: OrbitDerivatives,
+    quantity: str,
+    active: np.ndarray,
+    slopes: np.ndarray,
+) -> str:
+    """What happens where several conditions of one orbit act at once.
 
     Parameters
     ----------
@@ -132,25 +203,34 @@ def corner_of(derivatives: OrbitDerivatives, quantity: str, active: np.ndarray) 
         Of which the conditions are.
     active : array (m,) of bool
         Which of the conditions hold with equality.
+    slopes : array (m, n)
+        Of the conditions.
 
     Returns
     -------
     str
         Empty where the quantity is smooth.
     """
-    section = derivatives.directions.section
-    count = section.rank - section.trivial
-    if active.sum() < 2:
+    acting = slopes[active]
+    size = max(1.0, float(np.abs(acting).max(initial=0.0)))
+    if len(acting) < 2 or float(np.ptp(acting, axis=0).max()) <= _SAME_SLOPE * size:
         return ""
-    if quantity.startswith(PEAK):
-        up, down = (derivatives.quantity(side)[1] for side in sides_of(quantity))
-        size = max(1.0, float(np.abs(up).max()))
-        return _TIED if float(np.abs(up + down).max()) > _SAME_SLOPE * size else ""
-    if count == 1:
+    if quantity != RADIUS:
+        signs = {e.sign for e in _largest(derivatives, quantity)}
+        return _TIED if len(signs) > 1 else _EXTREMES
+    groups = list(multiplier_groups(derivatives))
+    ends = np.cumsum([2 if group.size == 1 else 3 for group in groups])
+    acting_in = {int(k) for k in np.searchsorted(ends, np.flatnonzero(active), side="right")}
+    if len(acting_in) > 1:
+        return _SEVERAL
+    (place,) = acting_in
+    if groups[place].size == 1:
         return _ZERO
-    if count == 2:
-        return _OPPOSITE if active[:2].all() else _MEET
-    largest = np.asarray(derivatives.section.multipliers)[active].astype(complex)
-    apart = np.abs(largest[:, None] - largest) > _SAME
-    mirrored = np.abs(largest[:, None] - largest.conj()) > _SAME
-    return _SEVERAL if (apart & mirrored).any() else ""
+    first = int(ends[place]) - 3
+    return _OPPOSITE if active[first : first + 2].all() else _MEET
+
+
+def _largest(derivatives: OrbitDerivatives, quantity: str) -> list[LocalExtreme]:
+    found = derivatives.local_extremes(quantity)
+    top = max(each.value for each in found)
+    return [each for each in found if each.value >= top - _SAME_SLOPE * abs(top)]

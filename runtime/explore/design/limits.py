@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.json_codec import Digits
-from nonsmooth.runtime.explore.design.aim import Aim
+from nonsmooth.runtime.explore.design.aim import Aim, Trial
 from nonsmooth.runtime.explore.design.design_points import DesignPoint
 from nonsmooth.runtime.explore.design.largest import corner_of
 
@@ -46,18 +47,22 @@ class Optimality(NamedTuple):
         What is left of the gradient, in units of the quantity and of the bounds.
     corner : str
         What happens where the quantity has no derivative; empty where it has one.
+    worst_at : tuple of DesignPoint
+        The orbits of a branch at which the quantity is worst.
     """
 
     active: tuple[ActiveLimit, ...]
     residual: float
     corner: str
+    worst_at: tuple[DesignPoint, ...] = ()
 
 
 def optimality(
     aim: Aim,
-    point: DesignPoint,
+    point: Trial,
     names: tuple[str, ...],
     bounds: np.ndarray,
+    where: Callable[[DesignPoint], str] = lambda _: "",
 ) -> Optimality:
     """Find multipliers that leave as little as possible of the gradient.
 
@@ -66,10 +71,12 @@ def optimality(
     Parameters
     ----------
     aim : Aim
-    point : DesignPoint
+    point : Trial
     names : tuple of str
         Of the parameters.
     bounds : array (q, 2)
+    where : callable
+        Where on a branch an orbit is, in words.
 
     Returns
     -------
@@ -80,19 +87,20 @@ def optimality(
     level = aim.variables(point)[-1]
     size = len(names) + aim.levelled
     texts, slopes, units, free = [], [], [], []
-    for condition in aim.conditions:
-        rows, grown = aim.condition_rows(point, condition), aim.relaxing(point, condition)
+    for member, condition in product(point.members, aim.conditions):
+        rows, grown = aim.condition_rows(member, condition), aim.relaxing(member, condition)
         for value, slope, unit in zip(*rows, grown.tolist(), strict=True):
             if condition.relation == "=" or abs(value) <= _ACTIVE:
-                texts.append(condition.text)
+                texts.append(condition.text + where(member))
                 slopes.append(slope)
                 units.append(unit)
                 free.append(condition.relation == "=")
-    if aim.margins:
-        margins = aim.margin_rows(point)
+    for member in point.members if aim.margins else ():
+        margins = aim.margin_rows(member)
         for key, value, slope in zip(aim.margins, *margins, strict=True):
             if abs(value) <= _ACTIVE:
-                texts.append(f"{key.boundary} stays away in phase {key.phase + 1}")
+                away = f"{key.boundary} stays away in phase {key.phase + 1}"
+                texts.append(away + where(member))
                 slopes.append(slope)
                 units.append(1.0)
                 free.append(False)
@@ -102,15 +110,25 @@ def optimality(
         units.append(1 / float(aim.lengths[place]))
         free.append(False)
     told, corner = len(texts), ""
-    if aim.levelled:
-        levels = aim.level_rows(point, level)
+    worst_at: list[DesignPoint] = []
+    for member in point.members if aim.levelled else ():
+        levels = aim.level_rows(member, level)
         near = np.abs(levels.values) <= _ACTIVE
-        corner = corner_of(point.quantities.derivatives, aim.quantity, near)
+        if not near.any():
+            continue
+        worst_at.append(member)
+        corner = corner or corner_of(
+            member.quantities.derivatives, aim.quantity, near, levels.slopes
+        )
         slopes.extend(levels.slopes[near])
         free.extend([False] * int(near.sum()))
+    if len(worst_at) > 1:
+        corner = "; ".join(
+            [f"as bad at {len(worst_at)} places of the branch", *filter(None, [corner])]
+        )
     gradient = aim.slope(point)
     if not slopes:
-        return Optimality((), float(np.abs(gradient).max()), corner)
+        return Optimality((), float(np.abs(gradient).max()), corner, tuple(worst_at))
     lower = np.where(free, -np.inf, 0.0)
     found = lsq_linear(np.array(slopes).T, gradient, (lower, np.full(len(slopes), np.inf)))
     left = float(np.abs(found.fun).max())
@@ -118,17 +136,15 @@ def optimality(
     for text, factor, unit in zip(texts, found.x[:told], units, strict=True):
         factors[text] = factors.get(text, 0.0) + float(factor) * aim.scale * unit
     limits = tuple(ActiveLimit(text=text, multiplier=each) for text, each in factors.items())
-    return Optimality(limits, left, corner)
+    return Optimality(limits, left, corner, tuple(worst_at))
 
 
-def bounds_met(
-    point: DesignPoint, names: Sequence[str], bounds: np.ndarray
-) -> tuple[ActiveLimit, ...]:
+def bounds_met(point: Trial, names: Sequence[str], bounds: np.ndarray) -> tuple[ActiveLimit, ...]:
     """The bounds at which an orbit is, where nothing is optimised.
 
     Parameters
     ----------
-    point : DesignPoint
+    point : Trial
     names : sequence of str
         Of the parameters.
     bounds : array (q, 2)
@@ -144,7 +160,7 @@ def bounds_met(
 
 
 def _sides(
-    point: DesignPoint, names: Sequence[str], bounds: np.ndarray
+    point: Trial, names: Sequence[str], bounds: np.ndarray
 ) -> Iterator[tuple[int, float, str]]:
     """Which parameters are at a bound, the direction inwards, and that in words."""
     for place, name in enumerate(names):

@@ -6,17 +6,18 @@ visited, in a smaller box around it; where it ends at a side of such a box, in a
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, Protocol
 
 import numpy as np
 
-from nonsmooth.runtime.explore.design.aim import Aim, Rows
-from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
+from nonsmooth.runtime.explore.design.aim import Aim, Rows, Trial
+from nonsmooth.runtime.explore.design.design_points import Beyond
 
-__all__ = ["Ended", "Method", "optimise"]
+__all__ = ["INTERRUPTED", "Ended", "Method", "Trials", "optimise"]
 
+INTERRUPTED = "interrupted"
 Method = Literal["SLSQP", "trust-constr"]
 _ROUNDS = 60
 _LEAST_BOX, _SIDE = 1e-8, 1e-9  # of the bounds
@@ -29,45 +30,83 @@ _PRECISION = {
 }
 
 
+class Trials(Protocol):
+    """What an optimiser may try: `DesignPoints`, or `BranchPoints`.
+
+    Attributes
+    ----------
+    visited : sequence of Trial
+        The first is where it begins.
+    """
+
+    @property
+    def visited(self) -> Sequence[Trial]:
+        """In the order in which they were tried."""
+
+    def at(self, place: np.ndarray) -> Trial:
+        """A trial at a place.
+
+        Parameters
+        ----------
+        place : array (q,)
+
+        Returns
+        -------
+        Trial
+        """
+
+
 class Ended(NamedTuple):
     """Where an optimiser ended.
 
     Attributes
     ----------
-    point : DesignPoint
-    history : list of DesignPoint
-        The iterates.
+    point : Trial
     reason : str
         Why the branch leads no further; empty where that was no matter.
     """
 
-    point: DesignPoint
-    history: list[DesignPoint]
+    point: Trial
     reason: str
 
 
-def optimise(points: DesignPoints, aim: Aim, method: Method, most: int) -> Ended:
+def optimise(points: Trials, aim: Aim, method: Method, most: int, history: list[Trial]) -> Ended:
     """Make the aim as small as it can be.
+
+    Ctrl-C ends it at the best trial until then; the reason is INTERRUPTED.
 
     Parameters
     ----------
-    points : DesignPoints
+    points : Trials
     aim : Aim
     method : "SLSQP" or "trust-constr"
         As SciPy calls them.
     most : int
         Iterations of the optimiser in each of its rounds.
+    history : list of Trial
+        The iterates are added to it, as they come.
 
     Returns
     -------
     Ended
     """
+    try:
+        return _optimised(points, aim, method, most, history)
+    except KeyboardInterrupt:
+        best = min(points.visited, key=lambda point: _merit(aim, point))
+        return Ended(best, INTERRUPTED)
 
-    def merit(point: DesignPoint) -> float:
-        return aim.value(point) + _PENALTY * aim.missed(point)
+
+def _merit(aim: Aim, point: Trial) -> float:
+    return aim.value(point) + _PENALTY * aim.missed(point)
+
+
+def _optimised(points: Trials, aim: Aim, method: Method, most: int, history: list[Trial]) -> Ended:
+    def merit(point: Trial) -> float:
+        return _merit(aim, point)
 
     best, box, reason = points.visited[0], 1.0, ""
-    history = [best]
+    history.append(best)
     for _ in range(_ROUNDS):
         lower, upper = np.maximum(best.place - box, 0.0), np.minimum(best.place + box, 1.0)
         try:
@@ -76,7 +115,7 @@ def optimise(points: DesignPoints, aim: Aim, method: Method, most: int) -> Ended
         except Beyond as ended:
             reason = ended.reason
             best = min(points.visited, key=merit)
-            away = max(ended.distance, float(np.abs(ended.near.place - best.place).max()))
+            away = max(ended.distance, float(np.abs(ended.near - best.place).max()))
             box = min(box / 2, max(away, box / 16))
             if box < _LEAST_BOX:
                 break
@@ -95,10 +134,10 @@ def optimise(points: DesignPoints, aim: Aim, method: Method, most: int) -> Ended
     best = _snapped(points, best)
     if history[-1] is not best:
         history.append(best)
-    return Ended(best, history, reason)
+    return Ended(best, reason)
 
 
-def _snapped(points: DesignPoints, best: DesignPoint) -> DesignPoint:
+def _snapped(points: Trials, best: Trial) -> Trial:
     """The orbit at the bounds that it is next to."""
     place = np.where(best.place < _SIDE, 0.0, np.where(best.place > 1 - _SIDE, 1.0, best.place))
     try:
@@ -108,13 +147,13 @@ def _snapped(points: DesignPoints, best: DesignPoint) -> DesignPoint:
 
 
 def _sharpened(
-    points: DesignPoints,
+    points: Trials,
     aim: Aim,
-    best: DesignPoint,
+    best: Trial,
     most: int,
-    history: list[DesignPoint],
-    merit: Callable[[DesignPoint], float],
-) -> DesignPoint:
+    history: list[Trial],
+    merit: Callable[[Trial], float],
+) -> Trial:
     """The end of an interior method, which stays off the limits, taken to them by SLSQP."""
     box = np.maximum(best.place - _NEAR, 0.0), np.minimum(best.place + _NEAR, 1.0)
     try:
@@ -125,13 +164,13 @@ def _sharpened(
 
 
 def _run(
-    points: DesignPoints,
+    points: Trials,
     aim: Aim,
     method: Method,
-    begin: DesignPoint,
+    begin: Trial,
     box: tuple[np.ndarray, np.ndarray],
     most: int,
-    history: list[DesignPoint],
+    history: list[Trial],
 ) -> np.ndarray:
     """One round of the optimiser in a box; gives the place where it ended."""
     import warnings
@@ -141,9 +180,9 @@ def _run(
     count = len(aim.lengths)
     lower, upper = box
     if aim.levelled:
-        lower, upper = np.append(lower, 0.0), np.append(upper, np.inf)
+        lower, upper = np.append(lower, aim.least_level), np.append(upper, np.inf)
 
-    def at(x: np.ndarray) -> DesignPoint:
+    def at(x: np.ndarray) -> Trial:
         return points.at(np.clip(x[:count], box[0], box[1]))
 
     def note(x: np.ndarray, *_: Any) -> None:
@@ -178,9 +217,9 @@ def _run(
 
 
 def _nearer(
-    points: DesignPoints,
+    points: Trials,
     aim: Aim,
-    begin: DesignPoint,
+    begin: Trial,
     box: tuple[np.ndarray, np.ndarray],
     most: int,
 ) -> np.ndarray:

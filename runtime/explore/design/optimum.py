@@ -33,6 +33,8 @@ class Design(Shown):
     parameters : tuple of str
         Those that varied.
     bounds : array (q, 2)
+    worst_over : dict of str to (float, float)
+        The parameter along whose branch the worst value counted, and its interval; else empty.
     conditions : tuple of DesignCondition
         What it was subject to, or the wanted values.
     method : str
@@ -40,7 +42,9 @@ class Design(Shown):
     quantities : tuple of str
         The one that was asked for, and those of the conditions.
     before, after : dict of str to float
-        Parameters and quantities where it began and where it ended.
+        Parameters and quantities where it began and where it ended: along a branch the worst.
+    worst_at : tuple of float
+        Where along the branch the quantity is worst, at the end; else empty.
     gradient : dict of str to dict of str to float
         Of each quantity by each parameter, where it ended; NaN where there is no derivative.
     active : tuple of ActiveLimit
@@ -56,18 +60,20 @@ class Design(Shown):
         0 converged, 1 not; `message` says why.
     message : str
     start, orbit : Orbit
-        Where it began and where it ended.
+        Where it began and where it ended: along a branch at the first worst place.
     """
 
     aim: Literal["minimise", "maximise", "solve"]
     quantity: str
     parameters: tuple[str, ...]
     bounds: np.ndarray
+    worst_over: Mapping[str, tuple[float, float]]
     conditions: tuple[DesignCondition, ...]
     method: str
     quantities: tuple[str, ...]
     before: Mapping[str, float]
     after: Mapping[str, float]
+    worst_at: tuple[float, ...]
     gradient: Mapping[str, Mapping[str, float]]
     active: tuple[ActiveLimit, ...]
     corner: str

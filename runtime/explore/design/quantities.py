@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.orbits.local_extremes import KINDS
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
@@ -15,16 +16,15 @@ if TYPE_CHECKING:
 
 __all__ = [
     "MULTIPLIER",
-    "PEAK",
     "RADIUS",
     "Gap",
     "QuantityValues",
+    "is_extreme",
     "measure",
     "multiplier_gap",
-    "sides_of",
 ]
 
-RADIUS, MULTIPLIER, PEAK = "spectral_radius", "multiplier", "peak:"
+RADIUS, MULTIPLIER = "spectral_radius", "multiplier"
 _IMAGINARY = 1e-30  # of a derivative by a complex step
 
 
@@ -86,31 +86,30 @@ def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> QuantityValue
     found = orbit.derivatives(list(by))
     values, slopes = {}, {}
     for name in of:
-        if name.startswith(PEAK):  # also where the largest and the smallest value tie
-            high, low = (found.quantity(side) for side in sides_of(name))
-            larger = high if high[0] >= -low[0] else (-low[0], -low[1])
-            values[name], slopes[name] = float(larger[0]), np.asarray(larger[1], dtype=float)
+        if is_extreme(name):  # also where several extremes tie
+            largest = max(found.local_extremes(name), key=lambda extreme: extreme.value)
+            sign = -1.0 if name.startswith("minimum") else 1.0
+            values[name] = sign * largest.value
+            slopes[name] = sign * np.asarray(largest.rates, dtype=float)
             continue
         value, slope = found.quantity(name)
         values[name], slopes[name] = float(value), np.asarray(slope, dtype=float)
     return QuantityValues(values, slopes, found)
 
 
-def sides_of(peak: str) -> tuple[str, str]:
-    """The two extremes of which a peak is the larger one.
+def is_extreme(quantity: str) -> bool:
+    """Whether a quantity is the largest of several local extremes of the motion.
 
     Parameters
     ----------
-    peak : str
-        ``peak:STATE``.
+    quantity : str
 
     Returns
     -------
-    tuple of str
-        ``maximum:STATE`` and ``minimum:STATE``.
+    bool
     """
-    state = peak.removeprefix(PEAK)
-    return f"maximum:{state}", f"minimum:{state}"
+    kind, _, of = quantity.partition(":")
+    return kind in KINDS and bool(of)
 
 
 class Gap(NamedTuple):

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
-from nonsmooth.runtime.explore.design.aim import Aim
+from nonsmooth.runtime.explore.design.aim import Aim, Trial
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoint, DesignPoints
-from nonsmooth.runtime.explore.design.optimising import Ended
+from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Ended
 
 __all__ = ["solve_conditions"]
 
@@ -15,7 +17,7 @@ _LAST, _TINY = 5, 1e-15  # Newton's steps behind the least squares
 _PRECISION = 1e-15
 
 
-def solve_conditions(points: DesignPoints, aim: Aim, most: int) -> Ended:
+def solve_conditions(points: DesignPoints, aim: Aim, most: int, history: list[Trial]) -> Ended:
     """Find the parameters at which all conditions hold, or miss them by the least squares.
 
     Parameters
@@ -25,17 +27,33 @@ def solve_conditions(points: DesignPoints, aim: Aim, most: int) -> Ended:
         Its conditions are equations, as many as parameters.
     most : int
         Evaluations in each round.
+    history : list of Trial
+        The iterates are added to it, as they come.
 
     Returns
     -------
     Ended
+        By Ctrl-C the best until then; the reason is INTERRUPTED.
     """
 
     def cost(point: DesignPoint) -> float:
         return float(np.linalg.norm(aim.rows(point, 0.0, equal=True).values))
 
+    try:
+        return _solved(points, aim, most, history, cost)
+    except KeyboardInterrupt:
+        return Ended(min(points.visited, key=cost), INTERRUPTED)
+
+
+def _solved(
+    points: DesignPoints,
+    aim: Aim,
+    most: int,
+    history: list[Trial],
+    cost: Callable[[DesignPoint], float],
+) -> Ended:
     best, box, reason = points.visited[0], 1.0, ""
-    history = [best]
+    history.append(best)
     for _ in range(_ROUNDS):
         lower, upper = np.maximum(best.place - box, 0.0), np.minimum(best.place + box, 1.0)
         try:
@@ -60,7 +78,8 @@ def solve_conditions(points: DesignPoints, aim: Aim, most: int) -> Ended:
             break
         box = min(1.0, 2 * box)
     best = _sharpened(points, aim, best)
-    return Ended(best, [*history, best], reason)
+    history.append(best)
+    return Ended(best, reason)
 
 
 def _run(

@@ -28,11 +28,13 @@ class DesignEntries:
     quantity: str
     parameters: tuple[str, ...]
     bounds: Table
+    worst_over: Mapping[str, tuple[Digits, Digits]]
     conditions: tuple[DesignCondition, ...]
     method: str
     quantities: tuple[str, ...]
     before: Mapping[str, Digits]
     after: Mapping[str, Digits]
+    worst_at: tuple[Digits, ...]
     gradient: Mapping[str, Mapping[str, AnyDigits]]
     active: tuple[ActiveLimit, ...]
     corner: str

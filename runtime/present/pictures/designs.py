@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.explore.continuation.response import system_of
-from nonsmooth.runtime.explore.design.around import along
+from nonsmooth.runtime.explore.design.around import along, along_branch
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.units import units_of
 from nonsmooth.runtime.present.pictures.drawing import LINES, check_picture, given_axes
@@ -24,7 +24,7 @@ _POINTS = 61
 
 
 def design_figure(design: Design) -> Figure:
-    """A figure of a design: its iterates, and its quantities along each parameter.
+    """A figure of a design: its iterates, and its quantities along each parameter or its branch.
 
     Parameters
     ----------
@@ -44,10 +44,13 @@ def design_figure(design: Design) -> Figure:
     check_picture("all", ("all",))
     from matplotlib.figure import Figure
 
-    count = 1 + len(design.parameters)
+    count = 2 if design.worst_over else 1 + len(design.parameters)
     figure = Figure(figsize=(_WIDTH, _HEIGHT * count))
     figure.set_layout_engine("constrained")
     _iterates(design, figure.add_subplot(count, 1, 1))
+    if design.worst_over:
+        _along_branch(design, figure.add_subplot(count, 1, 2))
+        return figure
     for place, name in enumerate(design.parameters):
         _along(design, name, figure.add_subplot(count, 1, 2 + place))
     return figure
@@ -100,6 +103,21 @@ def _along(design: Design, name: str, axes: Any) -> None:
     if len(finite):
         axes.set_xlim(finite.min(), finite.max())
     axes.set_xlabel(units_of(system_of(design.orbit)).label(name))
+    axes.legend(frameon=False)
+
+
+def _along_branch(design: Design, axes: Any) -> None:
+    """The quantities along the branch before and after, and where they are worst."""
+    values, before, after = along_branch(design, _POINTS)
+    (name,) = design.worst_over
+    for place, quantity in enumerate(design.quantities):
+        color, dashes = LINES[place % len(LINES)]
+        axes.plot(values, before[:, place], color=color, linestyle=dashes, alpha=0.4)
+        axes.plot(values, after[:, place], color=color, linestyle=dashes, label=_word(quantity))
+    worst = [design.after[design.quantity]] * len(design.worst_at)
+    axes.plot(design.worst_at, worst, marker="o", linestyle="none", color=LINES[0][0])
+    axes.set_xlabel(units_of(system_of(design.orbit)).label(name))
+    axes.set_title("pale: where it began")
     axes.legend(frameon=False)
 
 

@@ -1,0 +1,63 @@
+"""What can be worst along a branch: the quantity, the conditions, the margins."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.explore.design.aim import Aim
+from nonsmooth.runtime.explore.design.design_points import DesignPoint
+
+__all__ = ["Watch", "alarms_of"]
+
+
+class Watch(NamedTuple):
+    """A place along a branch where something is worst.
+
+    Attributes
+    ----------
+    part : float
+        Of the branch's interval, from 0 to 1.
+    row : int
+        Which of the alarms has a minimum there.
+    bend : float
+        Its second derivative inside the interval; 0 where the place stays what it is.
+    """
+
+    part: float
+    row: int
+    bend: float
+
+
+def alarms_of(aim: Aim, member: DesignPoint, length: float) -> tuple[np.ndarray, np.ndarray]:
+    """Numbers that are the smaller the worse, and their derivatives along the branch.
+
+    What is made small, then conditions, then margins.
+
+    Parameters
+    ----------
+    aim : Aim
+    member : DesignPoint
+        Its derivatives by the branch's parameter are the last.
+    length : float
+        Of the branch's interval.
+
+    Returns
+    -------
+    tuple of array (m,), array (m,)
+    """
+    measured = member.quantities
+    values = [-aim.sign * measured.values[aim.quantity] / aim.scale]
+    slopes = [-aim.sign * float(measured.slopes[aim.quantity][-1]) * length / aim.scale]
+    for condition in aim.conditions:
+        sign = -1.0 if condition.relation == "<=" else 1.0
+        size = max(1.0, abs(float(condition.value)))
+        values.append(sign * (measured.values[condition.quantity] - float(condition.value)) / size)
+        slopes.append(sign * float(measured.slopes[condition.quantity][-1]) * length / size)
+    margins = {(m.phase, m.boundary): m for m in measured.derivatives.margins}
+    for key in aim.margins:
+        there = margins.get((key.phase, key.boundary))
+        values.append(1.0 if there is None else float(there.value))
+        slopes.append(0.0 if there is None else float(there.rates[-1]) * length)
+    return np.array(values), np.array(slopes)

@@ -1,0 +1,169 @@
+"""Designs of the worst along a branch, against scans of a grid and closed conditions."""
+
+import os
+import signal
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from tests.places import GALLERY
+
+DAMPER = f"{GALLERY / 'impact_damper.py'}:struck-twice"
+WINDOW = {"w": (0.95, 1.05)}
+
+
+@cache
+def damper() -> ns.Orbit:
+    return ns.solve(DAMPER, {"r": "0.3", "zeta": "0.05", "d": 8})
+
+
+@cache
+def tuned() -> ns.Design:
+    return ns.design(damper(), minimise="peak:x", over={"d": (7, 10)}, worst_over=WINDOW)
+
+
+def response(gap: float, values: np.ndarray) -> np.ndarray:
+    """Peaks of the orbit over the frequency, by solving anew at each."""
+    found, orbit = [], damper()
+    for value in values:
+        given = {**{n: v.text for n, v in damper().given.items()}, "d": gap, "w": float(value)}
+        orbit = ns.solve(DAMPER, given, guess=orbit)
+        assert orbit.admissibility.verdict is True
+        motion = orbit.motion()
+        found.append(abs(motion(np.linspace(0, motion.end, 2001))[:, 0]).max())
+    return np.array(found)
+
+
+def test_the_smallest_resonance_peak_is_that_of_a_grid() -> None:
+    """Peaks on a grid of gaps and frequencies, sampled, none of them by the design's route."""
+    found = tuned()
+    assert found.converged
+    assert found.corner == ""
+    assert not found.active
+    values = np.linspace(*WINDOW["w"], 41)
+    gaps = found.after["d"] + np.array([-0.1, -0.01, 0, 0.01, 0.1])
+    peaks = [response(gap, values).max() for gap in gaps]
+    assert int(np.argmin(peaks)) == 2
+    assert found.after["peak:x"] == pytest.approx(peaks[2], rel=1e-5)
+    (worst,) = found.worst_at
+    assert values[response(found.after["d"], values).argmax()] == pytest.approx(worst, abs=3e-3)
+
+
+def test_at_the_worst_frequency_the_peak_changes_with_nothing() -> None:
+    """A saddle: the derivatives by the frequency and by the gap are zero, by both."""
+    value, slopes = tuned().orbit.derivatives(["w", "d"]).quantity("maximum:x")
+    assert value == pytest.approx(tuned().after["peak:x"], rel=1e-12)
+    assert abs(slopes[0]) < 1e-5
+    assert abs(slopes[1]) < 1e-7
+
+
+def test_the_worst_at_the_end_of_the_interval_is_active_there() -> None:
+    """Toward a resonance that is cut off the end is worst, and the bound of the gap acts."""
+    found = ns.design(
+        damper(), minimise="peak:x", over={"d": (7, 8.5)}, worst_over={"w": (0.98, 1.02)}
+    )
+    assert found.worst_at == (0.98,)
+    assert [limit.text for limit in found.active] == ["d<=8.5"]
+    slope = found.orbit.derivatives(["d"]).quantity("maximum:x")[1][0]
+    assert found.active[0].multiplier == pytest.approx(-slope, rel=1e-6)
+
+
+def test_conditions_hold_all_along_the_branch() -> None:
+    found = ns.design(
+        damper(),
+        minimise="peak:x",
+        over={"d": (7, 10), "r": (0.2, 0.5)},
+        worst_over=WINDOW,
+        subject_to=["spectral_radius<=0.75"],
+    )
+    assert found.converged
+    assert any(limit.text.startswith("spectral_radius<=0.75 at w = ") for limit in found.active)
+    branch = ns.continue_orbit(found.orbit, "w", WINDOW["w"])
+    radius = abs(branch.multipliers).max(axis=1)
+    assert radius.max() == pytest.approx(0.75, abs=1e-7)
+    assert branch.admissible.all()
+    assert found.after["peak:x"] < damper().derivatives().quantity("maximum:x")[0]
+
+
+def test_several_maxima_are_as_large_at_the_optimum() -> None:
+    """Two parameters, and a lower peak than with one: where two frequencies are as bad."""
+    over = {"d": (7, 10), "mu": (0.05, 0.12)}
+    found = ns.design(damper(), minimise="peak:x", over=over, worst_over={"w": (0.96, 1.04)})
+    one = ns.design(
+        damper(), minimise="peak:x", over={"d": (7, 10)}, worst_over={"w": (0.96, 1.04)}
+    )
+    assert found.converged
+    assert found.after["peak:x"] < one.after["peak:x"]
+
+
+def test_to_maximise_the_least_is_to_minimise_the_largest_of_the_negative() -> None:
+    found = ns.design(
+        damper(), maximise="minimum:x", over={"d": (7, 10)}, worst_over=WINDOW
+    )
+    assert found.after["d"] == pytest.approx(tuned().after["d"], abs=1e-5)
+    assert found.after["minimum:x"] == pytest.approx(-tuned().after["peak:x"], rel=1e-9)
+
+
+def test_both_optimisers_find_the_same() -> None:
+    other = ns.design(
+        damper(), minimise="peak:x", over={"d": (7, 10)}, worst_over=WINDOW, method="trust-constr"
+    )
+    assert other.after["d"] == pytest.approx(tuned().after["d"], abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"worst_over": {"w": (0.8, 1.05)}}, "is not there for all w = 0.8 to 1.05"),
+        ({"worst_over": {"d": (7, 9)}}, "d varies: it cannot be the parameter of the branch too"),
+        ({"worst_over": {}}, "worst_over gives the interval of one parameter"),
+        ({"worst_over": {"w": (1.02, 1.05)}}, "w = 1 of the orbit is not in 1.02 to 1.05"),
+        ({"subject_to": ["peak:x=3"]}, "peak:x=3: an equation cannot hold all along worst_over"),
+        ({"minimise": None, "solve": {"peak:x": 3}}, "are of one orbit: leave out worst_over"),
+    ],
+)
+def test_what_is_wrong_is_named(options: dict[str, Any], message: str) -> None:
+    asked = {"minimise": "peak:x", "over": {"d": (7, 10)}, "worst_over": WINDOW, **options}
+    with pytest.raises(ns.InputError, match=message):
+        ns.design(damper(), **asked)
+
+
+def test_it_is_saved_drawn_and_certified(tmp_path: Path) -> None:
+    path = tmp_path / "design.json"
+    tuned().save(path)
+    read = ns.load_design(path)
+    assert read.worst_over == WINDOW
+    assert read.worst_at == tuned().worst_at
+    figure = read.plot()
+    curve = figure.axes[1].lines[1].get_ydata()
+    assert np.nanmax(curve) == pytest.approx(tuned().after["peak:x"], rel=1e-4)
+    assert np.nanmax(curve) <= tuned().after["peak:x"] + 1e-9
+    proof = ns.certify(read.orbit)
+    assert set(proof.claims.values()) == {"proved"}
+    assert proof.stability == "stable"
+
+
+def test_an_interrupted_design_goes_on_to_the_same_end() -> None:
+    def stop(iterates: int, _: int) -> None:
+        if iterates >= 3:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    question: Any = {"minimise": "peak:x", "over": {"d": (7, 10)}, "worst_over": WINDOW}
+    with pytest.raises(ns.Interrupted) as stopped:
+        ns.design(damper(), **question, progress=stop)
+    part = stopped.value.partial
+    assert isinstance(part, ns.Design)
+    assert part.message == "interrupted"
+    assert not part.converged
+    whole = ns.design(damper(), **question, resume=part)
+    assert whole.converged
+    assert whole.after["d"] == pytest.approx(tuned().after["d"], abs=1e-6)
+    assert whole.before == part.before
+    assert len(whole.history) > len(part.history)
+    np.testing.assert_array_equal(whole.history[: len(part.history)], part.history)
+    with pytest.raises(ns.InputError, match="the design to resume has another bounds"):
+        ns.design(damper(), **{**question, "over": {"d": (7, 11)}}, resume=part)
