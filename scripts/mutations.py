@@ -556,7 +556,41 @@ FITS = (
     ),
 )
 
+_DESIGN = "runtime/explore/design"
+_DESIGNED = ("tests/explore/test_design.py", "-klevel or derivatives")
+_WORST = ("tests/explore/test_design_worst.py",)
+DESIGNS = (
+    Mutation(
+        f"{_DESIGN}/largest.py",
+        "radius_rows",
+        "by_parameters += [-trace_rates, trace_rates]",
+        "by_parameters += [trace_rates, trace_rates]",
+        _DESIGNED,
+    ),
+    Mutation(
+        f"{_DESIGN}/multiplier_pairs.py",
+        "_plane",
+        "np.abs(inside - z).min() < np.abs(outside - z).min(initial=np.inf)",
+        "np.abs(inside - z).min() > np.abs(outside - z).min(initial=np.inf)",
+        _DESIGNED,
+    ),
+    Mutation(
+        f"{_DESIGN}/worst_over.py",
+        "_looked",
+        "aim.value(there) > level + _WORSE",
+        "aim.value(there) > level + 1",
+        _WORST,
+    ),
+    Mutation(
+        f"{_DESIGN}/branch_points.py",
+        "BranchPoints._moved",
+        "-slope / bend",
+        "slope / bend",
+        _WORST,
+    ),
+)
+
 MUTATIONS = (
     *DERIVATION, *EMITTERS, *ENGINES, *NEWTON, *JUDGING, *PROOFS, *CHECKS, *BRANCHES,
-    *KEEPING, *COMMANDS, *FITS,
+    *KEEPING, *COMMANDS, *FITS, *DESIGNS,
 )  # fmt: skip

@@ -153,7 +153,7 @@ def design(
         n: (a, b)
         for n, (a, b, _) in ranges("parameter", [worst_over] if worst_over else []).items()
     }
-    begin = _beginning(orbit, fixed, {**over, **along})
+    begin = _beginning(orbit, fixed, {**along, **over})
     with counted("designing, iterates") as show:
         found, stopped = worked(
             lambda: find_design(

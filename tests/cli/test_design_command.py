@@ -8,6 +8,7 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.runtime.cli.program import app
+from tests.places import GALLERY
 
 ORBIT = "dry-friction/symmetric"
 STABLEST = ("design", ORBIT, "V=0.3:3", "--minimise", "spectral_radius")
@@ -56,6 +57,26 @@ def test_wanted_values(capsys: pytest.CaptureFixture[str]) -> None:
     assert (code, error) == (1, "nonsmooth: period=2 not reached: within V<=1.3\n")
 
 
+def test_the_worst_along_a_branch(tmp_path: Path) -> None:
+    damper = f"{GALLERY / 'impact_damper.py'}:struck-twice"
+    question = (
+        "design", damper, "r=0.3", "zeta=0.05", "d=7:8.5", "--minimise", "peak:x",
+        "--worst-over", "w=0.98:1.02",
+    )  # fmt: skip
+    code, out, _ = run(*question)
+    assert code == 0
+    assert "worst at w = 0.98" in out
+    assert "active: d<=8.5" in out
+    code, out, _ = run(*question, "--json", "--save", str(tmp_path / "d.json"))
+    told = json.loads(out)
+    assert told["worst_over"] == {"w": ["0.98", "1.02"]}
+    assert told["worst_at"] == ["0.98"]
+    assert run(*question, "--resume", str(tmp_path / "d.json"))[0] == 0
+    code, _, error = run(*question[:-1], "w=0.8:1.05")
+    assert code == 2
+    assert "is not there for all w = 0.8 to 1.05" in error
+
+
 def test_what_is_required_and_not_met() -> None:
     options = ("design", ORBIT, "V=0.6:0.7", "--minimise", "period")
     code, _, error = run(*options, "--require", "stable")
@@ -72,6 +93,7 @@ def test_what_is_required_and_not_met() -> None:
         (("us1=0.6:1.3", "--minimise", "period"), "depends on us1"),
         (("V=0.6:1.3", "--solve", "period=4", "--solve", "trace=1"), "2 wanted values for 1"),
         (("V=0.6:1.3", "--minimise", "period", "--overwrite"), "--overwrite is for the file"),
+        (("V=0.6:1.3", "--minimise", "period", "--worst-over", "V=1:2"), "V varies: it cannot"),
     ],
 )
 def test_what_is_wrong_is_told_in_one_line(arguments: tuple[str, ...], message: str) -> None:

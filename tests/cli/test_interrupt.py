@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 import nonsmooth as ns
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import format_in
-from tests.places import CHECKOUT
+from tests.places import CHECKOUT, GALLERY
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 
@@ -138,6 +138,24 @@ def test_a_branch_goes_on_to_both_ends(tmp_path: Path) -> None:
     np.testing.assert_array_equal(whole.unknowns[place : place + len(part)], part.unknowns)
 
 
+def test_a_design_goes_on_to_its_end(tmp_path: Path) -> None:
+    question = (
+        f"design {GALLERY / 'impact_damper.py'}:struck-twice r=0.3 zeta=0.05 d=7:10"
+        " --minimise peak:x --worst-over w=0.98:1.02"
+    )
+    ended = interrupted(f"{question} --save d.json", r"[3-9]/\?", tmp_path)
+    assert ended.code == 130
+    part = ns.load_design(tmp_path / "d.json")
+    assert part.message == "interrupted"
+    assert f"{len(part.history)} iterates are done, kept in d.json; go on with: " in ended.said
+    assert run(*ended.goes_on, folder=tmp_path)[0] == 0
+    assert run(*question.split(), "--save", "whole.json", folder=tmp_path)[0] == 0
+    gone_on, whole = (ns.load_design(tmp_path / name) for name in ("d.json", "whole.json"))
+    assert gone_on.converged
+    assert gone_on.before == whole.before
+    assert gone_on.after["d"] == pytest.approx(whole.after["d"], abs=1e-6)
+
+
 @pytest.mark.parametrize(
     ("arguments", "when", "file", "told"),
     [
@@ -204,6 +222,7 @@ def test_what_is_written_at_once_leaves_nothing(tmp_path: Path) -> None:
         "continue dry-friction/global-stick V=0.99:1.01",
         f"find dry-friction V=0.6773 {FRICTION}",
         f"sweep dry-friction V=0.5:1.2:5 {FRICTION} --state x1 --at slip-stick {REST}",
+        "design dry-friction/symmetric V=0.6:1.3 --minimise period",
     ],
 )
 def test_no_file_is_replaced_unasked(arguments: str, tmp_path: Path) -> None:

@@ -353,6 +353,47 @@ def test_conditions_that_are_missed_are_approached_first() -> None:
     assert abs(states[:, 0]).max() == pytest.approx(free.after["peak:x"], rel=1e-5)
 
 
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("quantity", ["maximum:v", "peak:v"])
+def test_extremes_in_several_places_tie_at_an_optimum(quantity: str, method: Any) -> None:
+    """The velocity in front of a stop and that between: one falls with the gap, one rises."""
+    damper = f"{GALLERY / 'impact_damper.py'}:struck-twice"
+    orbit = ns.solve(damper, {"r": "0.3", "zeta": "0.05", "d": 8})
+    found = ns.design(orbit, minimise=quantity, over={"d": (5, 10)}, method=method)
+    assert found.converged
+    assert found.corner == "several extremes are equally large"
+    assert not found.active
+    best = found.after["d"]
+    gaps = best + np.linspace(-0.02, 0.02, 41)
+    peaks = []
+    for gap in gaps:
+        given = {**{n: v.text for n, v in found.orbit.given.items()}, "d": gap}
+        peaks.append(ns.solve(damper, given).motion().sample(20001).states[:, 2].max())
+    assert abs(gaps[int(np.argmin(peaks))] - best) < 1.5e-3
+    assert found.after[quantity] == pytest.approx(min(peaks), rel=1e-3)
+    ties = [e for e in found.orbit.derivatives(["d"]).local_extremes("maximum:v")]
+    top = max(each.value for each in ties)
+    rates = [float(e.rates[0]) for e in ties if e.value > top - 1e-9]
+    assert min(rates) < 0 < max(rates)
+
+
+def test_local_extremes_have_the_derivatives_of_differences() -> None:
+    damper = f"{GALLERY / 'impact_damper.py'}:struck-twice"
+
+    def found(gap: float) -> tuple[Any, ...]:
+        orbit = ns.solve(damper, {"r": "0.3", "zeta": "0.05", "d": gap})
+        return orbit.derivatives(["d"]).local_extremes("peak_acceleration:x")
+
+    low, middle, high = (found(gap) for gap in (8 - 1e-5, 8, 8 + 1e-5))
+    assert len(middle) == 6
+    for before, here, after in zip(low, middle, high, strict=True):
+        assert (before.phase, before.sign) == (here.phase, here.sign)
+        slope = (after.value - before.value) / 2e-5
+        assert float(here.rates[0]) == pytest.approx(slope, rel=1e-6)
+    with pytest.raises(ns.InputError, match="period"):
+        ns.solve(damper).derivatives().local_extremes("period")
+
+
 def test_one_multiplier_is_followed_to_its_bound() -> None:
     stick = ns.solve("dry-friction/global-stick")
     found = ns.design(stick, minimise="spectral_radius", over={"V": (0.9, 1.1)})

@@ -28,13 +28,13 @@ def tuned() -> ns.Design:
 
 def response(gap: float, values: np.ndarray) -> np.ndarray:
     """Peaks of the orbit over the frequency, by solving anew at each."""
-    found, orbit = [], damper()
+    found, known = [], damper().unknowns
     for value in values:
         given = {**{n: v.text for n, v in damper().given.items()}, "d": gap, "w": float(value)}
-        orbit = ns.solve(DAMPER, given, guess=orbit)
+        orbit = ns.solve(DAMPER, given, guess={n: float(x) for n, x in known.items()})
+        known = orbit.unknowns
         assert orbit.admissibility.verdict is True
-        motion = orbit.motion()
-        found.append(abs(motion(np.linspace(0, motion.end, 2001))[:, 0]).max())
+        found.append(abs(orbit.motion().sample(2001).states[:, 0]).max())
     return np.array(found)
 
 
@@ -45,7 +45,7 @@ def test_the_smallest_resonance_peak_is_that_of_a_grid() -> None:
     assert found.corner == ""
     assert not found.active
     values = np.linspace(*WINDOW["w"], 41)
-    gaps = found.after["d"] + np.array([-0.1, -0.01, 0, 0.01, 0.1])
+    gaps = found.after["d"] + np.array([-0.1, -0.03, 0, 0.03, 0.1])
     peaks = [response(gap, values).max() for gap in gaps]
     assert int(np.argmin(peaks)) == 2
     assert found.after["peak:x"] == pytest.approx(peaks[2], rel=1e-5)
@@ -86,24 +86,31 @@ def test_conditions_hold_all_along_the_branch() -> None:
     radius = abs(branch.multipliers).max(axis=1)
     assert radius.max() == pytest.approx(0.75, abs=1e-7)
     assert branch.admissible.all()
-    assert found.after["peak:x"] < damper().derivatives().quantity("maximum:x")[0]
+    assert found.after["peak:x"] < found.before["peak:x"]
 
 
-def test_several_maxima_are_as_large_at_the_optimum() -> None:
-    """Two parameters, and a lower peak than with one: where two frequencies are as bad."""
-    over = {"d": (7, 10), "mu": (0.05, 0.12)}
-    found = ns.design(damper(), minimise="peak:x", over=over, worst_over={"w": (0.96, 1.04)})
-    one = ns.design(
-        damper(), minimise="peak:x", over={"d": (7, 10)}, worst_over={"w": (0.96, 1.04)}
-    )
+def test_two_frequencies_are_as_bad_at_the_optimum() -> None:
+    """A kink in one parameter: on either side of it another of the two is worse."""
+    light = ns.solve(DAMPER, {"r": "0.3", "zeta": "0.05", "d": 7, "mu": "0.15"})
+    found = ns.design(light, minimise="peak:x", over={"mu": (0.12, 0.18)}, worst_over=WINDOW)
     assert found.converged
-    assert found.after["peak:x"] < one.after["peak:x"]
+    assert found.corner == "as bad at 2 places of the branch"
+    inside, end = found.worst_at
+    assert end == 1.05
+    best = found.after["mu"]
+    slopes = []
+    for place in (inside, end):
+        given = {**{n: v.text for n, v in light.given.items()}, "mu": best, "w": place}
+        orbit = ns.solve(DAMPER, given, guess={n: float(x) for n, x in light.unknowns.items()})
+        value, slope = orbit.derivatives(["mu", "w"]).quantity("maximum:x")
+        assert value == pytest.approx(found.after["peak:x"], rel=1e-9)
+        slopes.append(slope)
+    assert slopes[0][0] < 0 < slopes[1][0]
+    assert abs(slopes[0][1]) < 1e-6
 
 
 def test_to_maximise_the_least_is_to_minimise_the_largest_of_the_negative() -> None:
-    found = ns.design(
-        damper(), maximise="minimum:x", over={"d": (7, 10)}, worst_over=WINDOW
-    )
+    found = ns.design(damper(), maximise="minimum:x", over={"d": (7, 10)}, worst_over=WINDOW)
     assert found.after["d"] == pytest.approx(tuned().after["d"], abs=1e-5)
     assert found.after["minimum:x"] == pytest.approx(-tuned().after["peak:x"], rel=1e-9)
 

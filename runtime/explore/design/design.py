@@ -252,7 +252,7 @@ def _question(
     """What has to be the same where a design goes on."""
     varied = {*names, *([] if branch is None else [branch[0]])}
     return {
-        "orbit": orbit.name,
+        "orbit": orbit.name.removeprefix(orbit.system.name),
         "aim": aim,
         "quantity": quantity,
         "parameters": names,

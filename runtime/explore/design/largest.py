@@ -216,8 +216,12 @@ def corner_of(
     if len(acting) < 2 or float(np.ptp(acting, axis=0).max()) <= _SAME_SLOPE * size:
         return ""
     if quantity != RADIUS:
-        signs = {e.sign for e in _largest(derivatives, quantity)}
-        return _TIED if len(signs) > 1 else _EXTREMES
+        ties = _largest(derivatives, quantity)
+        for sign in {each.sign for each in ties}:
+            rates = np.array([each.rates for each in ties if each.sign == sign], dtype=float)
+            if float(np.ptp(rates, axis=0).max()) > _SAME_SLOPE * size:
+                return _EXTREMES
+        return _TIED
     groups = list(multiplier_groups(derivatives))
     ends = np.cumsum([2 if group.size == 1 else 3 for group in groups])
     acting_in = {int(k) for k in np.searchsorted(ends, np.flatnonzero(active), side="right")}

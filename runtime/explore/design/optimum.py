@@ -55,7 +55,8 @@ class Design(Shown):
         What is left of the conditions of Karush, Kuhn and Tucker, or of the wanted values: in
         units of the quantity, parameters in those of their intervals.
     history : array (k, q + m)
-        Parameters and quantities of the iterates.
+        Parameters and quantities of the iterates; along a branch the worst at the places that
+        were watched then.
     status : int
         0 converged, 1 not; `message` says why.
     message : str
