@@ -581,13 +581,6 @@ DESIGNS = (
         "aim.value(there) > level + 1",
         _WORST,
     ),
-    Mutation(
-        f"{_DESIGN}/branch_points.py",
-        "BranchPoints._moved",
-        "-slope / bend",
-        "slope / bend",
-        _WORST,
-    ),
 )
 
 MUTATIONS = (
