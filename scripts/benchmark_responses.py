@@ -113,7 +113,7 @@ def responses(quick: bool) -> Iterator[Row]:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "branch.json"
         seconds, points = apart(our_response, file, 1 if quick else 5)
-        branch = ns.load_branch(file)
+        branch = ns.load(file)
     ours = f"response: ours, {points} points with stability and all events"
     fold = max(event.value for event in branch.events if event.kind == "fold")
     yield Row(ours, [s / points for s in seconds], found=f"motion off by {_own(branch):.0e}")

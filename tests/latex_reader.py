@@ -152,6 +152,8 @@ class Written:
                 names[line.left] = value_of(line, numbers)
             if line.left == "D(T)":
                 names["D"] = _Both(names.get("D", 0.0), value_of(line, numbers))
+            if re.fullmatch(r"f_\{\d+\}", line.left):
+                names[line.left] = value_of(line, numbers)
             match = re.match(r"S_\{(\d+)\} = ", "".join(line.pieces))
             if match:
                 names[rf"S_{{{match[1]}}}"] = value_of(line, numbers)

@@ -116,7 +116,7 @@ OrbitName = Annotated[
         metavar="SYSTEM/ORBIT",
         help="An orbit that `nonsmooth list` shows, or your own: FILE.py:ORBIT, or DIR:ORBIT"
         " of a folder that `nonsmooth generate` wrote; or one of a file: FILE.json:N, the N-th"
-        " of `find --save`, or FILE.json of `solve --save`.",
+        " of `find --save`, or FILE.json of `solve --save` or `design --save`.",
     ),
 ]
 SystemName = Annotated[

@@ -234,7 +234,7 @@ def plot(
             metavar="FILE",
             help="An orbit of `solve --save`, a motion of `simulate --save`, the orbits of"
             " `find --save` or one of them, FILE.json:N, a branch or a curve of events of"
-            " `continue --save`, a design of `design --save`, a proven map of"
+            " `continue --save`, a sweep, a fit or a design of `--save`, a proven map of"
             " `certify --save`, or a chart of `chart --out`.",
         ),
     ],

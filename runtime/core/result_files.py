@@ -32,7 +32,8 @@ __all__ = [
     "parsed",
 ]
 
-_BEGINNING = 400  # characters of a file in which its format is named
+_BEGINNING = 400  # characters of a file in which its format is looked for first
+_MOST = 500_000_000  # bytes; a larger file is not read
 # what entries of the wrong shape raise where they are read
 WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
 _HEAD = ("format", "version", "package", "sha256")
@@ -61,7 +62,7 @@ class FileFormat(Generic[Entries]):
     what: str
     entries: type[Entries]
     version: int = 1
-    most: int = 500_000_000
+    most: int = _MOST
 
     def write(self, path: str | os.PathLike[str], entries: Entries) -> None:
         """Write a file; what was there stays until the new content is complete.
@@ -153,7 +154,7 @@ class FileFormat(Generic[Entries]):
             For another format or version, or entries that are not in order.
         """
         if not isinstance(content, dict) or content.get("format") != self.name:
-            raise InputError(f"not a {self.what}, such as --save or save() writes")
+            raise InputError(f"not a {self.what}, such as --save or save() writes{_told(content)}")
         if content.get("version") != self.version or type(content["version"]) is not int:
             raise InputError(
                 f"version {content.get('version')!r} of the format, where {self.version} is"
@@ -182,6 +183,13 @@ class FileFormat(Generic[Entries]):
         """
         if content["sha256"] != checksum_of(content, *numbers):
             raise InputError("edited or damaged: the checksum differs")
+
+
+def _told(content: Any) -> str:
+    """What content is that is no file of the format that was expected."""
+    named = content.get("format") if isinstance(content, dict) else None
+    known = isinstance(named, str) and re.fullmatch(r"nonsmooth [a-z ]{1,40}", named)
+    return f": it is a {named}" if known else ""
 
 
 def check_follows(entries: Any, given: Mapping[str, Any]) -> None:
@@ -259,7 +267,10 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def format_in(path: Path) -> str | None:
-    """The format that a file's beginning names; None for what has none or cannot be read.
+    """The format that a file names; None for what names none or cannot be read.
+
+    A file that was written here begins with it; one whose entries stand in another order is
+    read as a whole.
 
     Parameters
     ----------
@@ -274,10 +285,14 @@ def format_in(path: Path) -> str | None:
             return None
         with path.open(encoding="utf-8") as file:
             beginning = file.read(_BEGINNING)
+        first = re.match(r'\s*\{\s*"format"\s*:\s*"([^"\\]*)"', beginning)
+        if first:
+            return first[1]
+        content = parsed(read_file(path, _MOST, "saved result"))
     except (OSError, ValueError):
         return None
-    named = re.search(r'"format"\s*:\s*"([^"\\]*)"', beginning)
-    return named[1] if named else None
+    named = content.get("format") if isinstance(content, dict) else None
+    return named if isinstance(named, str) else None
 
 
 @contextmanager

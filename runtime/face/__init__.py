@@ -18,7 +18,7 @@ if TYPE_CHECKING:
         NoConvergence,
         NonsmoothError,
     )
-    from nonsmooth.runtime.explore.charting.chart import chart, load_chart
+    from nonsmooth.runtime.explore.charting.chart import chart
     from nonsmooth.runtime.explore.continuation.branch import Branch
     from nonsmooth.runtime.explore.continuation.continue_event import continue_event
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
@@ -39,18 +39,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.refine import refine
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.checking.check_file import Check, check_certificate
-    from nonsmooth.runtime.present.files.box_certificates import load_box_certificate
-    from nonsmooth.runtime.present.files.branches import load_branch
-    from nonsmooth.runtime.present.files.censuses import load_census
-    from nonsmooth.runtime.present.files.certificates import load_certificate
-    from nonsmooth.runtime.present.files.designs import load_design
-    from nonsmooth.runtime.present.files.event_certificates import load_event_certificates
-    from nonsmooth.runtime.present.files.fits import load_fit
-    from nonsmooth.runtime.present.files.found import load_found
-    from nonsmooth.runtime.present.files.loci import load_locus
-    from nonsmooth.runtime.present.files.motions import load_trajectory
-    from nonsmooth.runtime.present.files.orbits import load_orbit_file as load
-    from nonsmooth.runtime.present.files.sweeps import load_sweep
+    from nonsmooth.runtime.present.files.loading import load
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
     from nonsmooth.runtime.proof.boxes.certify_box import certify_box
     from nonsmooth.runtime.proof.certificate import Certificate
@@ -113,18 +102,6 @@ __all__ = [
     "fit",
     "itinerary_of",
     "load",
-    "load_box_certificate",
-    "load_branch",
-    "load_census",
-    "load_certificate",
-    "load_chart",
-    "load_design",
-    "load_event_certificates",
-    "load_fit",
-    "load_found",
-    "load_locus",
-    "load_sweep",
-    "load_trajectory",
     "lyapunov",
     "motion_function",
     "observe",
@@ -179,19 +156,7 @@ _HOMES = {
     "find_orbits": "explore.finding.find",
     "fit": "explore.fitting.fit",
     "itinerary_of": "simulation.last_cycle",
-    "load": "present.files.orbits:load_orbit_file",
-    "load_box_certificate": "present.files.box_certificates",
-    "load_census": "present.files.censuses",
-    "load_certificate": "present.files.certificates",
-    "load_chart": "explore.charting.chart",
-    "load_design": "present.files.designs",
-    "load_event_certificates": "present.files.event_certificates",
-    "load_branch": "present.files.branches",
-    "load_fit": "present.files.fits",
-    "load_found": "present.files.found",
-    "load_locus": "present.files.loci",
-    "load_sweep": "present.files.sweeps",
-    "load_trajectory": "present.files.motions",
+    "load": "present.files.loading",
     "lyapunov": "simulation.lyapunov",
     "motion_function": "simulation.motion_function",
     "observe": "simulation.observables",
@@ -253,8 +218,7 @@ def __getattr__(name: str) -> object:
 
         value: object = version("nonsmooth")
     elif name in _HOMES:
-        home, _, its_name = _HOMES[name].partition(":")
-        value = getattr(import_module(f"nonsmooth.runtime.{home}"), its_name or name)
+        value = getattr(import_module(f"nonsmooth.runtime.{_HOMES[name]}"), name)
     else:
         raise AttributeError(f"module 'nonsmooth' has no attribute {name!r}")
     globals()[name] = value

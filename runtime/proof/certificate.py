@@ -234,7 +234,7 @@ class Certificate(Shown):
         }
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the certificate to a file; `nonsmooth.load_certificate` reads it.
+        """Write the certificate to a file; `nonsmooth.load` reads it.
 
         Parameters
         ----------

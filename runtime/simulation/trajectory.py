@@ -350,7 +350,7 @@ class Trajectory(Shown):
         return found
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the motion to a file that `nonsmooth.load_trajectory` reads: .npz or .csv.
+        """Write the motion to a file that `nonsmooth.load` reads: .npz or .csv.
 
         Parameters
         ----------

@@ -99,7 +99,7 @@ def test_true_certificates_pass(content: dict[str, Any]) -> None:
 def test_files_come_back(name: str, tmp_path: Path) -> None:
     path = tmp_path / "certificate.json"
     certificate(name).save(path)
-    loaded = ns.load_certificate(path)
+    loaded = ns.load(path)
     assert unhashed(loaded.to_json()) == unhashed(certificate(name).to_json())
     assert ns.check_certificate(path).difference is None
     loaded.save(tmp_path / "again.json")
@@ -520,7 +520,7 @@ def test_files_that_are_no_certificates(
     path = tmp_path / "certificate.json"
     certificate("kicked").save(path)
     path.write_text(change(path.read_text()))
-    for work in (ns.load_certificate, ns.check_certificate):
+    for work in (ns.load, ns.check_certificate):
         with pytest.raises(InputError, match=told):
             work(path)
 
@@ -530,7 +530,7 @@ def test_an_edited_file_is_not_loaded(tmp_path: Path) -> None:
     certificate("kicked").save(path)
     path.write_text(path.read_text().replace('"proved"', '"refuted"', 1))
     with pytest.raises(InputError, match="checksum"):
-        ns.load_certificate(path)
+        ns.load(path)
     assert "checksum" in str(ns.check_certificate(path).difference)
 
 

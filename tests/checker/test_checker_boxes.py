@@ -373,7 +373,7 @@ def test_a_map_is_compared_with_its_system(content: dict[str, Any], tmp_path: Pa
     found = ns.check_certificate(path)
     assert (found.difference, found.note) == (None, None)
     assert found.certificate is not None
-    assert found.certificate.to_json() == ns.load_box_certificate(path).to_json()
+    assert found.certificate.to_json() == ns.load(path).to_json()
     fixed = next(name for name in content["parameters"] if name not in content["box"])
     changed = copy.deepcopy(content)
     changed["parameters"][fixed] = f"{content['parameters'][fixed]}+1/1000"

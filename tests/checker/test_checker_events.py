@@ -178,12 +178,12 @@ def test_limits_of_the_gated_mass_are_where_they_are_reached(name: str) -> None:
 def test_files_come_back(name: str, tmp_path: Path) -> None:
     path = tmp_path / "events.json"
     save_events(proved(name), path)
-    loaded = ns.load_event_certificates(path)
+    loaded = ns.load(path)
     assert [unhashed(c.to_json()) for c in loaded] == [unhashed(c.to_json()) for c in proved(name)]
     save_events(loaded, tmp_path / "again.json")
     assert path.read_text() == (tmp_path / "again.json").read_text()
     loaded[-1].save(path)
-    (alone,) = ns.load_event_certificates(path)
+    (alone,) = ns.load(path)
     assert alone.value.contains(Fraction(proved(name)[-1].value.mid))
 
 
@@ -378,9 +378,7 @@ def test_events_are_compared_with_their_system(content: dict[str, Any], tmp_path
     held = content["events"][0]["tables"] is not None
     assert ("no declaration was run" in str(found.note)) is held
     assert isinstance(found.certificate, tuple)
-    assert [c.to_json() for c in found.certificate] == [
-        c.to_json() for c in ns.load_event_certificates(path)
-    ]
+    assert [c.to_json() for c in found.certificate] == [c.to_json() for c in ns.load(path)]
     away = copy.deepcopy(content)
     for event in away["events"]:
         event["system"] = "nowhere.py"
@@ -421,7 +419,7 @@ def test_files_that_are_no_events(change: Callable[[str], str], told: str, tmp_p
     if "entry" in told:
         text = json.dumps({**json.loads(text), "sha256": checksum_of(json.loads(text))})
     path.write_text(text)
-    for work in (ns.load_event_certificates, ns.check_certificate):
+    for work in (ns.load, ns.check_certificate):
         with pytest.raises(InputError, match=told):
             work(path)
 
@@ -431,10 +429,10 @@ def test_an_edited_file_is_not_loaded(tmp_path: Path) -> None:
     save_events(proved("stick"), path)
     path.write_text(path.read_text().replace('"proved"', '"undecided"', 1))
     with pytest.raises(InputError, match="checksum"):
-        ns.load_event_certificates(path)
+        ns.load(path)
     assert "checksum" in str(ns.check_certificate(path).difference)
     with pytest.raises(InputError, match="not a file of events"):
-        ns.load_event_certificates(saved({"format": "nonsmooth branch"}, path))
+        ns.load(saved({"format": "nonsmooth branch"}, path))
 
 
 def test_the_command_saves_and_checks_events(tmp_path: Path) -> None:

@@ -152,7 +152,7 @@ def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
     assert "unstable" in out
     assert "not admissible" in out
     assert picture.read_bytes().startswith(b"\x89PNG")
-    assert ns.load_box_certificate(path).decided > told["shares"]["proved"]
+    assert ns.load(path).decided > told["shares"]["proved"]
     again = tmp_path / "again.svg"
     drawn = CliRunner().invoke(app, ["plot", str(path), "--out", str(again)])
     assert drawn.exit_code == 0, drawn.stderr

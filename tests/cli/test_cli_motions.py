@@ -101,7 +101,7 @@ def test_save_and_plot(tmp_path, ending, start, kind):
     found = told(*FRICTION.split(), "--save", str(motion), "--plot", str(picture))
     assert found["files"] == [str(motion), str(picture)]
     assert picture.read_bytes().startswith(start)
-    loaded = nonsmooth.load_trajectory(motion)
+    loaded = nonsmooth.load(motion)
     assert [repr(t) for t in loaded.times.tolist()] == found["times"]
     assert list(loaded.configurations) == found["configurations"]
     again = tmp_path / f"again.{ending}"

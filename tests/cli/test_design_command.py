@@ -31,7 +31,7 @@ def test_numbers_are_those_of_python(tmp_path: Path) -> None:
     assert told["files"] == [str(file), str(picture)]
     assert told["after"] == {name: repr(value) for name, value in found.after.items()}
     assert told["orbit"]["stability"] == "stable"
-    assert ns.load_design(file).after == found.after
+    assert ns.load(file).after == found.after
     assert picture.stat().st_size > 5000
     assert run(*STABLEST, "--save", str(file))[0] == 2  # --overwrite is missing
     assert run("plot", str(file), "--out", str(tmp_path / "again.png"))[0] == 0

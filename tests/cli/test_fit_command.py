@@ -45,7 +45,7 @@ def test_the_answer_holds_the_truth_and_is_kept() -> None:
     for name, low, high in zip(told["names"], told["lower"], told["upper"], strict=True):
         assert float(low) < TRUTH[name] < float(high)
     assert told["same_sequence"] is True
-    kept = ns.load_fit("fit.json")
+    kept = ns.load("fit.json")
     assert [repr(x) for x in kept.estimates.tolist()] == told["estimates"]
     again = kept.to_json()
     assert {n: x for n, x in again.items() if n != "system"} == {
@@ -60,7 +60,7 @@ def test_the_answer_holds_the_truth_and_is_kept() -> None:
 def test_a_fit_is_loaded_without_its_declaration() -> None:
     run(f"{FIT} --save fit.json")
     Path("identification.py").unlink()
-    kept = ns.load_fit("fit.json")
+    kept = ns.load("fit.json")
     fitted = kept.experiments[0].series[0].fitted
     np.testing.assert_allclose(kept.motion().times[1:13], fitted, rtol=1e-12)
 
@@ -70,7 +70,7 @@ def test_a_fit_that_was_edited_is_refused() -> None:
     text = Path("fit.json").read_text()
     Path("fit.json").write_text(text.replace('"data": 12', '"data": 13'))
     with pytest.raises(ns.InputError, match=r"fit\.json: edited or damaged"):
-        ns.load_fit("fit.json")
+        ns.load("fit.json")
 
 
 def test_several_files_know_parameters_of_their_own() -> None:

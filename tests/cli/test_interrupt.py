@@ -87,14 +87,14 @@ def test_a_map_is_kept_drawn_and_gone_on_with(tmp_path: Path) -> None:
     assert ended.code == 130
     assert "kept in map.json; go on with: " in ended.said
     assert (tmp_path / "map.png").stat().st_size > 0
-    state = ns.load_box_certificate(tmp_path / "map.json")
+    state = ns.load(tmp_path / "map.json")
     assert sum(tile.place.share for tile in state.tiles) == 1
     assert run("plot", "map.json", "--out", "again.png", folder=tmp_path)[0] == 0
     assert "--resume" in ended.goes_on
     assert "--save" not in ended.goes_on
     goes_on = [*ended.goes_on, "--tiles", "3"]
     assert run(*goes_on, folder=tmp_path)[0] in (0, 1)
-    later = ns.load_box_certificate(tmp_path / "map.json")
+    later = ns.load(tmp_path / "map.json")
     assert len(later.tiles) > len(state.tiles)
 
 
@@ -105,13 +105,13 @@ def test_a_sweep_goes_on_to_the_same_diagram(tmp_path: Path) -> None:
     )
     ended = interrupted(f"{question} --save part.json", r"[1-9]\d*/500", tmp_path)
     assert ended.code == 130
-    part = ns.load_sweep(tmp_path / "part.json")
+    part = ns.load(tmp_path / "part.json")
     assert 0 < part.done < 500
     assert f"{part.done} of 500 values are done, kept in part.json; go on with: " in ended.said
     assert (tmp_path / "d.png").stat().st_size > 0
     assert run(*ended.goes_on, folder=tmp_path)[0] == 0
     assert run(*question.split(), "--save", "whole.json", folder=tmp_path)[0] == 0
-    gone_on, whole = (ns.load_sweep(tmp_path / name) for name in ("part.json", "whole.json"))
+    gone_on, whole = (ns.load(tmp_path / name) for name in ("part.json", "whole.json"))
     assert gone_on.done == 500
     np.testing.assert_array_equal(gone_on.samples, whole.samples)
 
@@ -124,12 +124,12 @@ def test_a_branch_goes_on_to_both_ends(tmp_path: Path) -> None:
         tmp_path,
     )
     assert ended.code == 130
-    part = ns.load_branch(tmp_path / "b.json")
+    part = ns.load(tmp_path / "b.json")
     assert "interrupted" in part.ends
     assert f"{len(part)} points are done, kept in b.json; go on with: " in ended.said
     assert (tmp_path / "b.png").stat().st_size > 0
     assert run(*ended.goes_on, "--step", "0.05", folder=tmp_path)[0] == 0
-    whole = ns.load_branch(tmp_path / "b.json")
+    whole = ns.load(tmp_path / "b.json")
     assert whole.ends == ("end of the interval", "end of the interval")
     values = whole.parameter_values
     assert (values[0], values[-1]) == (0.99, 1.01)
@@ -195,15 +195,15 @@ def test_each_long_command_keeps_what_it_has(
     assert told in ended.said
     assert (tmp_path / file).exists()
     if file == "found.json":
-        assert not ns.load_found(tmp_path / file).complete
+        assert not ns.load(tmp_path / file).complete
         assert run("plot", file, folder=tmp_path)[0] == 0
     if file == "events.json":
-        (event,) = ns.load_event_certificates(tmp_path / file)
+        (event,) = ns.load(tmp_path / file)
         assert event.proved
     if file == "census.json":
-        assert not ns.load_census(tmp_path / file).decided
+        assert not ns.load(tmp_path / file).decided
     if file == "F.zarr":
-        assert (ns.load_chart(tmp_path / file).status.values != -128).any()
+        assert (ns.load(tmp_path / file).status.values != -128).any()
 
 
 def test_what_is_written_at_once_leaves_nothing(tmp_path: Path) -> None:

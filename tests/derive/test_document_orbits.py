@@ -56,6 +56,9 @@ FORCED = (
     "jenkins/yielding-both-ways",
     "brake_pad/lifting",
     "piecewise_stiffness/doubled",
+    # matrices with entries that stand below them
+    "impact_damper/struck-twice",
+    "beam/one-contact",
 )
 
 

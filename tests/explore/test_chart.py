@@ -64,7 +64,7 @@ def store(finished: Path, tmp_path: Path) -> Path:
 
 
 def test_chart_says_what_one_orbit_says(finished: Path) -> None:
-    plane = ns.load_chart(finished)
+    plane = ns.load(finished)
     assert list(plane.sizes.items()) == [("V", 40), ("eta", 33)]
     names = load_orbit(ORBIT).unknowns
     seen = set()
@@ -93,7 +93,7 @@ def test_chart_says_what_one_orbit_says(finished: Path) -> None:
 
 
 def test_chart_has_what_solve_many_has(finished: Path) -> None:
-    plane = ns.load_chart(finished)
+    plane = ns.load(finished)
     found = ns.solve_many(ORBIT, V=PLANE["V"][:, None], eta=PLANE["eta"])
     assert found.admissible is not None
     assert found.bounds is not None
@@ -127,7 +127,7 @@ def test_limits_without_compiled_kernels(monkeypatch: pytest.MonkeyPatch) -> Non
 
 @pytest.mark.parametrize("chunk", [7, 128, 5000])
 def test_bits_do_not_depend_on_chunks_and_threads(finished: Path, chunk: int) -> None:
-    plane, other = ns.load_chart(finished), ns.chart(ORBIT, chunk=chunk, threads=3, **PLANE)
+    plane, other = ns.load(finished), ns.chart(ORBIT, chunk=chunk, threads=3, **PLANE)
     assert set(plane) == set(other)
     for name in plane:
         assert plane[name].values.tobytes() == other[name].values.tobytes(), name
@@ -191,7 +191,7 @@ def test_a_chunk_of_fill_values_is_done_too(tmp_path: Path) -> None:
     """None is admissible, as in a chunk that was not computed; that it was is known."""
     plane = {"V": np.linspace(2.9, 3, 4), "eta": np.linspace(2.9, 3, 4)}
     assert work(tmp_path / "F.zarr", 4, **plane).computed == 4
-    assert not ns.load_chart(tmp_path / "F.zarr").admissible.values.any()
+    assert not ns.load(tmp_path / "F.zarr").admissible.values.any()
     assert work(tmp_path / "F.zarr", 4, **plane) == Work(4, 0, 0, 0)
 
 
@@ -209,7 +209,7 @@ def test_flipped_byte_is_not_read_silently(store: Path) -> None:
     content[len(content) // 2] ^= 1
     file.write_bytes(content)
     with pytest.raises(ValueError, match="checksum"):
-        ns.load_chart(store).trace.values.sum()
+        ns.load(store).trace.values.sum()
 
 
 def test_a_forged_chunk_is_not_unpacked(store: Path) -> None:
@@ -222,7 +222,7 @@ def test_a_forged_chunk_is_not_unpacked(store: Path) -> None:
     for forged in (header, right[:-4] + bytes(1 << 20)):
         file.write_bytes(forged + value(forged).to_bytes(4, "little"))
         with pytest.raises(ValueError, match="trace/c/0/0 claims to be larger than a chunk"):
-            ns.load_chart(store).trace.values.sum()
+            ns.load(store).trace.values.sum()
         found = CliRunner().invoke(app, ["plot", str(store)])
         assert found.exit_code == 2
         assert "is damaged: trace/c/0/0 claims to be larger" in found.stderr
@@ -238,7 +238,7 @@ def test_forged_chunks_larger_than_the_memory_are_refused(store: Path) -> None:
         file.write_text(json.dumps({**record, **change}))
         _seal(store)
         with pytest.raises(InputError, match=r"trace/zarr\.json (the chunks|is no metadata)"):
-            ns.load_chart(store)
+            ns.load(store)
 
 
 def test_a_chart_goes_on_alone(finished: Path, store: Path) -> None:
@@ -303,7 +303,7 @@ def test_what_is_no_chart_is_refused(tmp_path: Path, store: Path) -> None:
     with pytest.raises(InputError, match="no chart"):
         work(tmp_path / "other")
     with pytest.raises(InputError, match="no chart"):
-        ns.load_chart(tmp_path / "absent")
+        ns.load(tmp_path / "absent")
     with pytest.raises(InputError, match="it is a file"):
         work(tmp_path / "other" / "notes")
     with pytest.raises(InputError, match="is not a folder"):
@@ -314,19 +314,19 @@ def test_what_is_no_chart_is_refused(tmp_path: Path, store: Path) -> None:
 
 def test_metadata_that_is_gone_or_foreign_is_named(store: Path) -> None:
     shutil.copytree(store / "trace", store / "more")
-    for opened in (work, ns.load_chart):
+    for opened in (work, ns.load):
         with pytest.raises(InputError, match=r"F\.zarr: more is no array of this chart"):
             opened(store)
     shutil.rmtree(store / "more")
     (store / "trace" / "zarr.json").unlink()
-    for opened in (work, ns.load_chart):
+    for opened in (work, ns.load):
         with pytest.raises(InputError, match=r"trace/zarr\.json cannot be read: no such file"):
             opened(store)
 
 
 def test_no_flipped_byte_of_metadata_is_read_silently(store: Path) -> None:
     """Each is told of, or changes nothing."""
-    right = ns.load_chart(store).load()
+    right = ns.load(store).load()
     random = np.random.default_rng(11)
     files = sorted(store.rglob("zarr.json"))
     told = []
@@ -337,7 +337,7 @@ def test_no_flipped_byte_of_metadata_is_read_silently(store: Path) -> None:
         flipped[random.integers(len(flipped))] ^= 1 << random.integers(8)
         file.write_bytes(flipped)
         try:
-            xarray.testing.assert_identical(ns.load_chart(store).load(), right)
+            xarray.testing.assert_identical(ns.load(store).load(), right)
         except InputError as problem:
             told.append(str(problem))
         finally:
@@ -355,7 +355,7 @@ def test_damaged_metadata_is_named(store: Path, name: str, old: str, new: str) -
     text = file.read_text()
     assert old in text
     file.write_text(text.replace(old, new))
-    for opened in (work, ns.load_chart):
+    for opened in (work, ns.load):
         with pytest.raises(InputError, match=rf"{name}/zarr\.json is damaged or edited"):
             opened(store)
     code = CliRunner().invoke(app, ["plot", str(store)]).exit_code
@@ -367,7 +367,7 @@ def test_a_chart_of_another_release_is_refused(store: Path) -> None:
     record["attributes"]["nonsmooth"]["format"] = "nonsmooth chart 1"
     (store / "zarr.json").write_text(json.dumps(record))
     with pytest.raises(InputError, match="'nonsmooth chart 1', where 'nonsmooth chart 3' is known"):
-        ns.load_chart(store)
+        ns.load(store)
 
 
 @pytest.mark.parametrize(
@@ -504,7 +504,7 @@ def test_simulated_chart_agrees_with_the_orbits() -> None:
 
 
 def test_parts_cover_the_plane(finished: Path, store: Path) -> None:
-    plane = ns.load_chart(finished)
+    plane = ns.load(finished)
     parts = parts_of(plane)
     assert (sum(part.where.astype(int) for part in parts) == 1).all()
     counts = counts_of(plane)
@@ -512,13 +512,13 @@ def test_parts_cover_the_plane(finished: Path, store: Path) -> None:
     assert counts["stable"] == int((plane.admissible & (abs(plane.trace) < 1)).sum())
     assert counts["missing"] == 0
     (store / "status" / "c" / "0" / "0").unlink()
-    assert counts_of(ns.load_chart(store))["missing"] == 225
+    assert counts_of(ns.load(store))["missing"] == 225
     with pytest.raises(InputError, match="no chart"):
         parts_of(plane.drop_vars("status"))
 
 
 def test_pictures(finished: Path, tmp_path: Path) -> None:
-    plane = ns.load_chart(finished)
+    plane = ns.load(finished)
     figure = chart_figure(plane)
     _, labels = figure.axes[0].get_legend_handles_labels()
     assert any(label.startswith("stable") for label in labels)

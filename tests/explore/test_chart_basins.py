@@ -49,7 +49,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_chart_has_the_labels_of_single_planes(found: Path) -> None:
     plane = ns.chart(str(found), **STARTS, start={"x2": "1/2"})
     x, v = (("x1", -1.5, 1.5, 11), ("v1", -1.0, 1.0, 7))
-    expected = basins(ns.load_found(found), x, v, {"x2": "1/2"}).labels.T
+    expected = basins(ns.load(found), x, v, {"x2": "1/2"}).labels.T
     np.testing.assert_array_equal(plane.attractor, expected + (expected >= 0))
     assert len(np.unique(plane.attractor)) >= 2
     assert (plane.status == 0).all()
@@ -81,7 +81,7 @@ def test_bits_are_the_same_for_any_chunks_and_threads_and_after_a_stop(
     work = work_on(store, *begun_problem(store), None, None, 1)
     moved.rename(found)
     assert 0 < work.computed < work.chunks
-    again = ns.load_chart(store)
+    again = ns.load(store)
     assert again.attractor.values.tobytes() == whole.attractor.values.tobytes()
     with pytest.raises(InputError, match="holds another chart: start"):
         ns.chart(str(found), store=store, start={"x2": 1}, **STARTS)
@@ -104,7 +104,7 @@ def test_wrong_planes(found: Path, options: dict[str, Any], match: str) -> None:
 
 
 def test_a_file_without_attractors(found: Path, tmp_path: Path) -> None:
-    file, known = tmp_path / "none.json", ns.load_found(found)
+    file, known = tmp_path / "none.json", ns.load(found)
     replace(known, orbits=(), equilibria=(), labels=np.full_like(known.labels, -1)).save(file)
     with pytest.raises(InputError, match=r"none\.json holds no orbit or equilibrium"):
         ns.chart(str(file), x1=[0.0, 0.1])

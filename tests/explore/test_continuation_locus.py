@@ -11,6 +11,7 @@ import pytest
 
 import nonsmooth
 from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.present.files.loci import load_locus
 from tests.explore.test_continuation_forced import branch as impacts
 from tests.present.test_continuation_files import damages, refuses, run
 
@@ -71,7 +72,7 @@ def test_steps_are_told_and_checked() -> None:
 def test_saved_and_read(tmp_path: Path, locus) -> None:
     path = tmp_path / "locus.json"
     locus().save(path)
-    read = nonsmooth.load_locus(path)
+    read = nonsmooth.load(path)
     same(read, locus())
     assert read.orbit_at(2).trace == locus().orbit_at(2).trace
 
@@ -81,7 +82,7 @@ def test_damaged_files_are_refused(tmp_path: Path, change, message: str) -> None
     path = tmp_path / "locus.json"
     flips().save(path)
     path.write_text(change(path.read_text()))
-    refuses(path, nonsmooth.load_locus, message)
+    refuses(path, load_locus, message)
 
 
 def test_picture() -> None:
@@ -103,7 +104,7 @@ def test_command(tmp_path: Path) -> None:
     assert code == 0
     assert f"flip: {SYMMETRIC}" in out
     assert "ends: end of the interval" in out
-    same(nonsmooth.load_locus(saved), flips())
+    same(nonsmooth.load(saved), flips())
     drawn = tmp_path / "again.png"
     assert run("plot", str(saved), "--out", str(drawn))[0] == 0
     assert min(path.stat().st_size for path in (picture, drawn)) > 5000

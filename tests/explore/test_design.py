@@ -198,7 +198,7 @@ def test_a_design_is_saved_with_every_digit(tmp_path: Path) -> None:
         whole(), minimise="peak:x1", over={"V": (0.6, 3)}, subject_to=["spectral_radius<=0.9"]
     )
     found.save(path)
-    read = ns.load_design(path)
+    read = ns.load(path)
     for name in found.__dataclass_fields__:
         one, other = getattr(found, name), getattr(read, name)
         same = np.array_equal(one, other) if isinstance(one, np.ndarray) else one == other

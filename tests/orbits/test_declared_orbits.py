@@ -259,7 +259,7 @@ def test_cut_and_edited_files_are_refused(path: Path) -> None:
     for wrong, match in (
         (text[:-40], "cut"),
         (text.replace('"1.7"', '"1.8"'), "checksum"),
-        (text.replace("nonsmooth composed orbit", "orbit"), "not a saved orbit"),
+        (text.replace("nonsmooth composed orbit", "orbit"), "not a saved result"),
         (text.replace('"version": 2', '"version": 1'), "version 1"),
     ):
         path.write_text(wrong)

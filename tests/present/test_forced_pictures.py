@@ -29,7 +29,7 @@ def test_without_contact_a_strobe_shows_the_closed_form(phase: float, tmp_path: 
         )  # fmt: skip
         np.testing.assert_allclose(diagram.samples, gain * np.cos(phase), rtol=0, atol=1e-11)
         diagram.save(tmp_path / "sweep.json")
-        read = ns.load_sweep(tmp_path / "sweep.json")
+        read = ns.load(tmp_path / "sweep.json")
         np.testing.assert_array_equal(read.samples, diagram.samples)
         assert (read.phase, read.configuration, read.done) == (phase, None, 1)
 

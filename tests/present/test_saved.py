@@ -240,10 +240,10 @@ def test_a_changed_character_is_refused(path: Path, content: dict[str, Any]) -> 
         (b"\xff\xfe\x00", "cut, or not JSON"),
         (b"[" * 200_000, "cut, or not JSON"),
         (b"9" * 10_000, "cut, or not JSON"),
-        (b"[]", "not a saved orbit"),
-        (b"null", "not a saved orbit"),
-        (b"{}", "not a saved orbit"),
-        (b'{"format": "nonsmooth chart", "version": 1}', "not a saved orbit"),
+        (b"[]", "not a saved result"),
+        (b"null", "not a saved result"),
+        (b"{}", "not a saved result"),
+        (b'{"format": "nonsmooth chart", "version": 1}', "not a saved result"),
         (b'{"format": "nonsmooth orbit"}', "version None"),
         (b'{"format": "nonsmooth orbit", "version": 2}', "is missing"),
     ],
@@ -255,7 +255,7 @@ def test_foreign_files_are_refused(text: bytes, part: str, path: Path) -> None:
 
 def test_a_report_is_no_saved_orbit(path: Path) -> None:
     path.write_text(json.dumps(orbit().to_json()), encoding="utf-8")
-    assert "not a saved orbit, such as --save or save() writes" in refusal(path)
+    assert "not a saved result, such as --save or save() writes" in refusal(path)
 
 
 def put(where: str, entry: object) -> Callable[[dict[str, Any]], None]:
@@ -369,7 +369,7 @@ def test_kernels_of_another_derivation_serve_if_the_orbit_solves_them(
 def test_files_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert refusal(tmp_path / "missing.json") == "cannot be read: no such file or directory"
     assert refusal(tmp_path).startswith("cannot be read: ")
-    (tmp_path / "large").write_bytes(b" " * 101)
+    (tmp_path / "large").write_bytes(b'{"format": "nonsmooth orbit"' + b" " * 101)
     monkeypatch.setattr(saved, "KERNEL_ORBIT", replace(saved.KERNEL_ORBIT, most=100))
     assert refusal(tmp_path / "large") == "too large for a saved orbit"
 

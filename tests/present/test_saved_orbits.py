@@ -50,7 +50,7 @@ def answered(*arguments: str) -> Any:
 
 
 def test_each_found_orbit_is_solved_at_its_own_parameters():
-    found = ns.load_found("found.json")
+    found = ns.load("found.json")
     for number, entry in enumerate(found.orbits, 1):
         orbit = ns.solve(f"found.json:{number}")
         assert {name: value.text for name, value in orbit.given.items()} == DATA
@@ -67,7 +67,7 @@ def test_parameters_are_changed_by_name():
         itinerary=orbit.itinerary,
     )
     np.testing.assert_allclose(orbit.dwell_times, composed.dwell_times, rtol=1e-13)
-    found = ns.load_found("found.json").orbits[1].orbit
+    found = ns.load("found.json").orbits[1].orbit
     assert (orbit.dwell_times[0] > np.pi / 1.5) == (found.dwell_times[0] > np.pi / 1.5)
     with pytest.raises(ns.InputError, match="nonsense"):
         ns.solve("found.json:2", {"nonsense": 1})
@@ -87,7 +87,7 @@ def test_every_command_takes_one_of_the_orbits(folder):
     assert answered("certify", "--check", "proof.json")["same"]
     chart = answered("chart", "found.json:2", "d=0.49:0.5:2", "w=1.5:1.51:2", "--out", "c.zarr")
     assert chart["points"]["stable"] == 4
-    assert title_of(ns.load_chart("c.zarr")) == "two-stops"
+    assert title_of(ns.load("c.zarr")) == "two-stops"
     assert answered("plot", "found.json:2", "--kind", "phase")["file"] == "found-2.png"
     assert (folder / "found-2.png").is_file()
 
@@ -148,7 +148,7 @@ def test_what_is_no_orbit_is_told_in_one_line(folder, name, message):
 def test_a_file_lists_its_orbits_with_the_parameters_of_its_system(folder):
     (declared,) = answered("list", "gear.py")["systems"]
     (found,) = answered("list", "found.json")["systems"]
-    count = len(ns.load_found("found.json").orbits)
+    count = len(ns.load("found.json").orbits)
     assert count > 1
     assert [each["name"] for each in found["orbits"]] == [
         str(folder / f"found.json:{number + 1}") for number in range(count)
@@ -190,7 +190,7 @@ def test_a_declaration_that_would_not_import_stays(folder):
     path = folder / "tail.py"
     text = (folder / "gear.py").read_text() + "\norbits = []\ndel orbits\n\nif True:\n    pass\n\\"
     path.write_text(text)
-    found = ns.load_found("found.json")
+    found = ns.load("found.json")
     from dataclasses import replace
 
     from nonsmooth.runtime.present.files.declaring import write_itineraries

@@ -97,10 +97,10 @@ MAKE: dict[str, Callable[[Path, Path], None]] = {
     ).save(path),
 }  # fmt: skip
 LOAD: dict[str, Callable[[Path], Any]] = {
-    "orbit": ns.load, "sharp": ns.load, "found": ns.load_found, "motion": ns.load_trajectory,
-    "branch": ns.load_branch, "sweep": ns.load_sweep, "fit": ns.load_fit,
-    "proof": ns.load_certificate, "map": ns.load_box_certificate,
-    "events": ns.load_event_certificates, "census": ns.load_census,
+    "orbit": ns.load, "sharp": ns.load, "found": ns.load, "motion": ns.load,
+    "branch": ns.load, "sweep": ns.load, "fit": ns.load,
+    "proof": ns.load, "map": ns.load,
+    "events": ns.load, "census": ns.load,
 }  # fmt: skip
 COMMANDS = (
     "list orbit.json found.json",
@@ -209,7 +209,7 @@ def test_the_order_of_configurations_counts(folder: Path) -> None:
     sorted_ones = json.dumps(content(folder / "kicked.json"), sort_keys=True)
     (folder / "sorted.json").write_text(sorted_ones)
     with pytest.raises(InputError, match="and the file holds"):
-        ns.load_sweep(folder / "sorted.json")
+        ns.load(folder / "sorted.json")
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -341,7 +341,7 @@ def test_a_change_of_the_declaration_is_told_where_it_is_named(folder: Path) -> 
         found = CliRunner().invoke(app, command)
         assert found.exit_code in (1, 2), command
         assert "changed" in found.stderr.replace("changed-", "").replace("changed.py", ""), command
-    assert ns.load_branch("changed-branch.json").orbit.converged
+    assert ns.load("changed-branch.json").orbit.converged
 
 
 def test_an_orbit_with_kernels_of_its_own_comes_back_with_them(folder: Path) -> None:
@@ -376,11 +376,11 @@ def test_what_is_saved_is_the_system_that_was_computed_with(folder: Path) -> Non
     source.write_text(TRAP + PLAIN.replace("/ 10", "/ 11"))
     for result in (orbit, proof, diagram):
         result.save("lost.json")
-    assert ns.load_sweep("lost.json").values.tolist() == diagram.values.tolist()
+    assert ns.load("lost.json").values.tolist() == diagram.values.tolist()
     proof.save("lost.json")
     assert ns.check_certificate("lost.json").difference is None
     motion.save("lost.npz")
-    assert ns.load_trajectory("lost.npz").times.tolist() == motion.times.tolist()
+    assert ns.load("lost.npz").times.tolist() == motion.times.tolist()
     source.unlink()
     proof.save("gone.json")
     assert (folder / "gone.json").read_bytes() == (folder / "lost.json").read_bytes()

@@ -226,7 +226,7 @@ def test_what_was_stopped_goes_on_from_its_file(tmp_path: Path) -> None:
     assert part.decided < line().decided
     assert any(not tile.looked_at for tile in part.tiles)
     part.save(path)
-    again = ns.load_box_certificate(path)
+    again = ns.load(path)
     assert again.to_json() == part.to_json()
     told = []
     whole = ns.certify_box(orbit, box, resume=again, progress=lambda *now: told.append(now))
@@ -261,7 +261,7 @@ def test_damaged_files_are_refused(tmp_path: Path) -> None:
     def refused(damaged: str, told: str) -> None:
         path.write_text(damaged)
         with pytest.raises(InputError, match=told) as caught:
-            ns.load_box_certificate(path)
+            ns.load(path)
         assert str(path) in str(caught.value)
 
     refused(text[: len(text) // 2], "cut|JSON")
@@ -270,7 +270,7 @@ def test_damaged_files_are_refused(tmp_path: Path) -> None:
     refused(json.dumps({**content, "version": 99}), "version")
     refused(json.dumps({k: v for k, v in content.items() if k != "tiles"}), "tiles")
     with pytest.raises(InputError, match="nowhere"):
-        ns.load_box_certificate(tmp_path / "nowhere.json")
+        ns.load(tmp_path / "nowhere.json")
 
 
 @pytest.mark.parametrize(("box", "told"), [
@@ -453,7 +453,7 @@ def test_an_interruption_anywhere_leaves_tiles_that_fill_the_box(line: int, tmp_
     state: Any = stopped.value.partial
     assert sum(tile.place.share for tile in state.tiles) == 1
     state.save(tmp_path / "map.json")
-    read = ns.load_box_certificate(tmp_path / "map.json")
+    read = ns.load(tmp_path / "map.json")
     resumed = ns.certify_box(orbit, box, resume=read, tiles=2)
     assert len(resumed.tiles) > len(read.tiles)
 

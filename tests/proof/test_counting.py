@@ -429,7 +429,7 @@ def test_a_census_is_kept_in_a_file(tmp_path: Path) -> None:
     census = ns.certify_all(BELT, box={"ts": (0, 10), "tau": 8})
     path = tmp_path / "census.json"
     census.save(path)
-    again = ns.load_census(path)
+    again = ns.load(path)
     # in a file a system is called by its content
     system, kept = (each.orbit.rpartition(":")[0] for each in (census, again))
     told = json.dumps(census.to_json()).replace(system, kept)
@@ -437,10 +437,10 @@ def test_a_census_is_kept_in_a_file(tmp_path: Path) -> None:
     assert json.loads(path.read_text())["count"] == 1
     path.write_text(path.read_text().replace('"beyond": 0', '"beyond": 1'))
     with pytest.raises(InputError, match="the checksum differs"):
-        ns.load_census(path)
+        ns.load(path)
     path.write_text("{}")
     with pytest.raises(InputError, match=r"census\.json: not a census"):
-        ns.load_census(path)
+        ns.load(path)
 
 
 @pytest.mark.parametrize(
@@ -482,7 +482,7 @@ def test_the_command_counts_and_tells(tmp_path: Path) -> None:
     assert (code, err) == (0, "")
     told = json.loads(out)
     assert (told["count"], told["decided"]) == (1, True)
-    assert ns.load_census(path).box[1] == "1e-6 <= tau <= 3"
+    assert ns.load(path).box[1] == "1e-6 <= tau <= 3"
     code, out, _ = run(BELT, "ts=0:10", "tau=:8")
     assert code == 1
     assert "at least 1 orbit" in " ".join(out.split())

@@ -81,7 +81,7 @@ def test_orbits_of_the_paper(name: str, tmp_path: Path) -> None:
     agrees(found, orbit)
     found.save(tmp_path / "proof.json")
     assert ns.check_certificate(tmp_path / "proof.json").difference is None
-    again = ns.load_certificate(tmp_path / "proof.json")
+    again = ns.load(tmp_path / "proof.json")
     assert again.to_json() == found.to_json()
 
 
@@ -282,7 +282,7 @@ def test_why_there_is_no_derivative(orbit: Any, by: str, told: str, tmp_path: Pa
     assert told in found.no_derivatives[by]
     assert told in found._repr_html_()
     found.save(tmp_path / "proof.json")
-    assert ns.load_certificate(tmp_path / "proof.json").no_derivatives == found.no_derivatives
+    assert ns.load(tmp_path / "proof.json").no_derivatives == found.no_derivatives
     assert ns.check_certificate(tmp_path / "proof.json").difference is None
 
 

@@ -324,14 +324,14 @@ def test_the_options_of_an_ambiguous_motion_are_kept(ending: str, tmp_path: Path
     (tmp_path / "struck.py").write_text(STRUCK)
     motion = ns.simulate(str(tmp_path / "struck.py"), {}, [0, 0, 1, 2], until=1.5)
     motion.save(tmp_path / f"motion.{ending}")
-    again = ns.load_trajectory(tmp_path / f"motion.{ending}")
+    again = ns.load(tmp_path / f"motion.{ending}")
     assert again.status == Status.AMBIGUOUS
     assert again.options == motion.options == ("free-free",)
     assert again.message == motion.message
     other = replace(motion.run, status=Status.UNTIL)
     replace(motion, run=other).save(tmp_path / f"other.{ending}")
     with pytest.raises(InputError, match="it holds options, though it ended as 'until'"):
-        ns.load_trajectory(tmp_path / f"other.{ending}")
+        ns.load(tmp_path / f"other.{ending}")
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,7 @@ import nonsmooth
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import Grazing, Status
 from nonsmooth.runtime.present.files import motions as saved_trajectory
+from nonsmooth.runtime.present.files.motions import load_trajectory
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -77,7 +78,7 @@ def path(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 def refusal(path: Path) -> str:
     """The one line with which a file is refused."""
     with pytest.raises(InputError) as caught:
-        nonsmooth.load_trajectory(path)
+        nonsmooth.load(path)
     message = str(caught.value)
     assert message.startswith(f"{path}: ")
     assert "\n" not in message
@@ -143,7 +144,7 @@ def write(path: Path, header: dict[str, Any], arrays: dict[str, np.ndarray]) -> 
 def test_every_bit_comes_back(name: str, path: Path) -> None:
     before = others()[name]
     before.save(path)
-    after = nonsmooth.load_trajectory(path)
+    after = nonsmooth.load(path)
     for field in ("times", "configurations", "before", "states", "sets"):
         first, second = getattr(before.run, field), getattr(after.run, field)
         assert first.dtype == second.dtype
@@ -167,7 +168,7 @@ def test_every_bit_comes_back(name: str, path: Path) -> None:
 
 def test_a_loaded_motion_is_a_motion(path: Path) -> None:
     friction().save(path)
-    after = nonsmooth.load_trajectory(path)
+    after = nonsmooth.load(path)
     times = np.linspace(0, 60, 301)
     assert np.array_equal(after(times), friction()(times))
     assert np.array_equal(after.configuration(times), friction().configuration(times))
@@ -234,7 +235,7 @@ def test_a_changed_character_is_refused_or_changes_nothing(path: Path) -> None:
         path.write_bytes(whole[:place] + changed + whole[place + 1 :])
         # nothing hangs on a date in an archive, or the last of the digits of a number
         if loads(path):
-            found = nonsmooth.load_trajectory(path)
+            found = nonsmooth.load(path)
             assert found.configurations == friction().configurations
             assert found.boundaries == friction().boundaries
             for name in ("times", "states", "before"):
@@ -247,7 +248,7 @@ def test_a_changed_character_is_refused_or_changes_nothing(path: Path) -> None:
 
 def loads(path: Path) -> bool:
     try:
-        nonsmooth.load_trajectory(path)
+        nonsmooth.load(path)
     except InputError:
         return False
     return True
@@ -443,7 +444,7 @@ def test_another_derivation_is_accepted_where_the_motion_is_the_same(name: str, 
     header, arrays = parts(path)
     header["derivation"] = "0" * 16
     write(path, header, arrays)
-    assert np.array_equal(nonsmooth.load_trajectory(path).states, before.states)
+    assert np.array_equal(nonsmooth.load(path).states, before.states)
     arrays["before"][-1, 0] += 1e-5  # the flow leads elsewhere
     write(path, header, arrays)
     assert f"not a motion of {before.name} as it is installed (its derivation 0000" in refusal(path)
@@ -461,12 +462,12 @@ def test_wrong_targets(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"motion\.txt does not end in \.npz or \.csv"):
         friction().save(tmp_path / "motion.txt")
     with pytest.raises(InputError, match=r"motion\.txt does not end in \.npz or \.csv"):
-        nonsmooth.load_trajectory(tmp_path / "motion.txt")
+        load_trajectory(tmp_path / "motion.txt")
     (tmp_path / "file").write_text("mine")
     with pytest.raises(InputError, match=r"cannot write .*file is not a folder"):
         friction().save(tmp_path / "file" / "motion.csv")
     with pytest.raises(InputError, match=r"motion\.npz: cannot be read: no such file"):
-        nonsmooth.load_trajectory(tmp_path / "motion.npz")
+        nonsmooth.load(tmp_path / "motion.npz")
 
 
 def test_what_was_there_stays_when_writing_fails(

@@ -37,11 +37,12 @@ def by_function(notation: Notation, expression: sp.Expr) -> tuple[sp.Expr, ...]:
 
 
 def signed(notation: Notation, terms: Iterable[sp.Expr]) -> tuple[str, ...]:
-    """LaTeX of the terms of a sum in the given order, each with its sign."""
+    """LaTeX of the terms of a sum in the given order, each with its sign; wide ones are cut."""
     found: list[str] = []
     for term in terms:
         sign, text = notation.term(term)
-        found.append(f"- {text}" if sign < 0 else f"+ {text}" if found else text)
+        text = f"- {text}" if sign < 0 else f"+ {text}" if found else text
+        found += notation.cut(term, text, leading=not found)
     return tuple(found)
 
 

@@ -138,22 +138,31 @@ class Printer(LatexPrinter):
         return [text for _, text in self.ordered(expression)]
 
     def pieces(self, expression: sp.Expr) -> tuple[str, ...]:
-        """Terms of a sum; a term that is too wide is cut inside its own sum."""
+        """Terms of a sum; one that is too wide is cut."""
         found: list[str] = []
         for term, text in self.ordered(expression):
-            sums = [f for f in sp.Mul.make_args(term) if f.is_Add]
-            if width(text) <= self.WIDEST or not sums:
-                found.append(text)
-                continue
-            inner = max(sums, key=lambda s: len(s.args))
-            others = [f for f in sp.Mul.make_args(term) if f is not inner]
-            behind = [f for f in others if self.place(f)[0] >= _FUNCTIONS]
-            sign, outer = self.factor(sp.Mul(*(f for f in others if f not in behind)))
-            head = "- " if sign < 0 else "+ " if found else ""
-            first, *rest = self.summands(inner)
-            found.append(rf"{head}{'' if outer == '1' else outer} \biggl({first}")
-            found += rest
-            found[-1] += rf"\biggr) {self.product(behind, alone=False)}".rstrip()
+            found += self.cut(term, text, leading=not found)
+        return tuple(found)
+
+    def cut(self, term: sp.Expr, text: str, *, leading: bool) -> tuple[str, ...]:
+        """A term of a sum, cut inside its own sum if its `text` is too wide, and so on inward.
+
+        A `leading` one, the first of the sum, has no plus sign.
+        """
+        sums = [f for f in sp.Mul.make_args(term) if f.is_Add]
+        if width(text) <= self.WIDEST or not sums:
+            return (text,)
+        inner = max(sums, key=lambda s: len(s.args))
+        others = [f for f in sp.Mul.make_args(term) if f is not inner]
+        behind = [f for f in others if self.place(f)[0] >= _FUNCTIONS]
+        sign, outer = self.factor(sp.Mul(*(f for f in others if f not in behind)))
+        head = "- " if sign < 0 else "" if leading else "+ "
+        head += rf"{'' if outer == '1' else outer} \biggl("
+        first, *rest = self.pieces(inner)
+        # a line may break behind an opening bracket where there is no room for both
+        found = [f"{head}{first}"] if width(head + first) <= self.WIDEST else [head, first]
+        found += rest
+        found[-1] += rf"\biggr) {self.product(behind, alone=False)}".rstrip()
         return tuple(found)
 
     def leads(self, term: sp.Expr, total: sp.Expr) -> bool:

@@ -152,6 +152,10 @@ class Notation:
         """LaTeX of a sum, cut in front of every sign at which a line may break."""
         return self._printer.pieces(sp.sympify(expression))
 
+    def cut(self, term: sp.Expr, text: str, *, leading: bool) -> tuple[str, ...]:
+        """LaTeX of a term of a sum, with its sign, cut where it is too wide for a line."""
+        return self._printer.cut(term, text, leading=leading)
+
     def prose(self, text: str) -> str:
         """Text in which the names of symbols, and arithmetic with them, are set as formulas."""
 

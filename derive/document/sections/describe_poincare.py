@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from nonsmooth.derive.document.blocks import Block, Formula, Heading, Line, Paragraph
+from nonsmooth.derive.document.layout import LINE_WIDTH
 from nonsmooth.derive.document.notation.wording import Naming, enumeration
 from nonsmooth.derive.document.sections.describe_itinerary import transposed
+from nonsmooth.derive.document.sections.wide_matrices import with_entries
 from nonsmooth.derive.document.views.monodromy import saltations
 from nonsmooth.derive.document.views.view import View
 from nonsmooth.derive.equations.chain import Link
@@ -182,7 +186,7 @@ def _local_maps(view: View) -> list[Block]:
     return [
         *blocks,
         Paragraph(where),
-        Formula(tuple(_fields(naming, links))),
+        *_fields(naming, links),
         Paragraph(
             "A boundary is crossed transversally, and the local map is smooth there, only where"
             " its rate $n_{k} f_{k}$ does not vanish:"
@@ -196,13 +200,24 @@ def _local_maps(view: View) -> list[Block]:
     ]
 
 
-def _fields(naming: Naming, links: tuple[Link, ...]) -> list[Line]:
+def _fields(naming: Naming, links: tuple[Link, ...]) -> list[Block]:
     """Gradients, vector fields and resets at the ends of the phases."""
-    lines, resets = [], []
+    lines: list[Line] = []
+    entries: list[Line] = []
+    resets: list[tuple[str, str]] = []
     for index, link in enumerate(links, start=1):
-        normal = rf"{naming.notation.latex(link.normal)},\qquad"
-        field = f"f_{{{index}}} = {transposed(naming, link.velocity)}"
-        lines.append(Line(f"n_{{{index}}}", "=", (normal, field)))
+        n, f = f"n_{{{index}}}", f"f_{{{index}}}"
+        row = link.velocity.T.applyfunc(naming.notation.tidy)
+        shown, named = with_entries(naming, f, row, LINE_WIDTH - 8)
+        normal = Line(
+            n, "=", (naming.notation.latex(link.normal),), None, sp.ImmutableMatrix(link.normal)
+        )
+        field = Line(
+            f, "=", (rf"{shown}^{{\mathsf{{T}}}}",), None, sp.ImmutableMatrix(link.velocity)
+        )
+        beside = (rf"{normal.pieces[0]},\qquad", field.latex)
+        lines.append(Line(n, "=", beside, parts=(normal, field)))
+        entries += named
         if not _is_unit(link):
             resets.append((f"R_{{{index}}}", _matrix(naming, link.reset)))
     if resets:
@@ -210,7 +225,12 @@ def _fields(naming: Naming, links: tuple[Link, ...]) -> list[Line]:
         pieces = [matrix, *(f"{name} = {shown}" for name, shown in others)]
         pieces = [*(rf"{piece},\qquad" for piece in pieces[:-1]), pieces[-1]]
         lines.append(Line(first, "=", tuple(pieces)))
-    return lines
+    return [Formula(tuple(lines)), *_with(entries)]
+
+
+def _with(entries: list[Line]) -> list[Block]:
+    """Entries of matrices that have names in them."""
+    return [Paragraph("with the entries"), Formula(tuple(entries))] if entries else []
 
 
 def _saltation(view: View) -> list[Block]:
@@ -240,7 +260,7 @@ def _saltation(view: View) -> list[Block]:
         ),
         Formula((Line("S_{k}", "=", definition),)),
         Paragraph(f"with the vector field $f_{{k}}^{{+}}$ behind the transition. {at_orbit}"),
-        Formula(tuple(_saltation_lines(view))),
+        *_saltation_matrices(view),
         Paragraph(
             "The product over a period is the monodromy matrix"
             if len(view.links) > 1
@@ -257,16 +277,17 @@ def _saltation(view: View) -> list[Block]:
     ]
 
 
-def _saltation_lines(view: View) -> list[Line]:
+def _saltation_matrices(view: View) -> list[Block]:
     """Saltation matrices at the orbit; those that only reset share a line."""
-    latex = view.naming.notation.latex
     lines: list[Line] = []
+    entries: list[Line] = []
     found = list(enumerate(zip(view.links, saltations(view), strict=True), start=1))
-    lines += [
-        Line("", "", (f"S_{{{k}}} = {latex(matrix)},",), None, matrix)
-        for k, (link, matrix) in found
-        if matrix != link.reset
-    ]
+    for k, (link, matrix) in found:
+        if matrix != link.reset:
+            name = f"S_{{{k}}}"
+            shown, named = with_entries(view.naming, name, matrix, LINE_WIDTH - 4)
+            lines.append(Line("", "", (f"{name} = {shown},",), None, matrix))
+            entries += named
     plain = [
         f"S_{{{k}}} = {'I' if _is_unit(link) else f'R_{{{k}}}'}"
         for k, (link, matrix) in found
@@ -274,9 +295,16 @@ def _saltation_lines(view: View) -> list[Line]:
     ]
     if plain:
         lines.append(Line("", "", (*(rf"{t},\qquad" for t in plain[:-1]), f"{plain[-1]},")))
-    last = lines[-1]
-    end = (*last.pieces[:-1], f"{last.pieces[-1].removesuffix(',')}.")
-    return [*lines[:-1], Line(last.left, last.relation, end, None, last.shows)]
+    if not entries:
+        return [Formula((*lines[:-1], _ended(lines[-1], ".")))]
+    listed = [_ended(entry, ",") for entry in entries[:-1]] + [_ended(entries[-1], ".")]
+    return [Formula(tuple(lines)), *_with(listed)]
+
+
+def _ended(line: Line, mark: str) -> Line:
+    """A line with a mark at its end, in place of a comma that is there."""
+    *others, last = line.pieces
+    return replace(line, pieces=(*others, f"{last.removesuffix(',')}{mark}"))
 
 
 def _returning(view: View) -> sp.Matrix:

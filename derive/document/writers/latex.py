@@ -50,6 +50,8 @@ _TEXT_WIDTH = 45.5
 _ROOM = 6
 # a table of more rows may go over the end of a page
 _LONG = 14
+# rows of one relation that stay on one page
+_TOGETHER = 18
 _MARKS = re.compile(r"(\$[^$]+\$|\*[^*]+\*)")
 
 
@@ -106,11 +108,14 @@ def _aligned(formulas: Sequence[Formula]) -> str:
         broken[-1] += rf" && \text{{{_text(formula.note)}}}" if formula.note else ""
         broken[-1] += rf" \tag{{{formula.label}}}" if formula.label else ""
         found += broken
-    body = found[0]
+    body, together = found[0], 1
     for place, row in enumerate(found[1:], start=1):
-        # a page may break where a relation begins, but not beside the first or the last row
-        free = 1 < place < len(found) - 1 and not row.startswith(" &")
+        # a page may break where a relation begins, or inside one that is as long as half a page,
+        # but not beside the first or the last row
+        inside = row.startswith(" &") and together < _TOGETHER
+        free = 1 < place < len(found) - 1 and not inside
         body += (r" \\" if free else r" \\*") + f"\n{row}"
+        together = 1 if free else together + 1
     return f"\\begin{{align*}}\n{_spread(body)}\n\\end{{align*}}"
 
 

@@ -208,7 +208,7 @@ def load_chart(path: str | Path) -> Dataset:
     --------
     >>> import nonsmooth as ns
     >>> made = ns.chart("dry-friction/global-stick", V=[0.9, 1.0], store="plane.zarr")
-    >>> dict(ns.load_chart("plane.zarr").sizes)
+    >>> dict(ns.load("plane.zarr").sizes)
     {'V': 2}
     """
     check_zarr()

@@ -260,7 +260,7 @@ class Branch(Shown):
         return registered("draw_branch")(self, quantity, axes, over=over, frequency=frequency)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the branch to a file; `nonsmooth.load_branch` reads it.
+        """Write the branch to a file; `nonsmooth.load` reads it.
 
         Parameters
         ----------

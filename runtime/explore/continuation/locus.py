@@ -101,7 +101,7 @@ class Locus(Shown):
         return registered("draw_locus")(self, axes)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the curve to a file; `nonsmooth.load_locus` reads it.
+        """Write the curve to a file; `nonsmooth.load` reads it.
 
         Parameters
         ----------

@@ -121,7 +121,7 @@ class Design(Shown):
         return registered("draw_design")(self, axes)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the design to a file with every digit; `nonsmooth.load_design` reads it.
+        """Write the design to a file with every digit; `nonsmooth.load` reads it.
 
         Parameters
         ----------

@@ -115,7 +115,7 @@ class Found(Shown):
     complete: bool = True
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write everything as JSON that `nonsmooth.load_found` reads.
+        """Write everything as JSON that `nonsmooth.load` reads.
 
         Parameters
         ----------

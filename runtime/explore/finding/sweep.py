@@ -88,7 +88,7 @@ class Sweep(Shown):
         return f"at the phase {self.phase:g} of the forcing"
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the diagram to a file; `nonsmooth.load_sweep` reads it.
+        """Write the diagram to a file; `nonsmooth.load` reads it.
 
         Parameters
         ----------

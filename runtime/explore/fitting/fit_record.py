@@ -265,7 +265,7 @@ class Fit(Shown):
         return registered("plot_fit")(self, axes, experiment)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the fit to a file; `nonsmooth.load_fit` reads it.
+        """Write the fit to a file; `nonsmooth.load` reads it.
 
         Parameters
         ----------

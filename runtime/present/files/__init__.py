@@ -15,6 +15,7 @@
 `fits`                fits of parameters to measurements
 `found`               orbits that were found
 `kernel_orbits`       orbits with kernels: what was given and solved for
+`loading`             any of them, by what a file says it holds
 `loci`                curves of events
 `named_entries`       orbits in files as orbits that every command takes by name
 `orbit_numbers`       numbers of orbits as texts

@@ -126,7 +126,7 @@ def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
     >>> import nonsmooth as ns
     >>> orbit = ns.solve("dry-friction/global-stick")
     >>> ns.certify_box(orbit, {"V": ("0.999", "1.001")}).save("box.json")
-    >>> ns.load_box_certificate("box.json").proved
+    >>> ns.load("box.json").proved
     True
     """
     with naming(path) as file:

@@ -107,7 +107,7 @@ def load_branch(path: str | os.PathLike[str]) -> Branch:
     >>> import nonsmooth as ns
     >>> orbit = ns.solve("dry-friction/global-stick")
     >>> ns.continue_orbit(orbit, "V", (0.95, 1.05)).save("branch.json")
-    >>> ns.load_branch("branch.json").parameter
+    >>> ns.load("branch.json").parameter
     'V'
     """
     with naming(path) as file:

@@ -128,7 +128,7 @@ def load_census(path: str | os.PathLike[str]) -> Census:
     --------
     >>> import nonsmooth as ns
     >>> ns.certify_all("dry-friction/global-stick", box={"tau": 3, "tau1": 3}).save("all.json")
-    >>> ns.load_census("all.json").count
+    >>> ns.load("all.json").count
     1
     """
     with naming(path) as file:

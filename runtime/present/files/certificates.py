@@ -110,7 +110,7 @@ def load_certificate(path: str | os.PathLike[str]) -> Certificate:
     --------
     >>> import nonsmooth as ns
     >>> ns.certify(ns.solve("dry-friction/global-stick")).save("proof.json")
-    >>> ns.load_certificate("proof.json").proved
+    >>> ns.load("proof.json").proved
     True
     """
     with naming(path) as file:

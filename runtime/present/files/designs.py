@@ -121,7 +121,7 @@ def load_design(path: str | os.PathLike[str]) -> Design:
     >>> import nonsmooth as ns
     >>> orbit = ns.solve("dry-friction/symmetric")
     >>> ns.design(orbit, solve={"multiplier": -1}, over={"V": (0.6, 1.3)}).save("design.json")
-    >>> ns.load_design("design.json").message
+    >>> ns.load("design.json").message
     'the wanted values are met'
     """
     with naming(path) as file:

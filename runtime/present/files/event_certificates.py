@@ -122,7 +122,7 @@ def load_event_certificates(path: str | os.PathLike[str]) -> tuple[EventCertific
     >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
     >>> (flip,) = [event for event in branch.events if event.kind == "flip"]
     >>> ns.certify_event(branch, flip).save("flip.json")
-    >>> [found.proved for found in ns.load_event_certificates("flip.json")]
+    >>> [found.proved for found in ns.load("flip.json")]
     [True]
     """
     with naming(path) as file:

@@ -73,7 +73,7 @@ def load_fit(path: str | os.PathLike[str]) -> Fit:
     >>> ns.fit(
     ...     "rigid-stop", data, parameters=known, bounds={"r": (0.5, 1)}, start=start, sigma=1e-3
     ... ).save("fit.json")
-    >>> ns.load_fit("fit.json").names
+    >>> ns.load("fit.json").names
     ('r',)
     """
     with naming(path) as file:

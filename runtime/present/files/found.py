@@ -179,7 +179,7 @@ def load_found(path: str | os.PathLike[str]) -> Found:
     >>> import nonsmooth as ns
     >>> data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
     >>> ns.find_orbits("dry-friction", data, n=20, transitions=200).save("found.json")
-    >>> len(ns.load_found("found.json").orbits)
+    >>> len(ns.load("found.json").orbits)
     1
     """
     with naming(path) as file:

@@ -87,7 +87,7 @@ def load_locus(path: str | os.PathLike[str]) -> Locus:
     >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
     >>> (flip,) = [event for event in branch.events if event.kind == "flip"]
     >>> ns.continue_event(branch, flip, "eta", (3.95, 4.05)).save("flips.json")
-    >>> ns.load_locus("flips.json").parameters
+    >>> ns.load("flips.json").parameters
     ('V', 'eta')
     """
     with naming(path) as file:

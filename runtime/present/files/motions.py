@@ -155,7 +155,7 @@ def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
     >>> import nonsmooth as ns
     >>> data = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.5"}
     >>> ns.simulate("rigid-stop", data, [0, 0, 1.5, 0], transitions=2).save("motion.npz")
-    >>> ns.load_trajectory("motion.npz").configurations
+    >>> ns.load("motion.npz").configurations
     ('free', 'free', 'free')
     """
     read = _from_npz if _ending(Path(path)) == ".npz" else _from_csv

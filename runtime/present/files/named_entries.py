@@ -1,7 +1,7 @@
 """Orbits in files of results, found or saved, as orbits that every command takes by name.
 
-``FILE.json:N`` is the N-th orbit of a file, counted from 1; ``FILE.json`` the only one. Its
-parameters are the defaults, and it is where the solver starts.
+``FILE.json:N`` is the N-th orbit of a file, counted from 1; ``FILE.json`` the only one, or the
+one that a design ends at. Its parameters are the defaults, and it is where the solver starts.
 """
 
 from __future__ import annotations
@@ -18,9 +18,12 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.present.files import found as finding
 from nonsmooth.runtime.present.files.declared_table import declared_table
+from nonsmooth.runtime.present.files.loading import load
 from nonsmooth.runtime.present.files.orbits import load_orbit_file
 
 __all__ = ["saved_kernels", "saved_names", "saved_orbit"]
+
+_DESIGN = "nonsmooth design"
 
 
 def saved_orbit(name: str) -> Orbit:
@@ -131,7 +134,8 @@ def _orbit(path: Path, number: int | None) -> Orbit:
     if format_in(path) != finding.FOUND.name:
         if number not in (None, 1):
             raise InputError(f"{path.name} holds one orbit: there is no {path.name}:{number}")
-        return load_orbit_file(path)
+        ends = load(path).orbit if format_in(path) == _DESIGN else None
+        return load_orbit_file(path) if ends is None else ends
     orbits = finding.load_found(path).orbits
     known = f"{path.name}:1" if len(orbits) == 1 else f"{path.name}:1 ... {path.name}:{len(orbits)}"
     if not orbits:

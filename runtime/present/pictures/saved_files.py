@@ -1,4 +1,4 @@
-"""Pictures of what is in a file: orbits, a branch, a proven map, a motion, a fit, a chart."""
+"""Pictures of what is in a file: whatever was saved, but for proofs that are no map."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def figure_of(path: Path, kind: str, periods: int, view: BranchView | None = Non
     path : Path
         JSON of an orbit, one of several as ``FILE.json:N``, a branch, a curve of events, a
         proven map, found orbits, a sweep, a fit or a design; .npz or .csv of a motion; folder
-        of a chart.
+        of a chart. A certificate, certificates of events and a census have no picture.
     kind : str
         As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
         and what is drawn in one way only "all".
@@ -76,7 +76,19 @@ def figure_of(path: Path, kind: str, periods: int, view: BranchView | None = Non
 
         motion = load_trajectory(path)
         return {"system": motion.name}, trajectory_figure(motion, kind)
-    form = format_in(path)
+    from nonsmooth.runtime.present.files.loading import format_of
+    from nonsmooth.runtime.present.files.named_entries import saved_orbit
+    from nonsmooth.runtime.present.pictures.plot import orbit_figure
+
+    if not path.exists() and is_saved(str(path)):
+        orbit = saved_orbit(str(path))
+        return {"orbit": orbit.name}, orbit_figure(orbit, kind, periods=periods)
+    form = format_of(path)
+    if form in _WITHOUT:
+        raise InputError(
+            f"{path} holds {_WITHOUT[form]}, of which there is no picture:"
+            f" `nonsmooth certify --check {path}` proves it again"
+        )
     if form in _IN_ONE_WAY:
         return _in_one_way(_IN_ONE_WAY[form][0], kind, _IN_ONE_WAY[form][1], path)
     if form == "nonsmooth found orbits":
@@ -85,12 +97,9 @@ def figure_of(path: Path, kind: str, periods: int, view: BranchView | None = Non
 
         found = load_found(path)
         return {"system": found.system}, found_figure(found, kind, periods=periods)
-    from nonsmooth.runtime.present.files.named_entries import saved_orbit
     from nonsmooth.runtime.present.files.orbits import load_orbit_file
-    from nonsmooth.runtime.present.pictures.plot import orbit_figure
 
-    numbered = not path.exists() and is_saved(str(path))
-    orbit = saved_orbit(str(path)) if numbered else load_orbit_file(path)
+    orbit = load_orbit_file(path)
     return {"orbit": orbit.name}, orbit_figure(orbit, kind, periods=periods)
 
 
@@ -158,7 +167,12 @@ def _fit(path: Path) -> Drawn:
     return {"system": fit.system}, fit_figure(fit)
 
 
-_IN_ONE_WAY: dict[str | None, tuple[str, Callable[[Path], Drawn]]] = {
+_WITHOUT = {
+    "nonsmooth certificate": "a certificate",
+    "nonsmooth event certificate": "certificates of events",
+    "nonsmooth census": "a census",
+}
+_IN_ONE_WAY: dict[str, tuple[str, Callable[[Path], Drawn]]] = {
     _BRANCH: ("a branch", _branch),
     "nonsmooth design": ("a design", _design),
     "nonsmooth locus": ("a curve of events", _locus),

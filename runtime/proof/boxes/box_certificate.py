@@ -238,7 +238,7 @@ class BoxCertificate(Shown):
         return registered("draw_box")(self, axes)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the map to a file; `nonsmooth.load_box_certificate` reads it.
+        """Write the map to a file; `nonsmooth.load` reads it.
 
         Parameters
         ----------

@@ -92,7 +92,7 @@ def certify_box(
         raise InputError(f"tiles = {tiles!r} is not a positive integer")
     ends = checked_box(orbit, box)
     if not isinstance(resume, BoxCertificate | None):
-        raise InputError(f"{resume!r} is no state to resume: load_box_certificate reads one")
+        raise InputError(f"{resume!r} is no state to resume: `load` reads one")
     whole = Place(((0, 0),) * len(ends))
 
     def record(region: Region | None, tiles: Sequence[Tile]) -> BoxCertificate:

@@ -163,7 +163,7 @@ class Census(Shown):
         }
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the census to a file; `nonsmooth.load_census` reads it.
+        """Write the census to a file; `nonsmooth.load` reads it.
 
         Parameters
         ----------

@@ -115,7 +115,7 @@ class EventCertificate(Shown):
         }
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the certificate to a file; `nonsmooth.load_event_certificates` reads it.
+        """Write the certificate to a file; `nonsmooth.load` reads it.
 
         Parameters
         ----------

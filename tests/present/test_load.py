@@ -1,0 +1,191 @@
+"""One function reads every file of results, and every result is drawn or says why it is not."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.present.files.loading import READERS
+from tests.core.test_result_files import KINDS, TWO_MASSES
+from tests.places import CHECKOUT
+
+TYPES: dict[str, type] = {
+    "nonsmooth orbit": ns.Orbit,
+    "nonsmooth composed orbit": ns.Orbit,
+    "nonsmooth found orbits": ns.Found,
+    "nonsmooth branch": ns.Branch,
+    "nonsmooth locus": ns.Locus,
+    "nonsmooth design": ns.Design,
+    "nonsmooth sweep": ns.Sweep,
+    "nonsmooth fit": ns.Fit,
+    "nonsmooth certificate": ns.Certificate,
+    "nonsmooth box certificate": ns.BoxCertificate,
+    "nonsmooth event certificate": tuple,
+    "nonsmooth census": ns.Census,
+}
+WITHOUT_PICTURE = {"nonsmooth certificate", "nonsmooth event certificate", "nonsmooth census"}
+WITH_ORBIT = {"nonsmooth orbit", "nonsmooth composed orbit", "nonsmooth design"}
+
+
+def name_of(kind: str) -> str:
+    return f"{kind.replace(' ', '-')}.json"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Files of all kinds."""
+    folder = tmp_path_factory.mktemp("results")
+    for kind, make in KINDS.items():
+        make().save(folder / name_of(kind))
+    motion = ns.simulate("rigid-stop", TWO_MASSES, [0, 0, 1.5, 0], transitions=5)
+    motion.save(folder / "motion.npz")
+    motion.save(folder / "motion.csv")
+    ns.chart("dry-friction/global-stick", V=[0.9, 1.0], store=folder / "line.zarr")
+    return folder
+
+
+def told(command: str) -> tuple[int, str]:
+    result = CliRunner().invoke(app, command.split())
+    assert result.exception is None or isinstance(result.exception, SystemExit), command
+    return result.exit_code, result.stderr
+
+
+def test_every_format_that_is_written_is_read() -> None:
+    written = set()
+    for source in (CHECKOUT / "runtime" / "present" / "files").glob("*.py"):
+        text = source.read_text()
+        if "FileFormat(" in text:
+            named = re.findall(r'(?:name=|FORMAT\b.*?)"(nonsmooth [a-z ]+)"', text)
+            written |= set(named or ["nonsmooth certificate"])
+    assert written == {*READERS, "nonsmooth trajectory"}
+    assert set(READERS) == set(KINDS) == set(TYPES)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_file_gives_what_was_saved(kind: str, folder: Path, tmp_path: Path) -> None:
+    path, again = folder / name_of(kind), tmp_path / "again.json"
+    found: Any = ns.load(str(path))
+    assert type(found) is TYPES[kind]
+    (found[0] if isinstance(found, tuple) else found).save(again)
+    if kind != "nonsmooth found orbits":  # whose orbits are solved again
+        assert again.read_bytes() == path.read_bytes()
+    # also where its entries stand in another order, as other programs write them
+    content = json.loads(path.read_text())
+    turned = {name: content[name] for name in reversed(content)}
+    again.write_text(json.dumps(turned))
+    assert type(ns.load(again)) is TYPES[kind]
+
+
+@pytest.mark.compiled
+def test_motions_and_charts_are_read_too(folder: Path) -> None:
+    for ending in ("npz", "csv"):
+        motion = ns.load(folder / f"motion.{ending}")
+        assert type(motion) is ns.Trajectory
+        assert motion.transitions == 5
+    assert dict(ns.load(str(folder / "line.zarr")).sizes) == {"V": 2}
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("name", [*map(name_of, KINDS), "motion.npz", "motion.csv", "line.zarr"])
+def test_every_file_is_drawn_or_says_why_not(name: str, folder: Path, tmp_path: Path) -> None:
+    picture = tmp_path / "picture.png"
+    code, error = told(f"plot {folder / name} --out {picture}")
+    if name in map(name_of, WITHOUT_PICTURE):
+        assert code == 2
+        assert "of which there is no picture: `nonsmooth certify --check" in error
+        assert error.count("\n") == 1
+        assert not picture.exists()
+    else:
+        assert code == 0, error
+        assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "nonsmooth found orbits"])
+@pytest.mark.parametrize("command", ["list {}", "solve {}", "verify {} --digits 20", "certify {}"])
+def test_a_file_that_has_one_orbit_stands_for_it(command: str, kind: str, folder: Path) -> None:
+    path = folder / name_of(kind)
+    code, error = told(command.format(path))
+    if kind in WITH_ORBIT:
+        assert code in (0, 1), error  # 1: what is asked of it is undecided
+    else:
+        assert code == 2
+        assert f"{path}: not a saved orbit" in error
+        assert f"it is a {kind}" in error
+        assert error.count("\n") == 1
+
+
+def test_a_design_is_solved_where_it_ends(folder: Path) -> None:
+    path = folder / name_of("nonsmooth design")
+    found, again = ns.load(path), ns.solve(str(path))
+    assert float(again.given["V"]) == found.after["V"] == 1.05
+    assert float(again.period) == pytest.approx(found.after["period"], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("", "cut, or not JSON"),
+        ("[1, 2]", "not a saved result"),
+        ("{}", "not a saved result"),
+        ('{"format": 3}', "not a saved result"),
+        ('{"format": "nonsmooth chart"}', "its format is 'nonsmooth chart'"),
+        ('{"format": "other", "a": 1}', "its format is 'other'"),
+        ('{"format": "nonsmooth fit", "format": "nonsmooth design"}', "'format' is there twice"),
+        ('{"format": "nonsmooth fit"}', "version None of the format"),
+        ("\x00\xff", "cut, or not JSON"),
+    ],
+)
+def test_what_is_no_result_is_refused_in_one_line(
+    content: str, message: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "some.json"
+    path.write_text(content, encoding="latin-1")
+    with pytest.raises(InputError, match=re.escape(f"{path}: ")) as refused:
+        ns.load(path)
+    assert message in str(refused.value)
+    assert "\n" not in str(refused.value)
+    code, error = told(f"plot {path} --out {tmp_path / 'a.png'}")
+    assert (code, error.count("\n")) == (2, 1)
+    assert message in error
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("absent.json", "no such file"),
+        ("absent.npz", "no such file"),
+        ("empty", "no chart"),
+        ("data.csv", "not a saved motion"),
+    ],
+)
+def test_what_is_not_there_or_foreign_is_refused(name: str, message: str, tmp_path: Path) -> None:
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "data.csv").write_text("t,x\n0,1\n")
+    with pytest.raises(InputError, match=re.escape(name)) as refused:
+        ns.load(tmp_path / name)
+    assert message in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("kind", ["nonsmooth fit", "nonsmooth design"])
+def test_a_file_of_one_kind_is_not_read_as_another(kind: str, folder: Path, tmp_path: Path) -> None:
+    content = json.loads((folder / name_of(kind)).read_text())
+    path = tmp_path / "forged.json"
+    for other in READERS:
+        if other != kind:
+            forged = {**content, "format": other}
+            path.write_text(json.dumps({**forged, "sha256": checksum_of(forged)}))
+            with pytest.raises(InputError, match=re.escape(f"{path}: ")):
+                ns.load(path)
