@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.present.files.branches import load_branch
     from nonsmooth.runtime.present.files.censuses import load_census
     from nonsmooth.runtime.present.files.certificates import load_certificate
+    from nonsmooth.runtime.present.files.certified_branches import load_certified_branch
     from nonsmooth.runtime.present.files.designs import load_design
     from nonsmooth.runtime.present.files.event_certificates import load_event_certificates
     from nonsmooth.runtime.present.files.fits import load_fit
@@ -53,6 +54,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.present.files.sweeps import load_sweep
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
     from nonsmooth.runtime.proof.boxes.certify_box import certify_box
+    from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
+    from nonsmooth.runtime.proof.branch.certify_branch import certify_branch
     from nonsmooth.runtime.proof.certificate import Certificate
     from nonsmooth.runtime.proof.certify_orbit import certify
     from nonsmooth.runtime.proof.counting.census import Census
@@ -76,6 +79,7 @@ __all__ = [
     "Branch",
     "Census",
     "Certificate",
+    "CertifiedBranch",
     "Check",
     "Design",
     "DifferentiableFunction",
@@ -103,6 +107,7 @@ __all__ = [
     "certify",
     "certify_all",
     "certify_box",
+    "certify_branch",
     "certify_event",
     "chart",
     "check_certificate",
@@ -117,6 +122,7 @@ __all__ = [
     "load_branch",
     "load_census",
     "load_certificate",
+    "load_certified_branch",
     "load_chart",
     "load_design",
     "load_event_certificates",
@@ -144,6 +150,7 @@ _HOMES = {
     "Census": "proof.counting.census",
     "Check": "present.checking.check_file",
     "Certificate": "proof.certificate",
+    "CertifiedBranch": "proof.branch.certified_branch",
     "DifferentiableFunction": "core.differentiable",
     "Branch": "explore.continuation.branch",
     "Design": "explore.design.optimum",
@@ -169,6 +176,7 @@ _HOMES = {
     "Trajectory": "simulation.trajectory",
     "certify": "proof.certify_orbit",
     "certify_box": "proof.boxes.certify_box",
+    "certify_branch": "proof.branch.certify_branch",
     "certify_event": "proof.events.certify_event",
     "certify_all": "proof.counting.certify_all",
     "check_certificate": "present.checking.check_file",
@@ -183,6 +191,7 @@ _HOMES = {
     "load_box_certificate": "present.files.box_certificates",
     "load_census": "present.files.censuses",
     "load_certificate": "present.files.certificates",
+    "load_certified_branch": "present.files.certified_branches",
     "load_chart": "explore.charting.chart",
     "load_design": "present.files.designs",
     "load_event_certificates": "present.files.event_certificates",
@@ -213,6 +222,7 @@ register(
         "design_json": "present.files.designs",
         "draw_box": "present.pictures.proven_maps",
         "draw_branch": "present.pictures.branches",
+        "draw_certified_branch": "present.pictures.certified_branches",
         "draw_design": "present.pictures.designs",
         "draw_locus": "present.pictures.branches",
         "fit_json": "present.files.fits",
@@ -231,6 +241,7 @@ register(
         "save_branch": "present.files.branches",
         "save_census": "present.files.censuses",
         "save_certificate": "present.files.certificates",
+        "save_certified_branch": "present.files.certified_branches",
         "save_design": "present.files.designs",
         "save_events": "present.files.event_certificates",
         "save_fit": "present.files.fits",
