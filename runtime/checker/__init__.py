@@ -6,7 +6,24 @@ that wrote it: of that only the arithmetic is imported, Taylor models, dual numb
 functions. The table is in the order in which to read.
 ``python -m nonsmooth.runtime.checker FILE`` checks a file.
 
-=============  ===================================================="""
+=============  ===========================================================
+`exact`        numbers as they are stated, and exact arithmetic of rows
+`shape`        what the files hold, entry by entry
+`declared`     what is declared, and what follows from it without rounding
+`contacts`     transitions of a contact law, derived again
+`parameters`   the values of what the declaration is a function of
+`orbit`        existence, enclosures, the Poincare map
+`stability`    multipliers against the unit circle
+`vanishing`    functions of the state that vanish because an orbit closes
+`motion`       admissibility
+`derivatives`  derivatives of an orbit by its parameters
+`points`       a certificate at one parameter point
+`tiles`        a map of tiles in a box of parameters
+`events`       bifurcations and limits of admissibility
+`branch`       a branch: tiles that follow each other, and the events between them
+`census`       orbits that were counted
+=============  ===========================================================
+"""
 
 from nonsmooth.runtime.checker.branch import check_branch
 from nonsmooth.runtime.checker.census import check_census

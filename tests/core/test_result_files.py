@@ -207,6 +207,10 @@ def census() -> Any:
     return ns.certify_all(kicked(), {"k": 9, "r": "1/3", "a": 10}, bounds, itinerary=LOOP)
 
 
+def certified() -> Any:
+    return ns.certify_branch(looped())
+
+
 def proven_map() -> Any:
     return ns.certify_box(loop(), {"r": ("2/5", "3/5")})
 
@@ -222,6 +226,7 @@ KINDS: dict[str, tuple[Callable[[], Any], Callable[[Path], Any]]] = {
     "nonsmooth certificate": (lambda: ns.certify(ns.solve(STICK)), ns.load_certificate),
     "nonsmooth box certificate": (proven_map, ns.load_box_certificate),
     "nonsmooth event certificate": (event, ns.load_event_certificates),
+    "nonsmooth certified branch": (certified, ns.load_certified_branch),
     "nonsmooth census": (census, ns.load_census),
 }
 # what the file of a proof holds for the checker, and an answer that is shown
