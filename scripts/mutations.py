@@ -70,6 +70,8 @@ ADMISSIBLE = ("tests/orbits/test_admissible.py",)
 CERTIFY = ("tests/proof/test_certify.py",)
 BOXES = ("tests/proof/test_boxes.py",)
 COUNTED = ("tests/proof/test_counting.py", "-kvery_numbers or circle or found_twice or done_with")
+BRANCHES = ("tests/proof/test_branch.py",)
+CHECKED_BRANCHES = ("tests/checker/test_checker_branch.py",)
 PIECES = ("tests/proof/test_certify.py", "-krefuted_or_undecided or too_near or another_root")
 COUNTING = ("tests/proof/test_counting.py",)
 CHECKER = ("tests/checker/test_checker.py",)
@@ -326,11 +328,21 @@ PROOFS = (
     Mutation(_PROVEN, "_Phase._speed", "speed < 0", "False", PIECES),
     Mutation(_PROVEN, "_Phase._first", "follower is not None and follower.wanted", "True",
              PIECES),
-    Mutation(_PROVEN, "judge", 'Judgement("undecided", undecided, ())',
+    Mutation(_PROVEN, "judge", 'Judgement("undecided", undecided, (), tuple(open_), touching)',
              'Judgement("proved", "", ())', CERTIFY),
-    Mutation("runtime/proof/boxes/tile.py", "_joined",
-             "krawczyk(region.equations(number), centre, [r.upper() for r in radii]).unique",
+    Mutation("runtime/proof/boxes/tile.py", "joined",
+             "krawczyk(equations, centre, [r.upper() for r in radii]).unique",
              "True", PIECES),
+    Mutation("runtime/proof/branch/tube.py", "proved_piece", "not tube.holds(at, others)",
+             "False", BRANCHES),
+    Mutation("runtime/proof/branch/crossing.py", "crossing_of", "not (rate > 0 or rate < 0)",
+             "False", BRANCHES),
+    Mutation("runtime/proof/branch/crossing.py", "crossing_of", "not (below < 0 and above > 0)",
+             "False", BRANCHES),
+    Mutation("runtime/checker/branch.py", "_CheckedTile.holds", "abs(x - c) < r", "True",
+             CHECKED_BRANCHES),
+    Mutation("runtime/checker/branch.py", "_claimed", "same or tile[\"event\"]", "True",
+             CHECKED_BRANCHES),
     Mutation("runtime/proof/counting/branch_and_prune.py", "search", "any(_same(root, other) for "
              "other in roots)", "False", COUNTED),
     Mutation("runtime/proof/counting/branch_and_prune.py", "_examined",

@@ -20,10 +20,12 @@ functions. The table is in the order in which to read.
 `points`       a certificate at one parameter point
 `tiles`        a map of tiles in a box of parameters
 `events`       bifurcations and limits of admissibility
+`branch`       a branch: tiles that follow each other, and the events between them
 `census`       orbits that were counted
 =============  ===========================================================
 """
 
+from nonsmooth.runtime.checker.branch import check_branch
 from nonsmooth.runtime.checker.census import check_census
 from nonsmooth.runtime.checker.events import check_events
 from nonsmooth.runtime.checker.exact import Failure
@@ -31,4 +33,12 @@ from nonsmooth.runtime.checker.points import check
 from nonsmooth.runtime.checker.shape import Malformed
 from nonsmooth.runtime.checker.tiles import check_tiles
 
-__all__ = ["Failure", "Malformed", "check", "check_census", "check_events", "check_tiles"]
+__all__ = [
+    "Failure",
+    "Malformed",
+    "check",
+    "check_branch",
+    "check_census",
+    "check_events",
+    "check_tiles",
+]

@@ -3,11 +3,13 @@
 import json
 import sys
 
-from nonsmooth.runtime.checker import check, check_census, check_events, check_tiles
+from nonsmooth.runtime.checker import check, check_branch, check_census, check_events, check_tiles
 
 with open(sys.argv[1], encoding="utf-8") as file:
     content = json.load(file)
-if "tiles" in content:
+if "unknown_names" in content:
+    check_branch(content)
+elif "tiles" in content:
     check_tiles(content)
 elif "events" in content:
     check_events(content)

@@ -4,10 +4,11 @@ No boundary is crossed before a phase ends, for all times; the one that ends it 
 inside; and the transition is the first whose conditions hold.
 """
 
+from collections.abc import Sequence
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.declared import StatedBoundary, StatedPhase, Way
 from nonsmooth.runtime.checker.exact import demand, exact
@@ -15,14 +16,140 @@ from nonsmooth.runtime.checker.orbit import CheckedOrbit, lower
 from nonsmooth.runtime.checker.vanishing import vanishing
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 
-__all__ = ["admissibility"]
+__all__ = ["Border", "admissibility", "time_of_touch"]
 
 _DEEPEST = 60  # halvings of a window of time
 _MOST = 10_000  # windows
 _SMALL = 5  # halvings behind which the exponential of a field is that of a small matrix
 
 
-def admissibility(orbit: CheckedOrbit, margins: list[Any]) -> str:
+class Border(NamedTuple):
+    """An inequality that ceases to hold at an event.
+
+    Its number is negative where it holds.
+    """
+
+    kind: str
+    phase: int
+    boundary: str
+    instant: str
+
+    def number(self, orbit: CheckedOrbit, time: Any = None) -> Any:
+        """Its number.
+
+        Parameters
+        ----------
+        orbit : CheckedOrbit
+            In any numbers.
+        time : arb or TaylorModel, optional
+            Of a grazing.
+
+        Returns
+        -------
+        arb, TaylorModel or Jet
+            Negative where it holds.
+
+        Raises
+        ------
+        Failure
+            If there is no such border.
+        """
+        place, step = self.phase, orbit.declared.itinerary[self.phase]
+        if self.kind == "vanishing-phase":
+            demand(self[2:] == ("+".join(step["boundaries"]), ""), "the phase ends otherwise")
+            return -orbit.dwell[place]
+        watched = self.watched(orbit)
+        begin, end = orbit.now.starts[place], orbit.now.ends[place].entries()
+        if self.kind == "grazing":
+            demand(self.instant == "inside" and not watched.still, "this is no such event")
+            return (
+                orbit.numbers([watched.row]) * ((orbit.chain.fields[place] * time).exp() * begin)
+            )[0, 0]
+        means = {
+            ("simultaneous", "end"): (not watched.ends_it, 1, watched.end, end),
+            ("tangent", "end"): (watched.ends_it, -1, watched.speed, end),
+            ("tangent", "start"): (watched.order > 0, 1, watched.begins, begin.entries()),
+            ("entry", "start"): (watched.order == 0, 1, watched.begins, begin.entries()),
+        }
+        fits, sign, row, state = means.get((self.kind, self.instant), (False, 1, None, end))
+        demand(fits and row is not None and any(row), "this is no such event")
+        return sign * orbit.value(row, state)
+
+    def watched(self, orbit: CheckedOrbit) -> StatedBoundary:
+        """Its boundary.
+
+        Parameters
+        ----------
+        orbit : CheckedOrbit
+
+        Returns
+        -------
+        StatedBoundary
+
+        Raises
+        ------
+        Failure
+            If the phase has no such boundary.
+        """
+        phase = orbit.declared.phases([])[self.phase]
+        found = next((w for w in phase.watched if w.name == self.boundary), None)
+        demand(found is not None, "there is no such boundary")
+        assert found is not None
+        return found
+
+
+def time_of_touch(orbit: CheckedOrbit, border: Border, window: tuple[Any, Any] | None) -> Any:
+    """When a boundary function has its one maximum in a window in which it is concave.
+
+    Parameters
+    ----------
+    orbit : CheckedOrbit
+        In balls or Taylor models.
+    border : Border
+        A grazing.
+    window : tuple of (arb, arb) or None
+        Beginning and end, from the start of the phase.
+
+    Returns
+    -------
+    arb or TaylorModel
+        An enclosure.
+
+    Raises
+    ------
+    Failure
+        If none is proved to be there.
+    """
+    demand(window is not None, "a grazing has no window")
+    assert window is not None
+    b, y = orbit.chain.fields[border.phase], orbit.now.starts[border.phase]
+    n = orbit.numbers([border.watched(orbit).row]) * b
+
+    def rates(time: Any) -> tuple[Any, Any]:
+        state = (b * time).exp() * y
+        return (n * state)[0, 0], (n * (b * state))[0, 0]
+
+    time: Any = ((window[0] + window[1]) / 2).mid()
+    for _ in range(8):
+        rate, bend = rates(time)
+        time = (time - rate / bend).mid()
+    rate, bend = rates(time)
+    radius = (2 * abs(range_of(rate / bend)) + arb(2) ** (10 - ctx.prec)).upper()
+    demand(radius.is_finite(), "the time of a grazing is not known")
+    _, bend = rates(time + arb(0, radius))
+    moved = -rate / bend
+    demand(bend < 0 and abs(moved) <= radius, "the time of a grazing is not known")
+    found = time + moved
+    demand(found > window[0] and found < window[1], "a grazing is outside of its window")
+    return found
+
+
+def admissibility(
+    orbit: CheckedOrbit,
+    margins: list[Any],
+    assumed: Sequence[Border] = (),
+    window: tuple[Any, Any] | None = None,
+) -> str:
     """The verdict, and that every margin is kept that is stated.
 
     Parameters
@@ -31,6 +158,10 @@ def admissibility(orbit: CheckedOrbit, margins: list[Any]) -> str:
         The orbit, located.
     margins : list of dict
         As the file states them.
+    assumed : sequence of Border, optional
+        Inequalities that are taken to hold.
+    window : tuple of (arb, arb), optional
+        Of a grazing among them: times between which its function is concave.
 
     Returns
     -------
@@ -51,7 +182,11 @@ def admissibility(orbit: CheckedOrbit, margins: list[Any]) -> str:
         demand(there, "a margin is stated of another phase")
     demand(all(m > 0 for m in stated.values()), "a margin is not positive")
     phases = enumerate(orbit.declared.phases(vanishing(orbit)))
-    found = [sign for place, phase in phases for sign in _phase(orbit, place, phase, stated)]
+    found = [
+        sign
+        for place, phase in phases
+        for sign in _phase(orbit, place, phase, stated, assumed, window)
+    ]
     if 1 in found:
         return "refuted"
     demand(not stated, "a margin is stated of nothing")
@@ -59,7 +194,12 @@ def admissibility(orbit: CheckedOrbit, margins: list[Any]) -> str:
 
 
 def _phase(
-    orbit: CheckedOrbit, place: int, phase: StatedPhase, stated: dict[Any, Any]
+    orbit: CheckedOrbit,
+    place: int,
+    phase: StatedPhase,
+    stated: dict[Any, Any],
+    assumed: Sequence[Border],
+    window: tuple[Any, Any] | None,
 ) -> list[int | None]:
     """Of all that has to hold in a phase -1 if it does, 1 if it does not, None if unknown.
 
@@ -71,18 +211,32 @@ def _phase(
         least = stated.pop((place, name, quantity), fmpq(0))
         return -1 if size > arb(least) else None
 
+    own = {(b.kind, b.boundary, b.instant) for b in assumed if b.phase == place}
+    vanishes = any(kind == "vanishing-phase" for kind, *_ in own)
     zeros = [orbit.value(row, first) if any(row) else fmpq(0) for row in phase.held]
-    found = [_sign(-orbit.dwell[place])]
+    found: list[int | None] = [-1 if vanishes else _sign(-orbit.dwell[place])]
     waves = []
     for watched in phase.watched:
         name, order = watched.name, watched.order
         if watched.ends_it:
             zeros.append(orbit.value(watched.end, last) if any(watched.end) else fmpq(0))
             speed = orbit.value(watched.speed, last)
-            found += [_sign(-speed), clear(name, "speed", speed)]
+            if ("tangent", name, "end") not in own:
+                found += [_sign(-speed), clear(name, "speed", speed)]
         if watched.begins is None:
             continue  # it is zero all along
         leading = orbit.value(watched.begins, first)
+        shape = _Shape(
+            not order and vanishes and watched.ends_it,
+            ("tangent" if order else "entry", name, "start") in own,
+            ("simultaneous", name, "end") in own,
+            ("tangent", name, "end") in own,
+            window if ("grazing", name, "inside") in own else None,
+        )
+        if shape.starts_open:
+            if order or not watched.still:
+                waves.append((watched, arb(0), shape))
+            continue
         found.append(_sign(leading))
         least = stated.pop((place, name, "distance"), fmpq(0))
         if least:  # of a function that is zero somewhere there is none
@@ -92,10 +246,25 @@ def _phase(
         else:
             found.append(-1 if leading + arb(least) < 0 else None)
         if order or not watched.still:
-            waves.append((watched, arb(least)))
+            waves.append((watched, arb(least), shape))
     found += [{0: -1, None: None}.get(_sign(x), 1) for x in zeros]
     found.append(_follows(orbit, phase, last))
     return found if 1 in found else [*found, _below(orbit, place, waves)]
+
+
+class _Shape(NamedTuple):
+    """How a function may be zero beside what is exact: at the start, at the end, or inside."""
+
+    rises: bool = False
+    begins: bool = False
+    ends: bool = False
+    slows: bool = False
+    touches: tuple[Any, Any] | None = None
+
+    @property
+    def starts_open(self) -> bool:
+        """Whether its sign at the start is not asked for."""
+        return self.rises or self.begins
 
 
 def _follows(orbit: CheckedOrbit, phase: StatedPhase, last: Any) -> int | None:
@@ -124,7 +293,9 @@ def _holds(orbit: CheckedOrbit, row: Any, last: Any, expected: bool) -> bool | N
     return None if sign is None else (sign > 0) == expected
 
 
-def _below(orbit: CheckedOrbit, place: int, waves: list[tuple[StatedBoundary, Any]]) -> int | None:
+def _below(
+    orbit: CheckedOrbit, place: int, waves: list[tuple[StatedBoundary, Any, _Shape]]
+) -> int | None:
     """-1 if the functions are negative inside the phase, 1 if one is positive there.
 
     Time runs from 0 to 1: the field b is the phase's times its dwell time. In a window of times
@@ -134,12 +305,17 @@ def _below(orbit: CheckedOrbit, place: int, waves: list[tuple[StatedBoundary, An
     window in which g
     rises is left to the one behind it, or to the end where g is zero; one in which it falls to
     the one before it, or to the start, where g is not positive: both cannot meet. Where more
-    derivatives vanish at the start the first that does not decides.
+    derivatives vanish at the start the first that does not decides. Where a function may touch
+    it is concave in a window, and what is beside that is left to it, or to what is beside it.
+    Where it may be reached without speed it is concave at the end.
     """
-    b = lower(orbit.chain.fields[place] * orbit.dwell[place])
+    length = orbit.dwell[place]
+    if not length > 0:  # it may vanish: at most so long
+        length = range_of(length).upper()
+    b = lower(orbit.chain.fields[place] * length)
     wide = range_of(b)
     size = matrix([[abs(x) for x in row] for row in wide.tolist()])
-    rows = [lower(orbit.numbers([watched.row])) for watched, _ in waves]
+    rows = [lower(orbit.numbers([watched.row])) for watched, _, _ in waves]
 
     @cache
     def ahead(level: int) -> Any:
@@ -154,10 +330,11 @@ def _below(orbit: CheckedOrbit, place: int, waves: list[tuple[StatedBoundary, An
         r = arb(2) ** -level
         return (size * r).exp() * arb(0, r)
 
-    windows = [(lower(orbit.now.starts[place]), 0, list(range(len(waves))), True, True)]
+    dwell = range_of(length)
+    windows = [(lower(orbit.now.starts[place]), 0, list(range(len(waves))), True, True, fmpq(0))]
     count = 0
     while windows:
-        begin, depth, left, first, last = windows.pop()
+        begin, depth, left, first, last, since = windows.pop()
         r = arb(2) ** -(depth + 1)
         around, rest = arb(0, r), []
         y = ahead(depth + 1) * begin
@@ -166,24 +343,35 @@ def _below(orbit: CheckedOrbit, place: int, waves: list[tuple[StatedBoundary, An
         rates = fast + wide * (reach(depth + 1) * matrix([[abs(x)] for x in fast.entries()]))
         bent = wide * rates
         for i in left:
-            (watched, least), n = waves[i], rows[i]
+            (watched, least, shape), n = waves[i], rows[i]
             value, slope = range_of((n * y)[0, 0]), range_of((n * rate)[0, 0])
+            curve = (range_of(n) * bent)[0, 0]
+            if shape.touches is not None:
+                begins, ends = since * dwell, (since + fmpq(1, 2**depth)) * dwell
+                if begins > shape.touches[0] and ends < shape.touches[1]:
+                    if not curve < 0:
+                        rest.append(i)
+                    continue
             if value > 0:
                 return 1
-            curve = (range_of(n) * bent)[0, 0]
             change = slope + curve * around
             top = value + least + slope * around + curve * arb(0).union(r * r / 2)
-            done = top < 0 or change < 0 or (change > 0 and (watched.ends_it or not last))
-            if first and watched.order > 1:
-                done = _turns_down(n, b, wide, rate, rates, watched.order, around)
+            rising = watched.ends_it or shape.ends or not last
+            falling = change < 0 and not (first and shape.rises)
+            done = top < 0 or falling or (change > 0 and rising)
+            done = done or (last and shape.slows and curve < 0)
+            order = watched.order + (shape.begins and watched.order > 0)
+            if first and order > 1:
+                done = _turns_down(n, b, wide, rate, rates, order, around)
             if not done:
                 rest.append(i)
         count += 1
         if rest and (depth == _DEEPEST or count > _MOST):
             return None
         if rest:
-            windows.append((y, depth + 1, rest, False, last))
-            windows.append((begin, depth + 1, rest, first, False))
+            middle = since + fmpq(1, 2 ** (depth + 1))
+            windows.append((y, depth + 1, rest, False, last, middle))
+            windows.append((begin, depth + 1, rest, first, False, since))
     return -1
 
 

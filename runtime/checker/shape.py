@@ -10,7 +10,16 @@ from typing import Any, NamedTuple
 
 from nonsmooth.runtime.checker.exact import NUMBER, Failure
 
-__all__ = ["CENSUS", "CERTIFICATE", "EVENTS", "MAP", "Malformed", "check_bits", "check_shape"]
+__all__ = [
+    "BRANCH",
+    "CENSUS",
+    "CERTIFICATE",
+    "EVENTS",
+    "MAP",
+    "Malformed",
+    "check_bits",
+    "check_shape",
+]
 
 
 class Malformed(Failure):
@@ -183,6 +192,48 @@ EVENTS = {
             "bits": int,
             "enclosures": _BALLS,
             "box": _BOX,
+        }
+    ],
+}
+_VERDICTS = re.compile("stable|neutral|unstable|not admissible|undecided")
+BRANCH = {
+    **_FILE,
+    **_STATEMENT,
+    "stability": re.compile("stable|neutral"),
+    "parameter": str,
+    "interval": (NUMBER, NUMBER),
+    "unknown_names": [str],
+    "claims": {"branch": re.compile("proved|undecided")},
+    "start": int,
+    "ends": (str, str),
+    "tiles": [
+        {
+            "coordinate": str,
+            "lower": NUMBER,
+            "upper": NUMBER,
+            "forwards": bool,
+            "before": _VERDICTS,
+            "after": _VERDICTS,
+            "reason": str,
+            "centre": [[float]],
+            "radii": [float],
+            "event": Either(
+                (
+                    type(None),
+                    {
+                        "kind": str,
+                        "phase": Either((int, type(None))),
+                        "configuration": str,
+                        "boundary": str,
+                        "instant": str,
+                        "lower": NUMBER,
+                        "upper": NUMBER,
+                        "window": [NUMBER],
+                        "also": [(str, int, str, str)],
+                        "enclosures": _BALLS,
+                    },
+                )
+            ),
         }
     ],
 }

@@ -7,6 +7,7 @@
 `keeping`               what long commands keep when they are interrupted
 `certifying`            `certify` of one orbit, and its `--check`
 `certifying_boxes`      `certify` over ranges of parameters
+`certifying_branches`   `certify --branch`
 `certifying_events`     `certify --events`
 `charting`              `chart`
 `continuing`            `continue`

@@ -21,6 +21,7 @@ from nonsmooth.runtime.cli.application import (
     split,
 )
 from nonsmooth.runtime.cli.certifying_boxes import certify_over, is_box
+from nonsmooth.runtime.cli.certifying_branches import certify_whole_branch
 from nonsmooth.runtime.cli.certifying_events import certify_events
 from nonsmooth.runtime.cli.counting import Every, count_orbits
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new, say
@@ -33,6 +34,7 @@ __all__ = ["certify"]
 
 _BITS = 128
 _TILES = 4000
+_BRANCH_TILES = 2000
 _MORE = 8  # bits beyond those of the digits
 
 
@@ -52,6 +54,8 @@ class Proven(StrEnum):
     " --plot map.png\n\n"
     "nonsmooth certify dry-friction/global-stick --all tau=0:12.6 tau1=0:20\n\n"
     "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --events --digits 50 --save events.json\n\n"
+    "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --branch --save branch.json"
+    " --plot branch.png\n\n"
     "nonsmooth certify --check certificate.json"
 )
 @answering
@@ -83,16 +87,19 @@ def certify(
         typer.Option(
             "--tiles",
             metavar="N",
-            help=f"Of a box of parameters at most so many are looked at; {_TILES} by default.",
+            help=f"Of a box at most so many are looked at, {_TILES} by default; of a branch"
+            f" {_BRANCH_TILES}.",
         ),
     ] = None,
     resume: Annotated[
         Path | None,
-        typer.Option("--resume", metavar="FILE", help="Go on with a saved box, or saved events."),
+        typer.Option("--resume", metavar="FILE", help="Go on with a saved box, branch or events."),
     ] = None,
     plot: Annotated[
         Path | None,
-        typer.Option("--plot", metavar="FILE", help="Draw the box's map: .png, .svg or .pdf."),
+        typer.Option(
+            "--plot", metavar="FILE", help="Draw the box's map, or the branch: .png, .svg or .pdf."
+        ),
     ] = None,
     derivatives: Annotated[
         list[str] | None,
@@ -121,6 +128,13 @@ def certify(
             "--events", help="Enclose the bifurcations and collisions over one range, V=0.6:1.3."
         ),
     ] = False,
+    branch: Annotated[
+        bool,
+        typer.Option(
+            "--branch",
+            help="Prove all of the branch over one range, V=0.6:1.3: every interval and event.",
+        ),
+    ] = False,
     yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
@@ -130,21 +144,32 @@ def certify(
 
     The exit code is then 1 while more than 1 % of the box is undecided.
 
-    With --all ranges are of dwell times, and orbits are counted; with --events: what happens.
+    With --all ranges are of dwell times, and orbits are counted; with --events: what happens;
+    with --branch: that nothing else happens.
     """
     if check is not None:
         options = (parameters, guess, digits, bits, save, resume, plot, tiles, derivatives)
-        chosen = (every, events, overwrite, yes)
+        chosen = (every, events, branch, overwrite, yes)
         if any(chosen) or any(option is not None and option != [] for option in options):
             raise InputError("--check takes a file, and perhaps its orbit, and nothing else")
         return _check(check, orbit, require, as_json=as_json)
     if orbit is None:
         raise InputError("an orbit is missing, or --check FILE")
-    if every and events:
-        raise InputError("--all and --events are two questions: ask one of them")
-    if derivatives and (every or events or is_box(parameters)):
+    if every + events + branch > 1:
+        raise InputError("--all, --events and --branch are questions of their own: ask one of them")
+    if derivatives and (every or events or branch or is_box(parameters)):
         raise InputError("--derivatives are for one orbit, at one point")
     near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
+    if branch:
+        if digits is not None or bits is not None:
+            raise InputError("--digits and --bits are not for --branch: --events takes them")
+        looked_at = _BRANCH_TILES if tiles is None else tiles
+        check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
+        told, code = certify_whole_branch(
+            orbit, parameters or [], near, looked_at, resume, save, plot,
+            overwrite=overwrite, as_json=as_json,
+        )  # fmt: skip
+        return code if code == INTERRUPTED else _judged(told, require, code)
     if is_box(parameters) and not (every or events):
         if digits is not None or bits is not None:
             raise InputError("--digits and --bits are for one point: a box's enclosures are wide")

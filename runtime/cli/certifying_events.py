@@ -64,7 +64,7 @@ def certify_events(
         load_event_certificates,
         save_events,
     )
-    from nonsmooth.runtime.proof.events.certify_event import certify_branch
+    from nonsmooth.runtime.proof.events.certify_event import certify_events as enclose
     from nonsmooth.runtime.proof.events.event_certificate import events_claim
 
     known = () if resume is None else load_event_certificates(resume)
@@ -77,7 +77,7 @@ def certify_events(
         begin(f"following {name}")
         branch = continue_orbit(orbit, parameter, (float(lower), float(upper)))
     with counted("enclosing events", len(branch.events)) as progress:
-        found, stopped = worked(lambda: certify_branch(branch, bits, known, progress))
+        found, stopped = worked(lambda: enclose(branch, bits, known, progress))
     written = Written()
     written.save(lambda path: save_events(found, path), save)
 

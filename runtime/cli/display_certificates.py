@@ -11,15 +11,19 @@ from rich.text import Text
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+from nonsmooth.runtime.proof.branch.certified_branch import FINISHED, CertifiedBranch
+from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 
 __all__ = [
     "STYLES",
     "UNIFORM",
+    "branch_table",
     "enclosure_table",
     "share_table",
     "show_box",
+    "show_branch",
     "show_certificate",
     "show_derivatives",
     "show_events",
@@ -191,7 +195,7 @@ def show_events(told: str, found: Sequence[EventCertificate]) -> None:
     told : str
         What they are events of.
     found : sequence of EventCertificate
-        As `certify_branch` gives them.
+        As `certify_events` gives them.
     """
     out = console_as_wide()
     out.print(Text(told, style="bold"))
@@ -210,6 +214,67 @@ def show_events(told: str, found: Sequence[EventCertificate]) -> None:
         show_table(table, out)
     else:
         out.print(Text("nothing happens: no events"))
+
+
+def show_branch(found: CertifiedBranch) -> None:
+    """Show of what a branch consists: intervals, and the events between them.
+
+    Parameters
+    ----------
+    found : CertifiedBranch
+        As `certify_branch` gives it.
+    """
+    out = console_as_wide()
+    low, high = map(float, found.interval)
+    over = f"{found.parameter} = {low:.6g} ... {high:.6g}"
+    out.print(Text(f"{shown_name(found.orbit)}, {over}", style="bold"))
+    out.print(Text(" -> ".join([*(c for c, _ in found.itinerary), "..."])))
+    if found.intervals:
+        show_table(branch_table(found), out)
+    for name, value in (("beginning", found.ends[0]), ("end", found.ends[1])):
+        if value != FINISHED:
+            out.print(Text(f"{name}: {value or 'not followed further'}", style="dim"))
+    values = found.parameters
+    if values:
+        out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
+    if found.chosen:
+        names = ", ".join(found.chosen)
+        out.print(Text(f"{names} left open: chosen for this proof", style="dim"))
+    if found.complete:
+        out.print(Text("the branch consists of exactly these intervals and events", style="green"))
+
+
+def branch_table(found: CertifiedBranch) -> Table:
+    """Intervals and events in the order of the branch.
+
+    Parameters
+    ----------
+    found : CertifiedBranch
+
+    Returns
+    -------
+    Table
+        One row for each.
+    """
+    table = listing("", found.parameter, "", "tiles")
+    events = iter(found.events)
+    before = UNDECIDED
+    for part in found.intervals:
+        if UNDECIDED not in (before, part.verdict):
+            event = next(events)
+            where = event.configuration
+            if event.phase is not None:
+                where = f"phase {event.phase + 1} {where}: {event.boundary}"
+            value = str(event.enclosures[found.parameter])
+            table.add_row(Text(event.kind, style="bold"), value, where, "")
+        told = f"{part.begin:.10g} ... {part.end:.10g}"
+        why = part.reason
+        if part.verdict == UNDECIDED:
+            why = f"{part.width:.3g} wide: {why}"
+        style = "yellow" if part.verdict == UNDECIDED else ""
+        table.add_row(Text(part.verdict, style=style), told, why, str(part.tiles))
+        before = part.verdict
+    return table
 
 
 def _decimal(found: BoxCertificate) -> list[tuple[str, tuple[float, float]]]:

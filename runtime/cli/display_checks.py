@@ -11,6 +11,7 @@ from rich.text import Text
 from nonsmooth.runtime.cli.display_certificates import (
     STYLES,
     UNIFORM,
+    branch_table,
     enclosure_table,
     share_table,
     show_derivatives,
@@ -20,6 +21,7 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.present.checking.check_file import Check
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
@@ -53,6 +55,8 @@ def show_check(found: Check) -> None:
             _show_point(out, certificate, compared=found.compared)
         case BoxCertificate() as certificate:
             _show_map(out, certificate, compared=found.compared)
+        case CertifiedBranch() as branch:
+            _show_branch(out, branch, compared=found.compared)
         case Census() as census:
             _show_census(out, census, compared=found.compared)
         case tuple() as events:
@@ -89,6 +93,20 @@ def _show_map(out: Console, found: BoxCertificate, *, compared: bool) -> None:
     show_table(share_table(found), out)
     if found.enclosures:
         show_table(enclosure_table(found), out)
+
+
+def _show_branch(out: Console, found: CertifiedBranch, *, compared: bool) -> None:
+    if not found.tiles:
+        out.print(Text("nothing is claimed", style="bold"))
+        return
+    low, high = found.interval
+    over = f"{found.parameter} = {low} ... {high}"
+    out.print(Text(f"{_called(found.orbit, compared=compared)}, {over}", style="bold"))
+    _show_cycle(out, found.itinerary)
+    _show_values(out, found.parameters)
+    show_table(branch_table(found), out)
+    meaning = {"branch": "exactly these intervals and events"}
+    _show_claims(out, found.claims, meaning, _VERDICTS)
 
 
 def _show_events(out: Console, events: Sequence[EventCertificate], *, compared: bool) -> None:

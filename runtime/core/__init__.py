@@ -12,6 +12,7 @@
 `expressions`              functions as data, in one small grammar, over any arithmetic
 `files`                    files that are written whole or not at all
 `irrational_numbers`       irrational numbers by few of them, and their exact relations
+`jets`                     numbers with their derivatives along a direction, in balls too
 `json_codec`               records to JSON and back
 `matrices`                 exponentials and eigenvalues of many small matrices at once
 `rational_functions`       exact arithmetic of rational functions of parameters

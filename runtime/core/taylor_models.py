@@ -117,18 +117,20 @@ class TaylorModel:
 
     __slots__ = ("parts", "space")
 
+    depth = 0  # of what it is made of: a matrix takes the arithmetic of its deepest entry
+
     def __init__(self, space: Space, parts: tuple[Any, ...]) -> None:
         self.space, self.parts = space, parts
 
     def __add__(self, other: Any) -> TaylorModel:
         if not isinstance(other, TaylorModel):
-            return TaylorModel(self.space, (_sum(self.parts[0], other), *self.parts[1:]))
-        return TaylorModel(self.space, tuple(map(_sum, self.parts, other.parts)))
+            return type(self)(self.space, (_sum(self.parts[0], other), *self.parts[1:]))
+        return type(self)(self.space, tuple(map(_sum, self.parts, other.parts)))
 
     __radd__ = __add__
 
     def __neg__(self) -> TaylorModel:
-        return TaylorModel(self.space, tuple(None if p is None else -p for p in self.parts))
+        return type(self)(self.space, tuple(None if p is None else -p for p in self.parts))
 
     def __sub__(self, other: Any) -> TaylorModel:
         return self.__add__(-other)
@@ -138,7 +140,7 @@ class TaylorModel:
 
     def __mul__(self, other: Any) -> TaylorModel:
         if not isinstance(other, TaylorModel):
-            return TaylorModel(
+            return type(self)(
                 self.space, tuple(None if p is None else p * other for p in self.parts)
             )
         left, right = self.parts, other.parts
@@ -150,15 +152,15 @@ class TaylorModel:
                     total = _sum(total, left[i] * right[j])
             found.append(total)
         found[0] = _sum(found[0], _cut(self, other))
-        return TaylorModel(self.space, tuple(found))
+        return type(self)(self.space, tuple(found))
 
     def __rmul__(self, other: Any) -> TaylorModel:
-        return TaylorModel(self.space, tuple(None if p is None else other * p for p in self.parts))
+        return type(self)(self.space, tuple(None if p is None else other * p for p in self.parts))
 
     def __truediv__(self, other: Any) -> TaylorModel:
         if isinstance(other, TaylorModel):
             return self * other.reciprocal()
-        return TaylorModel(self.space, tuple(None if p is None else p / other for p in self.parts))
+        return type(self)(self.space, tuple(None if p is None else p / other for p in self.parts))
 
     def __rtruediv__(self, other: Any) -> TaylorModel:
         return self.reciprocal().__mul__(other)
@@ -166,13 +168,13 @@ class TaylorModel:
     def __pow__(self, exponent: int) -> TaylorModel:
         if exponent < 0:
             return self.reciprocal() ** -exponent
-        power = self.space.constant(_one())
+        power: Any = _one()
         for _ in range(exponent):
-            power = power * self
-        return power
+            power = self * power
+        return power if exponent else self.space.constant(power)
 
     def __getitem__(self, place: tuple[int, int]) -> TaylorModel:
-        return TaylorModel(self.space, tuple(None if p is None else p[place] for p in self.parts))
+        return type(self)(self.space, tuple(None if p is None else p[place] for p in self.parts))
 
     def __abs__(self) -> Any:
         return abs(self.range())
@@ -217,9 +219,22 @@ class TaylorModel:
         -------
         TaylorModel
         """
-        return TaylorModel(
+        return type(self)(
             self.space, tuple(None if p is None else p.transpose() for p in self.parts)
         )
+
+    def stacked(self, rows: Sequence[Sequence[Any]]) -> TaylorModel:
+        """A matrix of numbers of this arithmetic, and of those that it is made of.
+
+        Parameters
+        ----------
+        rows : sequence of sequence of number, arb or TaylorModel
+
+        Returns
+        -------
+        TaylorModel
+        """
+        return TaylorModel(self.space, tuple(_stacked(self.space, rows)))
 
     def rad(self) -> Any:
         """Radius of a number's constant term: what is not known of the polynomial, as a rule.
@@ -237,7 +252,7 @@ class TaylorModel:
         -------
         TaylorModel
         """
-        return TaylorModel(self.space, tuple(None if p is None else p.mid() for p in self.parts))
+        return type(self)(self.space, tuple(None if p is None else p.mid() for p in self.parts))
 
     def cast(self, space: Space) -> TaylorModel:
         """The polynomial in a space of another order: what is cut off is forgotten.
@@ -398,7 +413,9 @@ def middle_of(number: Any) -> Any:
     -------
     arb or arb_mat
     """
-    return (number.parts[0] if isinstance(number, TaylorModel) else value_of(number)).mid()
+    while isinstance(number, TaylorModel):
+        number = number.parts[0]
+    return value_of(number).mid()
 
 
 def matrix(rows: Sequence[Sequence[Any]]) -> Any:
@@ -414,13 +431,13 @@ def matrix(rows: Sequence[Sequence[Any]]) -> Any:
     """
     from flint import arb_mat
 
-    space = next((x.space for row in rows for x in row if isinstance(x, TaylorModel)), None)
-    if space is None:
-        values = arb_mat([list(map(value_of, row)) for row in rows])
-        if not any(isinstance(x, DualBall) for row in rows for x in row):
-            return values
-        return DualBall(values, arb_mat([list(map(rate_of, row)) for row in rows]))
-    return TaylorModel(space, tuple(_stacked(space, rows)))
+    models = [x for row in rows for x in row if isinstance(x, TaylorModel)]
+    if models:
+        return max(models, key=lambda x: x.depth).stacked(rows)
+    values = arb_mat([list(map(value_of, row)) for row in rows])
+    if not any(isinstance(x, DualBall) for row in rows for x in row):
+        return values
+    return DualBall(values, arb_mat([list(map(rate_of, row)) for row in rows]))
 
 
 def _stacked(space: Space, rows: Sequence[Sequence[Any]]) -> Iterator[arb_mat | None]:

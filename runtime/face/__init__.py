@@ -42,6 +42,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.present.files.loading import load
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
     from nonsmooth.runtime.proof.boxes.certify_box import certify_box
+    from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
+    from nonsmooth.runtime.proof.branch.certify_branch import certify_branch
     from nonsmooth.runtime.proof.certificate import Certificate
     from nonsmooth.runtime.proof.certify_orbit import certify
     from nonsmooth.runtime.proof.counting.census import Census
@@ -65,6 +67,7 @@ __all__ = [
     "Branch",
     "Census",
     "Certificate",
+    "CertifiedBranch",
     "Check",
     "Design",
     "DifferentiableFunction",
@@ -92,6 +95,7 @@ __all__ = [
     "certify",
     "certify_all",
     "certify_box",
+    "certify_branch",
     "certify_event",
     "chart",
     "check_certificate",
@@ -121,6 +125,7 @@ _HOMES = {
     "Census": "proof.counting.census",
     "Check": "present.checking.check_file",
     "Certificate": "proof.certificate",
+    "CertifiedBranch": "proof.branch.certified_branch",
     "DifferentiableFunction": "core.differentiable",
     "Branch": "explore.continuation.branch",
     "Design": "explore.design.optimum",
@@ -146,6 +151,7 @@ _HOMES = {
     "Trajectory": "simulation.trajectory",
     "certify": "proof.certify_orbit",
     "certify_box": "proof.boxes.certify_box",
+    "certify_branch": "proof.branch.certify_branch",
     "certify_event": "proof.events.certify_event",
     "certify_all": "proof.counting.certify_all",
     "check_certificate": "present.checking.check_file",
@@ -178,6 +184,7 @@ register(
         "design_json": "present.files.designs",
         "draw_box": "present.pictures.proven_maps",
         "draw_branch": "present.pictures.branches",
+        "draw_certified_branch": "present.pictures.certified_branches",
         "draw_design": "present.pictures.designs",
         "draw_locus": "present.pictures.branches",
         "fit_json": "present.files.fits",
@@ -196,6 +203,7 @@ register(
         "save_branch": "present.files.branches",
         "save_census": "present.files.censuses",
         "save_certificate": "present.files.certificates",
+        "save_certified_branch": "present.files.certified_branches",
         "save_design": "present.files.designs",
         "save_events": "present.files.event_certificates",
         "save_fit": "present.files.fits",

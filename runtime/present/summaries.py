@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit_arrays import Orbits
     from nonsmooth.runtime.present.checking.check_file import Check
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+    from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
     from nonsmooth.runtime.proof.certificate import Certificate
     from nonsmooth.runtime.proof.counting.census import Census
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
@@ -358,6 +359,22 @@ def _box_certificate(proof: BoxCertificate) -> Summary:
     )
 
 
+def _certified_branch(proof: CertifiedBranch) -> Summary:
+    low, high = (f"{float(end):.6g}" for end in proof.interval)
+    parts = [f"{part.verdict} {part.begin:.6g} ... {part.end:.6g}" for part in proof.intervals]
+    events = [f"{event.kind} {event.enclosures[proof.parameter]}" for event in proof.events]
+    return (
+        f"certified branch of {shown_name(proof.orbit)} over {proof.parameter} = {low} ... {high}",
+        [
+            ("claims", _claims(proof.claims, {})),
+            ("intervals", parts),
+            ("events", events),
+            ("ends", list(dict.fromkeys(end for end in proof.ends if end))),
+            ("given", _given(proof.parameters)),
+        ],
+    )
+
+
 def _census(census: Census) -> Summary:
     number = f"{'exactly' if census.decided else 'at least'} {_many(census.count, 'orbit')}"
     return f"census of {shown_name(census.orbit)}: {number}", [
@@ -403,6 +420,7 @@ _KINDS: Mapping[str, Callable[[Any], Summary]] = {
     "Branch": _branch,
     "Census": _census,
     "Certificate": _certificate,
+    "CertifiedBranch": _certified_branch,
     "Check": _check,
     "Design": _design,
     "DifferentiableFunction": _differentiable_function,

@@ -8,7 +8,9 @@ symmetry is taken for granted.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
@@ -22,7 +24,29 @@ from nonsmooth.runtime.shooting.variational import Phase, Shooting
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Judgement", "Margin", "judge"]
+__all__ = ["Judgement", "Margin", "OpenInequality", "judge"]
+
+
+class OpenInequality(NamedTuple):
+    """One inequality of an orbit that is none at a border collision.
+
+    Attributes
+    ----------
+    kind : str
+        "vanishing-phase": the dwell time is positive. "entry", "tangent": the first derivative
+        of a boundary function that is not zero where the phase begins is negative; where it
+        ends, its rate is positive. "simultaneous": another function is negative at the end.
+        "grazing": its maximum inside the phase is negative.
+    phase : int
+        Counted from 0.
+    boundary : str
+    instant : {"", "start", "inside", "end"}
+    """
+
+    kind: str
+    phase: int
+    boundary: str
+    instant: str
 
 
 class Margin(NamedTuple):
@@ -47,19 +71,48 @@ class Margin(NamedTuple):
 
 
 class Judgement(NamedTuple):
-    """Verdict "proved", "refuted" or "undecided", the reason where it is not proved, margins."""
+    """Verdict "proved", "refuted" or "undecided", the reason where it is not proved, margins.
+
+    Of an undecided one the inequalities that are open; None among them stands for what is no
+    inequality of this kind. Of those that were assumed, where a maximum is that may touch.
+    """
 
     verdict: str
     reason: str
     margins: tuple[Margin, ...]
+    open: tuple[OpenInequality | None, ...] = ()
+    touching: Mapping[OpenInequality, tuple[arb, arb]] = MappingProxyType({})
 
 
 class _Refuted(Exception):
     pass
 
 
+class _NotTold(Exception):
+    """An inequality cannot be told."""
+
+    def __init__(self, which: OpenInequality, reason: str) -> None:
+        super().__init__(reason)
+        self.which, self.reason = which, reason
+
+
+@contextmanager
+def _opens(which: OpenInequality) -> Iterator[None]:
+    """What is undecided inside is whether this holds, unless more digits cannot tell."""
+    try:
+        yield
+    except Undecided as trouble:
+        if not trouble.digits:
+            raise
+        raise _NotTold(which, trouble.reason) from None
+
+
 def judge(
-    plans: Sequence[Plan], phases: Sequence[Phase], now: Shooting, dwell: Sequence[Any]
+    plans: Sequence[Plan],
+    phases: Sequence[Phase],
+    now: Shooting,
+    dwell: Sequence[Any],
+    assumed: Collection[OpenInequality] = (),
 ) -> Judgement:
     """Judge an orbit whose start and dwell times are enclosed, at the working precision.
 
@@ -71,6 +124,8 @@ def judge(
     now : Shooting
         Over the enclosures.
     dwell : sequence of arb or TaylorModel
+    assumed : collection of OpenInequality, optional
+        Inequalities that are taken to hold.
 
     Returns
     -------
@@ -78,61 +133,106 @@ def judge(
         "refuted" once a phase is, "proved" if all phases are, else "undecided".
     """
     margins: list[Margin] = []
+    open_: list[OpenInequality | None] = []
+    touching: dict[OpenInequality, tuple[arb, arb]] = {}
     undecided = ""
     for plan, phase, time in zip(plans, phases, dwell, strict=True):
         name = f"phase {plan.place + 1}, {plan.configuration}"
         try:
-            margins += _Phase(plan, phase.field, now, time).judged()
+            judged = _Phase(plan, phase.field, now, time, assumed)
+            margins += judged.judged()
         except _Refuted as found:
             return Judgement("refuted", f"{name}: {found}", ())
-        except Undecided as trouble:
-            undecided = undecided or f"{name}: {trouble.reason}"
+        if judged.open:
+            undecided = undecided or f"{name}: {judged.open[0][1]}"
+            open_ += [which for which, _ in judged.open]
+        touching |= judged.touching
     if undecided:
-        return Judgement("undecided", undecided, ())
-    return Judgement("proved", "", tuple(margins))
+        return Judgement("undecided", undecided, (), tuple(open_), touching)
+    return Judgement("proved", "", tuple(margins), touching=touching)
 
 
 class _Phase:
     """One phase of an orbit."""
 
-    def __init__(self, plan: Plan, field: Any, now: Shooting, dwell: Any) -> None:
-        self.plan, self.field, self.dwell = plan, field, dwell
+    def __init__(
+        self, plan: Plan, field: Any, now: Shooting, dwell: Any, assumed: Collection[OpenInequality]
+    ) -> None:
+        self.plan, self.field, self.dwell, self.assumed = plan, field, dwell, assumed
         self.first = now.starts[plan.place]
         self.start = plan.starts.tighten(self.first.entries()[:-1])
         self.behind = plan.ends.tighten(now.ends[plan.place].entries()[:-1])
+        self.open: list[tuple[OpenInequality | None, str]] = []
+        self.touching: dict[OpenInequality, tuple[arb, arb]] = {}
+        reached = [watched.name for watched in plan.watched if watched.reached]
+        self.ending = OpenInequality("vanishing-phase", plan.place, "+".join(reached), "")
 
     def judged(self) -> list[Margin]:
-        """Margins of all boundaries; raises where one is crossed or cannot be decided."""
-        if not self.dwell > 0:
+        """Margins of all boundaries; raises where one is crossed, keeps what is not decided."""
+        if not self.dwell > 0 and self.ending not in self.assumed:
             if self.dwell < 0:
                 raise _Refuted("its dwell time is negative")
-            raise Undecided("its dwell time cannot be told from 0")
+            self.open.append((self.ending, "its dwell time cannot be told from 0"))
+            return []
+        found: list[Margin] = []
+        try:
+            self._held()
+            functions = None
+            for watched in self.plan.watched:
+                functions = functions or (
+                    None if watched.still else EventFunctions(self.field, self.first, self.dwell)
+                )
+                try:
+                    found += self._watched(watched, functions)
+                except _NotTold as trouble:
+                    self.open.append((trouble.which, trouble.reason))
+            self._follows()
+        except Undecided as trouble:
+            self.open.append((None, trouble.reason))
+        return found
+
+    def _held(self) -> None:
         for row in self.plan.held:
             value = evaluate(row, self.start)
             if value > 0 or value < 0:
                 raise _Refuted("what it holds does not hold where it begins")
             raise Undecided("whether what it holds holds where it begins", digits=False)
+
+    def _watched(self, watched: Watched, functions: EventFunctions | None) -> list[Margin]:
+        """Margins of one boundary."""
+        name, begins, place = watched.name, watched.begins, self.plan.place
         found: list[Margin] = []
-        functions = None
-        for watched in self.plan.watched:
-            name, begins = watched.name, watched.begins
-            if begins is not None:
+        order = 0 if begins is None else begins.order
+        rising = int(watched.reached)
+        if begins is not None:
+            which = OpenInequality("tangent" if order else "entry", place, name, "start")
+            if which in self.assumed:
+                order += 1
+                begins = None
+            elif watched.reached and not order and self.ending in self.assumed:
+                begins = None  # it rises from there to zero
+        if begins is not None:
+            with _opens(which):
                 value = _signed(begins, self.start, f"{name} where it begins: its")
-                if value > 0:
-                    raise _Refuted(f"{name} is passed where it begins")
-            if watched.reached:
-                found.append(self._margin(name, "speed", self._speed(watched)))
-            if begins is not None and begins.order:
-                found.append(self._margin(name, "departure", -value))
-            if watched.still:
-                if begins is not None and not begins.order:
-                    found.append(self._margin(name, "distance", -value))
-                continue
-            functions = functions or EventFunctions(self.field, self.first, self.dwell)
-            least = self._distance(functions, watched)
-            if least is not None:
-                found.append(self._margin(name, "distance", least))
-        self._follows()
+            if value > 0:
+                raise _Refuted(f"{name} is passed where it begins")
+        if watched.reached:
+            which = OpenInequality("tangent", place, name, "end")
+            if which in self.assumed:
+                rising = 2
+            else:
+                with _opens(which):
+                    speed = self._speed(watched)
+                found.append(self._margin(name, "speed", speed))
+        if begins is not None and begins.order:
+            found.append(self._margin(name, "departure", -value))
+        if functions is None or watched.still:
+            if begins is not None and not begins.order:
+                found.append(self._margin(name, "distance", -value))
+            return found
+        least = self._distance(functions, watched, order, rising)
+        if least is not None:
+            found.append(self._margin(name, "distance", least))
         return found
 
     def _margin(self, boundary: str, quantity: str, least: Any) -> Margin:
@@ -154,12 +254,25 @@ class _Phase:
             raise _Refuted(f"{name} is reached from outside")
         raise Undecided(f"{name} may be reached tangentially")
 
-    def _distance(self, functions: EventFunctions, watched: Watched) -> arb | None:
+    def _distance(
+        self, functions: EventFunctions, watched: Watched, order: int, rising: int
+    ) -> arb | None:
         """Prove that a boundary is not reached inside the phase; by how much, if anything."""
-        order = 0 if watched.begins is None else watched.begins.order
-        zeros = ExactZeros(order, watched.reached)
+        place, name = self.plan.place, watched.name
+        grazing = OpenInequality("grazing", place, name, "inside")
+        together = OpenInequality("simultaneous", place, name, "end")
+        if together in self.assumed:
+            rising = 1
+        zeros = ExactZeros(order, rising)
         function = functions.function(matrix([watched.row]))
         try:
+            if grazing in self.assumed:
+                window = functions.touched(function, zeros)
+                if window is None:
+                    raise Undecided("it may be touched more than once")
+                number, begin, end = window
+                self.touching[grazing] = (function[number].time(begin), function[number].time(end))
+                return None
             if not (zeros.order or zeros.last):
                 least = (-functions.largest(function) / 2).mid()
                 if least > 0:
@@ -171,11 +284,14 @@ class _Phase:
             functions.stays_negative(function, zeros)
         except Crossed as found:
             raise _Refuted(
-                f"{watched.name} is crossed before it ends, {found.time.str(6, radius=False)}"
+                f"{name} is crossed before it ends, {found.time.str(6, radius=False)}"
                 " after its start"
             ) from None
         except Undecided as trouble:
-            raise Undecided(f"{watched.name}: {trouble.reason}") from None
+            last = evaluate(watched.ends, self.behind)
+            at_end = not (rising or last < 0 or last > 0)
+            which = together if at_end else grazing
+            raise _NotTold(which, f"{name}: {trouble.reason}") from None
         return None
 
     def _follows(self) -> None:

@@ -11,7 +11,7 @@ from nonsmooth.runtime.proof.certificate import Unknown
 from nonsmooth.runtime.proof.exact_closure import ClosureConditions
 from nonsmooth.runtime.proof.krawczyk import Contraction, krawczyk, newton
 from nonsmooth.runtime.proof.orbit_claims import NOT_CONSERVED, conserved
-from nonsmooth.runtime.proof.orbit_equations import Equations, Flows, Linearised
+from nonsmooth.runtime.proof.orbit_equations import Equations, Linearised
 from nonsmooth.runtime.proof.orbit_to_prove import Subject
 from nonsmooth.runtime.proof.statement import decimals, rational
 
@@ -103,7 +103,7 @@ def _sizes(equations: Equations, point: Sequence[arb]) -> list[arb]:
     """Units of the unknowns: how large they and their changes are along the cycle."""
     from flint import arb
 
-    now = equations.linearised(point, Flows(equations.phases, equations.dwell(point))).shooting
+    now = equations.linearised(point, equations.near(point)).shooting
     dwell = [abs(t).mid() for t in equations.dwell(point)]
     sizes = []
     for k in equations.free:

@@ -4,19 +4,61 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from nonsmooth.runtime.core.taylor_models import matrix
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.orbit_equations import Equations, Flows, Linearised
+from nonsmooth.runtime.proof.orbit_equations import Linearised
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Contraction", "Krawczyk", "krawczyk", "newton"]
+__all__ = ["Contraction", "Krawczyk", "Solvable", "krawczyk", "newton"]
 
 _DOUBLE = 40  # bits that a root in double precision has at least, as a rule
 _MOST_STEPS = 6  # at the last precision
+
+
+class Solvable(Protocol):
+    """Equations, as many as unknowns: those of a cycle, or others that have their form."""
+
+    def near(self, point: Sequence[Any]) -> Any:
+        """What `linearised` takes near a point.
+
+        Parameters
+        ----------
+        point : sequence of arb or TaylorModel
+
+        Returns
+        -------
+        object
+        """
+
+    def mapped(self, change: Callable[[Any], Any]) -> Solvable:
+        """The same equations in other numbers.
+
+        Parameters
+        ----------
+        change : callable
+
+        Returns
+        -------
+        Solvable
+        """
+
+    def linearised(self, unknowns: Sequence[Any], flows: Any) -> Linearised:
+        """Left-hand sides and their Jacobian.
+
+        Parameters
+        ----------
+        unknowns : sequence of arb or TaylorModel
+        flows : object
+            As `near` gives it.
+
+        Returns
+        -------
+        Linearised
+        """
 
 
 class Contraction(NamedTuple):
@@ -26,23 +68,26 @@ class Contraction(NamedTuple):
     ----------
     box, image : list of arb or TaylorModel
         The image contains every root of the box.
+    radii : sequence of arb
+        Half of each side of the box, around its middle.
     unique : bool
         The image lies inside: the box contains exactly one root, and that is regular.
     empty : bool
         Image and box are apart: the box contains no root.
-    flows : Flows
-        Near the box's middle.
+    flows : object
+        As the equations give it near the box's middle.
     """
 
     box: list[Any]
     image: list[Any]
     unique: bool
     empty: bool
-    flows: Flows
+    flows: Any
+    radii: Sequence[arb] = ()
 
 
 def newton(
-    equations_at: Callable[[], Equations], guess: Sequence[arb], bits: int
+    equations_at: Callable[[], Solvable], guess: Sequence[arb], bits: int
 ) -> list[arb] | None:
     """Find a point near a root, by Newton's method with growing precision; nothing is proved.
 
@@ -68,7 +113,7 @@ def newton(
         with flint_precision(precision + 16):
             equations = equations_at()
             point = [x.mid() for x in point]
-            change = _step(equations.linearised(point, _flows(equations, point)))
+            change = _step(equations.linearised(point, equations.near(point)))
             if change is None:
                 return None
             point = [(x - d).mid() for x, d in zip(point, change, strict=True)]
@@ -84,14 +129,14 @@ def newton(
     return point
 
 
-def krawczyk(equations: Equations, centre: Sequence[arb], radii: Sequence[arb]) -> Contraction:
+def krawczyk(equations: Solvable, centre: Sequence[arb], radii: Sequence[arb]) -> Contraction:
     """Test a box, and make the image of one that has a root as small as rounding lets it be.
 
     The test is that of Krawczyk (1969).
 
     Parameters
     ----------
-    equations : Equations
+    equations : Solvable
         As many as unknowns.
     centre : sequence of arb
         Middle of the box, as for `Krawczyk`; in the system's units.
@@ -116,15 +161,15 @@ class Krawczyk:
 
     Parameters
     ----------
-    equations : Equations
+    equations : Solvable
     centre : sequence of arb or TaylorModel
         Balls around the exact numbers that they stand for, or polynomials of parameters:
         then all is shown for each of their values, with boxes around those of the polynomials.
     """
 
-    def __init__(self, equations: Equations, centre: Sequence[Any]) -> None:
+    def __init__(self, equations: Solvable, centre: Sequence[Any]) -> None:
         self.equations, self.centre = equations, centre
-        self.flows = Flows(equations.phases, equations.dwell(centre))
+        self.flows = equations.near(centre)
         self.at = equations.linearised(centre, self.flows)
         self.inverse: Any = None
         with suppress(ZeroDivisionError):
@@ -142,12 +187,12 @@ class Krawczyk:
         centre = self.centre
         box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
         if self.inverse is None:
-            return Contraction(box, box, False, False, self.flows)
+            return Contraction(box, box, False, False, self.flows, radii)
         moved = self._moved(self.at, box, [arb(0, r) for r in radii])
         image = [x + d for x, d in zip(centre, moved, strict=True)]
         unique = all(abs(d) < r for d, r in zip(moved, radii, strict=True))
         empty = any(abs(d) > r for d, r in zip(moved, radii, strict=True))
-        return Contraction(box, image, unique, empty, self.flows)
+        return Contraction(box, image, unique, empty, self.flows, radii)
 
     def sharpened(self, found: Contraction) -> Contraction:
         """The same with a smaller image: once more, from the middle of it.
@@ -178,10 +223,6 @@ class Krawczyk:
         inside = (unit - self.inverse * over.jacobian) * column
         entries: list[Any] = (inside - self.inverse * at.residual).entries()
         return entries
-
-
-def _flows(equations: Equations, point: Sequence[Any]) -> Flows:
-    return Flows(equations.phases, equations.dwell(point))
 
 
 def _step(now: Linearised) -> list[arb] | None:

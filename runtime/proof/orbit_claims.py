@@ -6,11 +6,11 @@ parameters, and its Taylor models are balls.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
-from nonsmooth.runtime.proof.admissibility import Judgement, judge
+from nonsmooth.runtime.proof.admissibility import Judgement, OpenInequality, judge
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.exact_tables import Number, numbers
 from nonsmooth.runtime.proof.multipliers import (
@@ -122,7 +122,12 @@ def claim_of_map(region: Region, number: Number, equations: Equations, now: Shoo
 
 
 def judged(
-    region: Region, number: Number, phases: Sequence[Phase], now: Shooting, dwell: Sequence[Any]
+    region: Region,
+    number: Number,
+    phases: Sequence[Phase],
+    now: Shooting,
+    dwell: Sequence[Any],
+    assumed: Collection[OpenInequality] = (),
 ) -> Judgement:
     """Judge whether an orbit is a motion of the system, in the numbers of its phases.
 
@@ -138,6 +143,8 @@ def judged(
         The cycle, passed once over the enclosures.
     dwell : sequence of arb or TaylorModel
         Dwell times of the phases, in the system's units.
+    assumed : collection of OpenInequality, optional
+        Inequalities that are taken to hold.
 
     Returns
     -------
@@ -147,7 +154,7 @@ def judged(
     if region.invariants is None:
         reason = "the declaration takes a root or a sine: what is exactly zero is not known"
         return Judgement("undecided", reason, ())
-    return judge([plan.at(number) for plan in region.plans], phases, now, dwell)
+    return judge([plan.at(number) for plan in region.plans], phases, now, dwell, assumed)
 
 
 def named_numbers(

@@ -8,7 +8,7 @@ and matrices are Taylor models in place of balls. All matrices act on (y, 1).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of
@@ -130,6 +130,42 @@ class Equations:
             mark[0, place] = 1
             self._marks.append(mark)
 
+    def near(self, point: Sequence[Any]) -> Flows:
+        """Flows for dwell times near those of a point.
+
+        Parameters
+        ----------
+        point : sequence of arb or TaylorModel
+            All n unknowns, in the system's units.
+
+        Returns
+        -------
+        Flows
+            What `linearised` takes near it.
+        """
+        return Flows(self.phases, self.dwell(point))
+
+    def mapped(self, change: Callable[[Any], Any]) -> Equations:
+        """The same equations in other numbers.
+
+        Parameters
+        ----------
+        change : callable
+            From a number or matrix to the other numbers.
+
+        Returns
+        -------
+        Equations
+            Of the same cycle.
+        """
+        period = self.period
+        return Equations(
+            [Phase(*map(change, phase)) for phase in self.phases],
+            self.closing,
+            None if period is None else change(period),
+            list(map(change, self.speeds)),
+        )
+
     def dwell(self, unknowns: Sequence[Any]) -> Sequence[Any]:
         """The dwell times among the unknowns.
 
@@ -169,14 +205,14 @@ class Equations:
             slope[cosine][self.first - 1], slope[sine][self.first - 1] = -speed * s, speed * c
         return matrix(state), matrix(slope)
 
-    def linearised(self, unknowns: Sequence[Any], flows: Flows) -> Linearised:
+    def linearised(self, unknowns: Sequence[Any], flows: Callable[[int, Any], Any]) -> Linearised:
         """Pass once through the cycle, with derivatives by the unknowns.
 
         Parameters
         ----------
         unknowns : sequence of arb or TaylorModel
             All n of them, in the system's units.
-        flows : Flows
+        flows : Flows or another function
             Gives the flow of a phase for a time.
 
         Returns

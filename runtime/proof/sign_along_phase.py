@@ -26,6 +26,8 @@ __all__ = ["Crossed", "EventFunctions", "ExactZeros", "scales_of"]
 _ORDER = 12
 _DEEPEST = 60  # halvings of a window
 MOST_SEGMENTS = 20_000
+_TOUCHING = 2  # halvings behind which a window may be one about a maximum
+_CLOSE = "it comes closer to zero than the digits tell"
 
 
 class Crossed(Exception):
@@ -43,12 +45,13 @@ class ExactZeros(NamedTuple):
     ----------
     order : int
         At the start its derivatives below that order vanish; 0 where it does not itself.
-    last : bool
-        At the end.
+    last : int
+        At the end: 1 where it rises to it, 2 where it does so ever slower, its rate being
+        not negative there; 0 where it is not.
     """
 
     order: int
-    last: bool
+    last: int
 
 
 class EventFunctions:
@@ -158,23 +161,81 @@ class EventFunctions:
         Undecided
             If its sign cannot be told somewhere.
         """
+        self._decided(function, zeros, touching=False)
+
+    def touched(self, function: list[Expansion], zeros: ExactZeros) -> tuple[int, arb, arb] | None:
+        """One window of time about a maximum, but for which a function is negative.
+
+        Where it is negative in that window too it is so inside the phase. There it is concave,
+        and rises at its beginning and falls at its end.
+
+        Parameters
+        ----------
+        function : list of Expansion
+            One for each segment.
+        zeros : ExactZeros
+            Where the function is exactly zero: at the start, or at the end.
+
+        Returns
+        -------
+        tuple of (int, arb, arb) or None
+            Number of the segment and places in it; None if there is no such window.
+
+        Raises
+        ------
+        Crossed
+            If it is positive outside of such windows.
+        Undecided
+            If its sign cannot be told elsewhere.
+        """
+        left = self._decided(function, zeros, touching=True)
+        if not left or len({number for number, *_ in left}) > 1:
+            return None
+        number, begin, end = left[0]
+        for _, low, high in left[1:]:
+            if low != end:
+                return None
+            end = high
+        curve = function[number]
+        if curve.at(1, begin) > 0 and curve.at(1, end) < 0:
+            return number, begin, end
+        return None
+
+    def _decided(
+        self, function: list[Expansion], zeros: ExactZeros, *, touching: bool
+    ) -> list[tuple[int, arb, arb]]:
+        """Windows that are left, by segment and places: those about a maximum, if it may touch."""
         from flint import arb
 
+        found = []
         for number, expansion in enumerate(function):
             final = number == self.count - 1
             last = self._place(self.end, number).upper() if final else arb(1)
             order = zeros.order if number == 0 else 0
             # where the last window may not rise: it has nothing negative or zero behind it
             falling = last if final and not zeros.last else None
-            self._segment(expansion, last, order, falling)
+            slow = last if final and zeros.last > 1 else None
+            left = self._segment(expansion, last, order, falling, slow, touching=touching)
+            found += [(number, begin, end) for begin, end in left]
+        return found
 
     def _place(self, time: arb, number: int) -> arb:
         """The place u of a time in a segment."""
         return time / self.half - (2 * number + 1)
 
-    def _segment(self, function: Expansion, last: arb, order: int, falling: arb | None) -> None:
+    def _segment(
+        self,
+        function: Expansion,
+        last: arb,
+        order: int,
+        falling: arb | None,
+        slow: arb | None,
+        *,
+        touching: bool,
+    ) -> list[tuple[arb, arb]]:
         from flint import arb
 
+        left: list[tuple[arb, arb]] = []
         windows = [(arb(-1), last, 0)]
         while windows:
             begin, end, depth = windows.pop()
@@ -186,6 +247,11 @@ class EventFunctions:
                 window = function.over(places)
                 rising = falling is None or end < falling
                 done = bool((rising and window.rates > 0) or window.values < 0)
+                # the rate falls to one that is not negative
+                done = done or bool(slow is not None and end >= slow and window.curve < 0)
+                if not done and touching and depth >= _TOUCHING and window.curve < 0:
+                    left.append((begin, end))
+                    continue
                 if not done and window.value > 0:
                     time = function.time(middle)
                     if time < self.dwell:
@@ -193,8 +259,9 @@ class EventFunctions:
             if done:
                 continue
             if depth == _DEEPEST:
-                raise Undecided("it comes closer to zero than the digits tell")
+                raise Undecided(_CLOSE)
             windows += [(middle, end, depth + 1), (begin, middle, depth + 1)]
+        return left
 
 
 def _diagonal(entries: Sequence[float]) -> arb_mat:

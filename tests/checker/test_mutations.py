@@ -86,6 +86,12 @@ FILES: dict[str, Callable[[], Any]] = {
         ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)),
         ns.continue_orbit(loop(k="sqrt(2)"), "a", (1.2, 3.5)),
     ),
+    "branch": lambda: ns.certify_branch(
+        ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+    ),
+    "branch-vanishing": lambda: ns.certify_branch(
+        ns.continue_orbit(ns.solve(STICK, {"V": "1.18"}), "V", (1.1, 1.3)), interval=("1.1", "1.3")
+    ),
     "census": lambda: _census(tau1="2.5", tau2="2"),
     "census-conservative": lambda: ns.certify_all(
         "elastic-stop/one-contact", box={"tau": 10, "tau1": 10}
@@ -100,6 +106,7 @@ NOTES = (
     r".*\bchosen\b.*",  # that the orbit leaves them open is checked
     r"events/\d+/text",
     r"tiles/\d+/looked_at",
+    r"start",  # of a branch: from which of its tiles it was followed
     r"(conditions|undecided|beyond|looked)\b.*",  # of the search for all orbits
     r"orbits/\d+/unique.*",
     r"no_derivatives.*",
@@ -108,6 +115,8 @@ HINTS = (
     r".*\bbits",
     r".*box/\d+/(mid|rad)",  # of unknowns
     r"tiles/\d+/guess.*",
+    r"tiles/\d+/(centre|radii)/.*",  # another tube around the same orbits
+    r"tiles/\d+/event/window/.*",
     r".*closing/(dropped|form|constants).*",  # any energy serves
     r".*multipliers(/\d+)?",  # of several proved ones some may be told
     r".*margins(/\d+|/\d+/least)?",

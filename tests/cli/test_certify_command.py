@@ -172,7 +172,7 @@ def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
         ([STICK, "V=0.99:1.01", "V=0.9:1.1"], 2, "given twice"),
         ([STICK, "etta=0.99:1.01"], 2, "did you mean"),
         ([STICK, "V=30:50"], 1, "no "),
-        ([STICK, "V=0.9:1.1", "--all", "--events"], 2, "two questions"),
+        ([STICK, "V=0.9:1.1", "--all", "--events"], 2, "ask one of them"),
         ([STICK, "V=1", "--plot", "x.png"], 2, "box of parameters"),
         ([STICK, "V=0.99:1.01", "--plot", "x.bmp"], 2, "x.bmp"),
         ([STICK, "V=0.99:1.01", "--tiles", "0"], 2, "tiles = 0"),

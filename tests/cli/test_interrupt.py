@@ -145,12 +145,12 @@ def test_a_design_goes_on_to_its_end(tmp_path: Path) -> None:
     )
     ended = interrupted(f"{question} --save d.json", r"[3-9]/\?", tmp_path)
     assert ended.code == 130
-    part = ns.load_design(tmp_path / "d.json")
+    part = ns.load(tmp_path / "d.json")
     assert part.message == "interrupted"
     assert f"{len(part.history)} iterates are done, kept in d.json; go on with: " in ended.said
     assert run(*ended.goes_on, folder=tmp_path)[0] == 0
     assert run(*question.split(), "--save", "whole.json", folder=tmp_path)[0] == 0
-    gone_on, whole = (ns.load_design(tmp_path / name) for name in ("d.json", "whole.json"))
+    gone_on, whole = (ns.load(tmp_path / name) for name in ("d.json", "whole.json"))
     assert gone_on.converged
     assert gone_on.before == whole.before
     assert gone_on.after["d"] == pytest.approx(whole.after["d"], abs=1e-6)

@@ -216,6 +216,10 @@ def census() -> Any:
     return ns.certify_all(kicked(), {"k": 9, "r": "1/3", "a": 10}, bounds, itinerary=LOOP)
 
 
+def certified() -> Any:
+    return ns.certify_branch(looped())
+
+
 def proven_map() -> Any:
     return ns.certify_box(loop(), {"r": ("2/5", "3/5")})
 
@@ -232,6 +236,7 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth certificate": lambda: ns.certify(ns.solve(STICK)),
     "nonsmooth box certificate": proven_map,
     "nonsmooth event certificate": event,
+    "nonsmooth certified branch": certified,
     "nonsmooth census": census,
 }
 # what the file of a proof holds for the checker, and an answer that is shown

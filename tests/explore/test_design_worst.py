@@ -142,7 +142,7 @@ def test_what_is_wrong_is_named(options: dict[str, Any], message: str) -> None:
 def test_it_is_saved_drawn_and_certified(tmp_path: Path) -> None:
     path = tmp_path / "design.json"
     tuned().save(path)
-    read = ns.load_design(path)
+    read = ns.load(path)
     assert read.worst_over == WINDOW
     assert read.worst_at == tuned().worst_at
     figure = read.plot()

@@ -21,7 +21,7 @@ from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 from nonsmooth.runtime.present.files.event_certificates import save_events
-from nonsmooth.runtime.proof.events.certify_event import certify_branch
+from nonsmooth.runtime.proof.events.certify_event import certify_events
 from tests.user_systems import declare
 
 # a square root, a quotient, a fraction, restitution, an irrational end of a domain
@@ -69,7 +69,7 @@ def fit(source: Path) -> Any:
 def events(source: Path, path: Path) -> None:
     near = ns.solve(f"{source}:one", {"gap": "-0.332"})
     found = ns.continue_orbit(near, "gap", (-0.335, -0.33))
-    save_events(certify_branch(found, 64), path)
+    save_events(certify_events(found, 64), path)
 
 
 MAKE: dict[str, Callable[[Path, Path], None]] = {

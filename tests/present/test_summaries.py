@@ -80,6 +80,8 @@ def result(kind: str) -> Any:
             return ns.certify(result("Orbit"))
         case "BoxCertificate":
             return ns.certify_box(result("Orbit"), {"V": ("0.999", "1.001")})
+        case "CertifiedBranch":
+            return ns.certify_branch(branch())
         case "Census":
             return ns.certify_all(ORBIT, {"us1": 1, "us2": 1}, {"tau": (1.9, 2.1), "tau1": (3, 4)})
         case "EventCertificate":

@@ -18,7 +18,7 @@ from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision, parse
 from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.proof.admissibility import _Phase, _Refuted
+from nonsmooth.runtime.proof.admissibility import OpenInequality, _Phase, _Refuted
 from nonsmooth.runtime.proof.admissibility_conditions import (
     Condition,
     Derivative,
@@ -420,15 +420,22 @@ def phase_at(*behind: int) -> Any:
     """A phase that ends at a state; the rest is not asked for."""
     phase = object.__new__(_Phase)
     phase.behind = [arb(x) for x in behind]
+    phase.ending, phase.assumed, phase.open = (
+        OpenInequality("vanishing-phase", 0, "stop", ""),
+        (),
+        [],
+    )
     return phase
 
 
 def test_a_dwell_time_is_positive_refuted_or_undecided() -> None:
-    for dwell, error in ((arb(-1), _Refuted), (arb(0, 1), Undecided)):
-        phase = phase_at()
-        phase.dwell = dwell
-        with pytest.raises(error, match="dwell time"):
-            phase.judged()
+    phase = phase_at()
+    phase.dwell = arb(-1)
+    with pytest.raises(_Refuted, match="dwell time"):
+        phase.judged()
+    phase.dwell = arb(0, 1)
+    assert phase.judged() == []
+    assert phase.open == [(phase.ending, "its dwell time cannot be told from 0")]
 
 
 def test_a_boundary_is_reached_from_inside_refuted_or_undecided() -> None:

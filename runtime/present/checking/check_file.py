@@ -18,6 +18,7 @@ from nonsmooth.runtime.checker import (
     Failure,
     Malformed,
     check,
+    check_branch,
     check_census,
     check_events,
     check_tiles,
@@ -32,6 +33,7 @@ from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.present.checking.compare_declarations import (
     compare_box,
+    compare_branch,
     compare_census,
     compare_certificate,
     compare_events,
@@ -43,19 +45,25 @@ from nonsmooth.runtime.present.files.certificates import (
     certificate_entries,
     certificate_of,
 )
+from nonsmooth.runtime.present.files.certified_branches import (
+    BRANCH,
+    certified_branch_entries,
+    certified_branch_of,
+)
 from nonsmooth.runtime.present.files.event_certificates import (
     EVENTS,
     event_entries,
     events_of,
 )
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate, events_claim
 
 __all__ = ["Check", "check_certificate"]
 
-Proven = Certificate | BoxCertificate | Census | tuple[EventCertificate, ...]
+Proven = Certificate | BoxCertificate | CertifiedBranch | Census | tuple[EventCertificate, ...]
 _HELD = "{} is the system as the file holds it: no declaration was run"
 _NOT_CALLED = "what the orbit and its unknowns are called was not compared"
 _NOT_COUNTED = "that there are no other orbits was NOT proved again"
@@ -71,9 +79,10 @@ class Check(Shown):
         What is wrong with it; None if every claim was proved again.
     note : str or None
         What is not compared, or not proved again.
-    certificate : Certificate, BoxCertificate, Census, tuple of EventCertificate, or None
-        What was read; None if something is wrong with it. Reasons why a claim is undecided,
-        which parameters were chosen, and of a census all but its orbits are as the file says.
+    certificate : Certificate, BoxCertificate, CertifiedBranch, Census, tuple or None
+        What was read, of events a tuple of EventCertificate; None if something is wrong with it.
+        Reasons why a claim is undecided, which parameters were chosen, and of a census all but
+        its orbits are as the file says.
     claims : dict of str to {"proved", "refuted", "undecided"}
         What was proved again. Of a census "listed" says whether each of its orbits was;
         "no others" is undecided.
@@ -113,6 +122,10 @@ _KINDS = {
             lambda found: found.claims, compare_certificate,
         ),
         _Kind(BOX, check_tiles, box_of, box_entries, lambda found: found.claims, compare_box),
+        _Kind(
+            BRANCH, check_branch, certified_branch_of, certified_branch_entries,
+            lambda found: found.claims, compare_branch,
+        ),
         _Kind(EVENTS, check_events, events_of, event_entries, events_claim, compare_events),
         _Kind(CENSUS, check_census, census_of, census_entries, _listed, compare_census),
     )
@@ -128,7 +141,8 @@ def check_certificate(path: str | os.PathLike[str], declared: str | None = None)
     Parameters
     ----------
     path : str or path
-        What `save` of a `Certificate`, `BoxCertificate`, `EventCertificate` or `Census` wrote.
+        What `save` of a `Certificate`, `BoxCertificate`, `CertifiedBranch`, `EventCertificate`
+        or `Census` wrote.
     declared : str, optional
         A system or an orbit by name, such as ``FILE.py:ORBIT``: its tables have to be those of
         the file. Without it nothing that a user declares is run.

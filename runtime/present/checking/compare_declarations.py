@@ -28,7 +28,13 @@ from nonsmooth.runtime.proof.parametric_declaration import (
 )
 from nonsmooth.runtime.proof.statement import rational
 
-__all__ = ["compare_box", "compare_census", "compare_certificate", "compare_events"]
+__all__ = [
+    "compare_box",
+    "compare_branch",
+    "compare_census",
+    "compare_certificate",
+    "compare_events",
+]
 
 Content = Mapping[str, Any]
 
@@ -111,6 +117,27 @@ def compare_events(content: Content) -> bool:
         except Failure as problem:
             raise Failure(f"event {number}, {event['kind']}: {problem}") from None
     return all(compared)
+
+
+def compare_branch(content: Content) -> bool:
+    """Compare a certified branch: a box of one parameter.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Returns
+    -------
+    bool
+        As `compare_box` tells it.
+
+    Raises
+    ------
+    Failure
+        If the declaration is another one.
+    """
+    return compare_box({**content, "box": {content["parameter"]: content["interval"]}})
 
 
 def compare_census(content: Content) -> bool:

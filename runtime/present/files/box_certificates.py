@@ -26,7 +26,14 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from nonsmooth.runtime.proof.certificate import VERSION
 
-__all__ = ["BOX", "box_entries", "box_of", "load_box_certificate", "save_box"]
+__all__ = [
+    "BOX",
+    "box_entries",
+    "box_of",
+    "check_exponents",
+    "load_box_certificate",
+    "save_box",
+]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -165,8 +172,7 @@ def box_of(entries: BoxEntries) -> BoxCertificate:
         If its tiles do not fill the box.
     """
     system_in(entries.system, entries.tables)
-    if not all(abs(number) <= LARGEST_EXPONENT for number in _integers(entries.declaration)):
-        raise InputError(f"its declaration holds an exponent beyond {LARGEST_EXPONENT}")
+    check_exponents(entries.declaration)
     found = BoxCertificate(
         orbit=entries.orbit,
         system=entries.system,
@@ -183,6 +189,23 @@ def box_of(entries: BoxEntries) -> BoxCertificate:
     if total != 1:
         raise InputError("its tiles do not fill the box")
     return found
+
+
+def check_exponents(declaration: Any) -> None:
+    """Refuse a declaration with exponents that nothing can be computed with.
+
+    Parameters
+    ----------
+    declaration : dict
+        As it was read.
+
+    Raises
+    ------
+    InputError
+        If there is one.
+    """
+    if not all(abs(number) <= LARGEST_EXPONENT for number in _integers(declaration)):
+        raise InputError(f"its declaration holds an exponent beyond {LARGEST_EXPONENT}")
 
 
 def _integers(entry: Any) -> Iterator[int]:

@@ -14,10 +14,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["box_figure", "draw_box"]
+__all__ = ["COLORS", "box_figure", "draw_box"]
 
 # the colours of charts: Tol's scheme "vibrant"; white is what is not known
-_COLORS = {
+COLORS = {
     "stable": "#0077BB",
     "neutral": "#33BBEE",
     "unstable": "#EE7733",
@@ -97,7 +97,7 @@ def _draw(found: BoxCertificate, own: Axes) -> None:
             own.fill_between(
                 [],
                 [],
-                facecolor=_COLORS[name],
+                facecolor=COLORS[name],
                 edgecolor="0.4",
                 label=label or f"undecided ({share:.4g} %)",
             )
@@ -116,7 +116,7 @@ def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
         (left, right), (below, above) = where[across], where[up]
         corner = (float(left), float(below))
         patches.append(Rectangle(corner, float(right - left), float(above - below)))
-        colors.append(_COLORS[found.stability if tile.verdict == "proved" else tile.verdict])
+        colors.append(COLORS[found.stability if tile.verdict == "proved" else tile.verdict])
     width = 0.6 if len(patches) < 400 else 0.2
     axes.add_collection(
         PatchCollection(patches, facecolors=colors, edgecolors="0.3", linewidths=width)
@@ -131,7 +131,7 @@ def _draw_line(axes: Axes, found: BoxCertificate) -> None:
     (name,) = found.box
     for tile in found.tiles:
         left, right = map(float, found.where(tile)[name])
-        color = _COLORS[found.stability if tile.verdict == "proved" else tile.verdict]
+        color = COLORS[found.stability if tile.verdict == "proved" else tile.verdict]
         trace = tile.enclosures.get("trace")
         if trace is None:
             axes.axvspan(left, right, facecolor=color, edgecolor="0.3", hatch="//", linewidth=0)

@@ -151,6 +151,14 @@ def _proven_map(path: Path) -> Drawn:
     return {"orbit": certificate.orbit}, box_figure(certificate)
 
 
+def _certified_branch(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.certified_branches import load_certified_branch
+    from nonsmooth.runtime.present.pictures.certified_branches import certified_branch_figure
+
+    found = load_certified_branch(path)
+    return {"orbit": found.orbit}, certified_branch_figure(found)
+
+
 def _sweep(path: Path) -> Drawn:
     from nonsmooth.runtime.present.files.sweeps import load_sweep
     from nonsmooth.runtime.present.pictures.maps import draw_sweep
@@ -177,6 +185,7 @@ _IN_ONE_WAY: dict[str, tuple[str, Callable[[Path], Drawn]]] = {
     "nonsmooth design": ("a design", _design),
     "nonsmooth locus": ("a curve of events", _locus),
     "nonsmooth box certificate": ("a proven map", _proven_map),
+    "nonsmooth certified branch": ("a certified branch", _certified_branch),
     "nonsmooth sweep": ("a sweep", _sweep),
     "nonsmooth fit": ("a fit", _fit),
 }

@@ -6,7 +6,7 @@ that there is exactly one next to them, and everything else is computed along th
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -16,7 +16,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.krawczyk import Contraction, Krawczyk, krawczyk, newton
+from nonsmooth.runtime.proof.krawczyk import Contraction, Krawczyk, Solvable, krawczyk, newton
 from nonsmooth.runtime.proof.orbit_claims import (
     NOT_CONSERVED,
     claim_of_map,
@@ -24,13 +24,11 @@ from nonsmooth.runtime.proof.orbit_claims import (
     judged,
     named_numbers,
 )
-from nonsmooth.runtime.proof.orbit_equations import Equations
-from nonsmooth.runtime.shooting.variational import Phase
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Anchor", "TileProof", "Tube", "prove"]
+__all__ = ["Anchor", "TileProof", "Tube", "contracted", "followed", "joined", "prove"]
 
 _ORDERS = {1: 5, 2: 3}  # by the number of parameters: what costs least, measured
 _LOWEST = 2
@@ -135,10 +133,10 @@ def prove(region: Region, place: Place, anchor: Anchor, *, rough: bool) -> TileP
 def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> TileProof:
     number = region.tables.number_at(_variables(region, place, space))
     equations = region.equations(number)
-    start = _followed(equations, anchor.numbers, space)
+    start = followed(equations, anchor.numbers, space)
     if start is None:
         return _undecided("Newton's method finds no orbit in the middle")
-    found = _contracted(Krawczyk(equations, start))
+    found = contracted(Krawczyk(equations, start))
     if found is None:
         return _undecided("Krawczyk's test fails")
     tube = Tube(place, region.box, found.image)
@@ -158,16 +156,36 @@ def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> TilePr
 
 
 def _joined(region: Region, anchor: Anchor, found: Sequence[arb]) -> bool:
-    """Whether what was found is the anchor's orbit: one box there holds both, and one root."""
+    """Whether what was found is the anchor's orbit."""
     from flint import arb
 
     number = region.tables.number_at([arb(rational_of(x)) for x in anchor.point])
-    both = [x.union(y) for x, y in zip(found, anchor.numbers, strict=True)]
+    return joined(region.equations(number), found, anchor.numbers)
+
+
+def joined(equations: Solvable, found: Sequence[arb], numbers: Sequence[arb]) -> bool:
+    """Whether one box holds both of two points, and one root.
+
+    Parameters
+    ----------
+    equations : Solvable
+        Of the unknowns.
+    found, numbers : sequence of arb
+        Two enclosures of all unknowns.
+
+    Returns
+    -------
+    bool
+        True if that is proved: if both contain roots they are one.
+    """
+    from flint import arb
+
+    both = [x.union(y) for x, y in zip(found, numbers, strict=True)]
     centre = [x.mid() for x in both]
     radii = [2 * x.rad() + (1 + abs(x)) * arb(2) ** -_ALIKE for x in both]
     if not all(r.is_finite() for r in radii):
         return False
-    return krawczyk(region.equations(number), centre, [r.upper() for r in radii]).unique
+    return krawczyk(equations, centre, [r.upper() for r in radii]).unique
 
 
 def _wider(number: Any) -> arb:
@@ -194,9 +212,23 @@ def _variables(region: Region, place: Place, space: Space) -> list[TaylorModel]:
     return found
 
 
-def _followed(equations: Equations, guess: Sequence[arb], space: Space) -> list[Any] | None:
-    """Polynomials near the orbit, by Newton's method; nothing is proved of them."""
-    middle = _mapped(equations, middle_of)
+def followed(equations: Solvable, guess: Sequence[arb], space: Space) -> list[Any] | None:
+    """Polynomials near the orbit, by Newton's method; nothing is proved of them.
+
+    Parameters
+    ----------
+    equations : Solvable
+        Of the unknowns; in Taylor models of the space.
+    guess : sequence of arb
+        The unknowns about, in the middle.
+    space : Space
+
+    Returns
+    -------
+    list of TaylorModel or None
+        None where Newton's method fails.
+    """
+    middle = equations.mapped(middle_of)
     found = newton(lambda: middle, guess, _CLOSE)
     if found is None:
         return None
@@ -208,26 +240,25 @@ def _followed(equations: Equations, guess: Sequence[arb], space: Space) -> list[
             return middle.cast(rough) if isinstance(number, TaylorModel) else rough.constant(middle)
 
         centre = list(map(cut, found))
-        missed = Krawczyk(_mapped(equations, cut), centre).missed
+        missed = Krawczyk(equations.mapped(cut), centre).missed
         if not missed or not all(range_of(d).is_finite() for d in missed):
             return None
         found = [(x + d).mid() for x, d in zip(centre, missed, strict=True)]
     return found
 
 
-def _mapped(equations: Equations, change: Callable[[Any], Any]) -> Equations:
-    """The same equations in other numbers."""
-    period = equations.period
-    return Equations(
-        [Phase(*map(change, phase)) for phase in equations.phases],
-        equations.closing,
-        None if period is None else change(period),
-        list(map(change, equations.speeds)),
-    )
+def contracted(test: Krawczyk) -> Contraction | None:
+    """A box around the polynomials that Krawczyk's map takes into itself, if there is one.
 
+    Parameters
+    ----------
+    test : Krawczyk
+        About the polynomials.
 
-def _contracted(test: Krawczyk) -> Contraction | None:
-    """A box around the polynomials that Krawczyk's map takes into itself, if there is one."""
+    Returns
+    -------
+    Contraction or None
+    """
     from flint import arb
 
     unit = arb(2) ** -_CLOSE

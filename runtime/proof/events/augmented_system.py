@@ -20,7 +20,7 @@ from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 if TYPE_CHECKING:
     from flint import arb, arb_mat
 
-__all__ = ["Augmented", "augmented", "instant_of"]
+__all__ = ["Augmented", "augmented", "determinant", "instant_of", "pair_products"]
 
 _LARGEST_MAP = 6  # multipliers
 
@@ -153,7 +153,7 @@ def _multiplier(sign: int) -> Callable[[_Here], list[Any]]:
     def values(here: _Here) -> list[Any]:
         found = _map(here)
         size = found.nrows()
-        return [_determinant([[found[i, j] + sign * (i == j) for j in range(size)]
+        return [determinant([[found[i, j] + sign * (i == j) for j in range(size)]
                               for i in range(size)])]  # fmt: skip
 
     return values
@@ -163,12 +163,28 @@ def _pair(here: _Here) -> list[Any]:
     """Two multipliers with the product 1 that are not real, by the bialternate product."""
     found = _map(here)
     _check_pair(range_of(found))
-    pairs = list(combinations(range(found.nrows()), 2))
+    return [pair_products(found)]
+
+
+def pair_products(square: Any) -> Any:
+    """The product of m n - 1 over all pairs of multipliers: the bialternate product.
+
+    Parameters
+    ----------
+    square : matrix (n, n)
+        Of balls, Taylor models or jets; n at least 2.
+
+    Returns
+    -------
+    arb, TaylorModel or Jet
+    """
+    pairs = list(combinations(range(square.nrows()), 2))
 
     def entry(p: int, q: int, r: int, s: int) -> Any:
-        return found[p, r] * found[q, s] - found[p, s] * found[q, r] - int((p, q) == (r, s))
+        product = square[p, r] * square[q, s] - square[p, s] * square[q, r]
+        return product - int((p, q) == (r, s))
 
-    return [_determinant([[entry(*left, *right) for right in pairs] for left in pairs])]
+    return determinant([[entry(*left, *right) for right in pairs] for left in pairs])
 
 
 def _check_pair(found: arb_mat) -> None:
@@ -185,8 +201,18 @@ def _check_pair(found: arb_mat) -> None:
             raise NotCovered("neimark-sacker: the pair may be real")
 
 
-def _determinant(rows: Sequence[Sequence[Any]]) -> Any:
-    """By elimination, the largest pivot first: at an event only the last one is zero."""
+def determinant(rows: Sequence[Sequence[Any]]) -> Any:
+    """By elimination, the largest pivot first: at an event only the last one is zero.
+
+    Parameters
+    ----------
+    rows : sequence of sequence of arb, TaylorModel or Jet
+        A square of them.
+
+    Returns
+    -------
+    arb, TaylorModel or Jet
+    """
     left = [list(row) for row in rows]
     found: Any = None
     while left:

@@ -35,7 +35,7 @@ from nonsmooth.runtime.proof.statement import decimals, rational
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["certify_branch", "certify_event"]
+__all__ = ["certify_event", "certify_events"]
 
 _ROUGH = 96  # bits of the first steps
 _STEPS = 5
@@ -100,7 +100,7 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
     return replace(found, claim="proved", enclosures=told, box=box)
 
 
-def certify_branch(
+def certify_events(
     branch: Branch,
     bits: int = 128,
     known: Sequence[EventCertificate] = (),

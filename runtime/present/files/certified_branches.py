@@ -1,0 +1,197 @@
+"""Certified branches in files."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Literal
+
+from nonsmooth.runtime.core.json_codec import FromOne
+from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
+from nonsmooth.runtime.present.files.box_certificates import check_exponents
+from nonsmooth.runtime.present.files.claim_entries import (
+    Enclosures,
+    Itinerary,
+    enclosed,
+    stated,
+)
+from nonsmooth.runtime.proof.branch.certified_branch import (
+    BranchEvent,
+    BranchTile,
+    CertifiedBranch,
+)
+from nonsmooth.runtime.proof.branch.certify_branch import STATED
+from nonsmooth.runtime.proof.certificate import VERSION
+
+__all__ = [
+    "BRANCH",
+    "certified_branch_entries",
+    "certified_branch_of",
+    "load_certified_branch",
+    "save_certified_branch",
+]
+
+Verdict = Literal["stable", "neutral", "unstable", "not admissible", "undecided"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class BranchEventEntries:
+    """What a file states of one event of a branch."""
+
+    kind: str
+    phase: FromOne
+    configuration: str
+    boundary: str
+    instant: Literal["", "start", "inside", "end"]
+    lower: Fraction
+    upper: Fraction
+    window: tuple[Fraction, ...]
+    also: tuple[tuple[str, int, str, str], ...]
+    enclosures: Enclosures
+
+
+@dataclass(frozen=True, kw_only=True)
+class BranchTileEntries:
+    """What a file states of one tile of a branch."""
+
+    coordinate: str
+    lower: Fraction
+    upper: Fraction
+    forwards: bool
+    before: Verdict
+    after: Verdict
+    reason: str
+    centre: tuple[tuple[float, ...], ...]
+    radii: tuple[float, ...]
+    event: BranchEventEntries | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class BranchClaimEntries:
+    """The claim about a branch."""
+
+    branch: Literal["proved", "undecided"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class CertifiedBranchEntries:
+    """What a certified branch's file states."""
+
+    orbit: str
+    system: str
+    tables: SavedSystem | None
+    parameters: Mapping[str, Value]
+    chosen: tuple[str, ...]
+    itinerary: Itinerary
+    parameter: str
+    interval: tuple[Fraction, Fraction]
+    stability: str
+    unknown_names: tuple[str, ...]
+    claims: BranchClaimEntries
+    start: int
+    ends: tuple[str, str]
+    tiles: tuple[BranchTileEntries, ...]
+    declaration: Mapping[str, Any]
+    closing: Mapping[str, Any]
+
+
+BRANCH = FileFormat(
+    name="nonsmooth certified branch",
+    what="certified branch",
+    entries=CertifiedBranchEntries,
+    version=VERSION,
+)
+
+
+def save_certified_branch(found: CertifiedBranch, path: str | os.PathLike[str]) -> None:
+    """Write a branch to a file; what was there stays until the new content is complete.
+
+    Parameters
+    ----------
+    found : CertifiedBranch
+    path : str or path
+        The file.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    BRANCH.write(path, certified_branch_entries(found))
+
+
+def certified_branch_entries(found: CertifiedBranch) -> CertifiedBranchEntries:
+    """What a certified branch's file states.
+
+    Parameters
+    ----------
+    found : CertifiedBranch
+
+    Returns
+    -------
+    CertifiedBranchEntries
+        Ready to be written.
+    """
+    return stated(CertifiedBranchEntries, found)
+
+
+def load_certified_branch(path: str | os.PathLike[str]) -> CertifiedBranch:
+    """Read a branch that `CertifiedBranch.save` wrote; nothing is proved again.
+
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+
+    Returns
+    -------
+    CertifiedBranch
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or is cut, edited or foreign. The message names it.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.9, 1.1))
+    >>> ns.certify_branch(branch).save("branch.json")
+    >>> [event.kind for event in ns.load("branch.json").events]
+    ['flip']
+    """
+    with naming(path) as file:
+        return certified_branch_of(BRANCH.read(file))
+
+
+def certified_branch_of(entries: CertifiedBranchEntries) -> CertifiedBranch:
+    """The branch that a file's entries describe.
+
+    Parameters
+    ----------
+    entries : CertifiedBranchEntries
+        As they were read.
+
+    Returns
+    -------
+    CertifiedBranch
+    """
+    system_in(entries.system, entries.tables)
+    check_exponents(entries.declaration)
+    own = {name: value for name, value in vars(entries).items() if name not in ("tables", "claims")}
+    return CertifiedBranch(**{**own, "tiles": tuple(map(_tile, entries.tiles))})
+
+
+def _tile(entries: BranchTileEntries) -> BranchTile:
+    event = entries.event
+    return BranchTile(**{**vars(entries), "event": None if event is None else _event(event)})
+
+
+def _event(entries: BranchEventEntries) -> BranchEvent:
+    also = tuple((kind, phase - 1, *rest) for kind, phase, *rest in entries.also)
+    enclosures = enclosed(entries.enclosures, STATED)
+    return BranchEvent(**{**vars(entries), "also": also, "enclosures": enclosures})

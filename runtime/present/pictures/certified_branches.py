@@ -1,0 +1,143 @@
+"""Pictures of certified branches: proved intervals in colours, events marked."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.core.errors import unknown_name
+from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
+from nonsmooth.runtime.present.pictures.proven_maps import COLORS
+from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
+
+if TYPE_CHECKING:
+    import numpy as np
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["certified_branch_figure", "draw_certified_branch"]
+
+_POINTS = 40  # of a tile
+_MARKS = "osD^vP*X"
+
+
+def certified_branch_figure(found: CertifiedBranch, quantity: str | None = None) -> Figure:
+    """Draw a branch into a figure of its own; see `draw_certified_branch`.
+
+    Parameters
+    ----------
+    found : CertifiedBranch
+    quantity : str, optional
+        The unknown that is drawn.
+
+    Returns
+    -------
+    Figure
+        Outside pyplot.
+
+    Raises
+    ------
+    InputError
+        If the branch has no such unknown.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    check_picture("branch", ("branch",))
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.2, 5.0))
+    figure.set_layout_engine("constrained")
+    _draw(found, quantity, figure.add_subplot())
+    return figure
+
+
+def draw_certified_branch(
+    found: CertifiedBranch, quantity: str | None = None, axes: Any = None
+) -> Figure | Axes:
+    """Draw an unknown over the parameter, by the polynomials of the tubes.
+
+    Parameters
+    ----------
+    found : CertifiedBranch
+    quantity : str, optional
+        The unknown that is drawn; the last dwell time by default.
+    axes : Axes, optional
+        What is drawn into; a figure of its own by default.
+
+    Returns
+    -------
+    Figure or Axes
+        The figure, or the Axes that were given.
+
+    Raises
+    ------
+    InputError
+        If the branch has no such unknown.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    if axes is None:
+        return certified_branch_figure(found, quantity)
+    check_picture("branch", ("branch",))
+    (own,) = given_axes(axes, "branch", [1])
+    _draw(found, quantity, own)
+    return own
+
+
+def _draw(found: CertifiedBranch, quantity: str | None, axes: Axes) -> None:
+    name = found.unknown_names[-1] if quantity is None and found.unknown_names else quantity or ""
+    if name not in found.unknown_names:
+        raise unknown_name("unknown", name, found.unknown_names)
+    shown = set()
+    for tile in found.tiles:
+        across, up = _points(found, tile, name)
+        parts = [(tile.before, slice(None))]
+        if tile.event is not None:
+            low = float(tile.lower)
+            share = (float(tile.event.lower) - low) / (float(tile.upper) - low)
+            cut = int(share * (_POINTS - 1)) + 1
+            first, second = slice(None, cut), slice(cut - 1, None)
+            halves = (first, second) if tile.forwards else (second, first)
+            parts = [(tile.before, halves[0]), (tile.after, halves[1])]
+        for verdict, part in parts:
+            told = "undecided" if verdict == "undecided" else f"{verdict}, proved"
+            color = COLORS[verdict] if verdict != "undecided" else "#CC3311"
+            label = "" if verdict in shown else told
+            shown.add(verdict)
+            axes.plot(across[part], up[part], color=color, linewidth=2, label=label or None)
+    _mark(found, name, axes)
+    units = units_of(found.system)
+    axes.set_xlabel(units.label(found.parameter))
+    axes.set_ylabel(name)
+    finish(axes, shown_name(found.orbit))
+
+
+def _mark(found: CertifiedBranch, name: str, axes: Axes) -> None:
+    kinds = list(dict.fromkeys(event.kind for event in found.events))
+    for place, kind in enumerate(kinds):
+        there = [event.enclosures for event in found.events if event.kind == kind]
+        axes.plot(
+            [float(x[found.parameter]) for x in there],
+            [float(x[name]) for x in there],
+            linestyle="none",
+            marker=_MARKS[place % len(_MARKS)],
+            color="black",
+            label=f"{kind}, enclosed",
+        )
+
+
+def _points(found: CertifiedBranch, tile: BranchTile, name: str) -> tuple[np.ndarray, np.ndarray]:
+    """Parameter and unknown along a tile."""
+    import numpy as np
+
+    e = np.linspace(-1, 1, _POINTS)
+    low, high = float(tile.lower), float(tile.upper)
+    own = (low + high) / 2 + (high - low) / 2 * e
+    names = [*found.unknown_names, None]
+    place = len(names) - 1
+    if tile.coordinate != found.parameter:
+        place = names.index(tile.coordinate)
+    others = [np.polynomial.polynomial.polyval(e, row) for row in tile.centre]
+    every = [*others[:place], own, *others[place:]]
+    return every[-1], every[names.index(name)]

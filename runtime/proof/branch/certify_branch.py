@@ -1,0 +1,333 @@
+"""Certify a branch: every orbit of it, every change of its verdict, and that there is no other."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import islice
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.resuming import check_same_question
+from nonsmooth.runtime.core.values import as_value, flint_precision
+from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.admissibility import OpenInequality
+from nonsmooth.runtime.proof.boxes.orbit_over_box import (
+    checked_box,
+    given_of,
+    region_of,
+    with_open_ones,
+)
+from nonsmooth.runtime.proof.branch.certified_branch import (
+    FINISHED,
+    BranchEvent,
+    BranchTile,
+    CertifiedBranch,
+)
+from nonsmooth.runtime.proof.branch.crossing import SHARP, EventCrossing
+from nonsmooth.runtime.proof.branch.curve import OrbitCurve
+from nonsmooth.runtime.proof.branch.march import JOINT, BranchStep, MarchPlace, march
+from nonsmooth.runtime.proof.branch.tube import BranchTube, orbit_at, orbit_near
+from nonsmooth.runtime.proof.certificate import Stated
+from nonsmooth.runtime.proof.exact_tables import rational_of
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, system_of
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["MOST_TILES", "STATED", "certify_branch"]
+
+MOST_TILES = 2000
+_EVERY = 10.0  # seconds between states that are kept
+STATED = 112  # bits of the numbers at an event
+_NEAR = 1e-5  # how far the orbit may be from the numbers that were given, in their own size
+
+
+def certify_branch(
+    branch: Branch,
+    *,
+    interval: tuple[object, object] | None = None,
+    tiles: int = MOST_TILES,
+    resume: CertifiedBranch | None = None,
+    progress: Callable[[float, int], object] = lambda share, tiles: None,
+    keep: Callable[[CertifiedBranch], object] | None = None,
+) -> CertifiedBranch:
+    """Prove all of a branch: that it consists of exactly these intervals and events.
+
+    From the orbit at which the branch was started it is followed both ways in Taylor models, up
+    to the ends of the interval. At folds an unknown of the orbit takes the place of the
+    parameter. Where the verdict changes there is one event, a zero of a number that passes it
+    with a speed that is not zero.
+
+    Parameters
+    ----------
+    branch : Branch
+        Its orbit and its parameter are taken, nothing else.
+    interval : tuple of (number or str, number or str), optional
+        Ends of the parameter, rational numbers; those of the branch by default.
+    tiles : int
+        At most so many are proved.
+    resume : CertifiedBranch, optional
+        What was proved before of the same branch.
+    progress : function of a float and an int, optional
+        Is told about which share is done, and how many tiles there are.
+    keep : function of a CertifiedBranch, optional
+        Is given the state every ten seconds.
+
+    Returns
+    -------
+    CertifiedBranch
+        `complete` if all of it is proved; else it says what is not.
+
+    Raises
+    ------
+    InputError
+        For what is no branch, an interval that is none or does not hold its orbit, or a state
+        that belongs to something else.
+    Interrupted
+        By Ctrl-C; its `partial` is the state, which `resume` takes.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+    >>> found = ns.certify_branch(branch)
+    >>> found.complete, [part.verdict for part in found.intervals]
+    (True, ['not admissible', 'unstable', 'stable'])
+    >>> [event.kind for event in found.events], found.events[1].enclosures["V"]
+    (['grazing', 'flip'], Enclosure(1.08058807417711201976706407592... ± 5.6e-34))
+    """
+    if not isinstance(branch, Branch):
+        raise InputError(f"{branch!r} is no branch, such as continue_orbit gives")
+    if isinstance(tiles, bool) or not isinstance(tiles, int) or tiles < 1:
+        raise InputError(f"tiles = {tiles!r} is not a positive integer")
+    if not isinstance(resume, CertifiedBranch | None):
+        raise InputError(f"{resume!r} is no state to resume: load reads one")
+    if interval is None:
+        values = branch.parameter_values
+        interval = as_value(float(values.min())), as_value(float(values.max()))
+    orbit: Orbit = branch.orbit
+    box = checked_box(orbit, {branch.parameter: interval})
+    try:
+        orbit, chosen = with_open_ones(orbit, box)
+        curve = OrbitCurve(region_of(orbit, box))
+        begin = _begin(curve)
+    except NotCovered as reason:
+        found = _record(orbit, box, (), None)
+        found = replace(found, ends=(str(reason),) * 2)
+        if resume is not None:
+            _check_same(found, resume)
+        return found
+    empty = _record(orbit, box, chosen, curve)
+    if resume is not None:
+        _check_same(empty, resume)
+    work = _Following(curve, begin, resume or empty, branch)
+    kept = time.monotonic()
+    try:
+        for count, _ in enumerate(islice(work.steps(), tiles), 1):
+            progress(work.share, count)
+            if keep is not None and time.monotonic() - kept > _EVERY:
+                keep(work.state)
+                kept = time.monotonic()
+    except KeyboardInterrupt:
+        raise Interrupted(work.state) from None
+    return work.state
+
+
+class _Following:
+    """Both ways along a branch, tile after tile."""
+
+    def __init__(
+        self, curve: OrbitCurve, begin: list[arb], state: CertifiedBranch, branch: Branch
+    ) -> None:
+        self.curve, self.begin, self.state, self.branch = curve, begin, state, branch
+        self.share = 0.0
+
+    def steps(self) -> Any:
+        """Tiles to both ends: first to the beginning, then to the end."""
+        for side in (0, 1):
+            if self.state.ends[side]:
+                continue
+            place = self._place(side)
+            if place.value in self.curve.region.box[0] and place.coordinate == self.curve.parameter:
+                outwards = place.forwards == (place.value == self.curve.region.box[0][1])
+                if outwards:
+                    self._end(side, FINISHED)
+                    continue
+            for step in march(self.curve, place):
+                self._take(side, step)
+                yield step
+
+    def _place(self, side: int) -> MarchPlace:
+        """Where the march goes on."""
+        curve, state = self.curve, self.state
+        mine = state.tiles[: state.start] if side == 0 else state.tiles[state.start :]
+        if not mine:
+            slopes = [0.0] * curve.parameter + [1.0]
+            value = curve.region.at[0]
+            return MarchPlace(curve.parameter, value, side == 1, self.begin, slopes)
+        tile = mine[0] if side == 0 else mine[-1]
+        coordinate = curve.names.index(tile.coordinate)
+        tube = BranchTube(coordinate, tile.lower, tile.upper, tile.centre, tile.radii)
+        forwards = tile.forwards == (side == 1)
+        value = tile.upper if forwards else tile.lower
+        with flint_precision(JOINT):
+            from flint import arb
+
+            point = orbit_at(curve, tube, arb(rational_of(value)), JOINT)
+        if point is None:
+            raise InputError("the state to resume is not one of this branch")
+        others = tube.slopes(1.0 if forwards else -1.0)
+        slopes = [*others[:coordinate], 1.0, *others[coordinate:]]
+        return MarchPlace(coordinate, value, forwards, point, slopes)
+
+    def _take(self, side: int, step: BranchStep) -> None:
+        state = self.state
+        end = ""
+        if step.piece is None:
+            end = f"nothing is proved further: {step.found.reason}"
+        elif step.place.coordinate == self.curve.parameter and (
+            step.place.value in self.curve.region.box[0]
+        ):
+            end = FINISHED
+        if step.piece is not None:
+            tile = _tile(self.curve, step, step.forwards == (side == 1))
+            if side == 0:
+                state = replace(state, tiles=(tile, *state.tiles), start=state.start + 1)
+            else:
+                state = replace(state, tiles=(*state.tiles, tile))
+        self.state = state
+        if end:
+            self._end(side, end)
+        self._tell(side, step)
+
+    def _end(self, side: int, why: str) -> None:
+        ends = [*self.state.ends]
+        ends[side] = why
+        self.state = replace(self.state, ends=(ends[0], ends[1]))
+
+    def _tell(self, side: int, step: BranchStep) -> None:
+        """About how much of the branch is done, by the points that were computed of it."""
+        values = self.branch.parameter_values
+        low, high = self.curve.region.box[0]
+        own, at = self.branch.start, float(step.place.point[-1].mid())
+        mine = values[: own + 1][::-1] if side == 0 else values[own:]
+        turned = abs(mine[1:] - mine[:-1]).cumsum()
+        total = abs(values[1:] - values[:-1]).sum() or 1.0
+        passed = 0 if side == 0 else abs(values[1 : own + 1] - values[:own]).sum()
+        near = abs(mine - at) <= float(high - low) / 50
+        places = [k for k in range(1, len(mine)) if near[k]]
+        if places:
+            self.share = max(self.share, min(1.0, float((passed + turned[places[0] - 1]) / total)))
+        if all(self.state.ends):
+            self.share = 1.0
+
+
+def _begin(curve: OrbitCurve) -> list[arb]:
+    """The orbit from which the branch is followed.
+
+    Raises
+    ------
+    NotCovered
+        If it is not proved to be there.
+    """
+    from flint import arb
+
+    region = curve.region
+    with flint_precision(JOINT):
+        value = arb(rational_of(region.at[0]))
+        found = orbit_near(curve, curve.parameter, value, region.guess, JOINT)
+        if found is None:
+            raise NotCovered("no orbit is proved to exist where the branch was started")
+        sizes = [1 + abs(x) for x in region.guess]
+        pairs = zip(found, region.guess, sizes, strict=False)
+        if not all(abs(x - g) < _NEAR * size for x, g, size in pairs):
+            raise NotCovered("Newton's method leaves the orbit that was given")
+    return found
+
+
+def _tile(curve: OrbitCurve, step: BranchStep, forwards: bool) -> BranchTile:
+    found = step.found
+    before, after = (found.below, found.above) if forwards else (found.above, found.below)
+    assert step.piece is not None
+    return BranchTile(
+        coordinate=curve.names[step.coordinate],
+        lower=step.lower,
+        upper=step.upper,
+        forwards=forwards,
+        before=before,
+        after=after,
+        reason=found.reason,
+        centre=step.piece.tube.centre,
+        radii=step.piece.tube.radii,
+        event=None if found.event is None else _event(curve, found.event),
+    )
+
+
+def _event(curve: OrbitCurve, found: EventCrossing) -> BranchEvent:
+    which = found.which
+    cycle = curve.region.cycle
+    place = which.phase if isinstance(which, OpenInequality) else None
+    with flint_precision(SHARP):
+        enclosures = {
+            name: Stated.around(x, STATED)
+            for name, x in zip(curve.names, found.enclosures, strict=True)
+        }
+    return BranchEvent(
+        kind=which.kind if isinstance(which, OpenInequality) else which,
+        phase=place,
+        configuration="" if place is None else cycle.itinerary[place][0],
+        boundary=which.boundary if isinstance(which, OpenInequality) else "",
+        instant=which.instant if isinstance(which, OpenInequality) else "",
+        lower=found.lower,
+        upper=found.upper,
+        window=() if found.window is None else tuple(map(_fraction, found.window)),
+        also=tuple((o.kind, o.phase, o.boundary, o.instant) for o in found.also),
+        enclosures=enclosures,
+    )
+
+
+def _fraction(number: arb) -> Fraction:
+    mantissa, exponent = (int(x) for x in number.mid().man_exp())
+    return Fraction(mantissa) * Fraction(2) ** exponent
+
+
+def _record(
+    orbit: Orbit, box: Any, chosen: tuple[str, ...], curve: OrbitCurve | None
+) -> CertifiedBranch:
+    """Of nothing yet."""
+    ((parameter, interval),) = box.items()
+    region = None if curve is None else curve.region
+    declaration, closing = ({}, {}) if region is None else region.statement(orbit)
+    return CertifiedBranch(
+        orbit=orbit.name,
+        system=system_of(orbit),
+        parameters={n: value for n, value in given_of(orbit).items() if n != parameter},
+        chosen=chosen,
+        itinerary=() if region is None else region.cycle.itinerary,
+        parameter=parameter,
+        interval=interval,
+        stability="stable" if region is None else region.closing.stability,
+        unknown_names=() if curve is None else curve.names[:-1],
+        tiles=(),
+        start=0,
+        ends=("", ""),
+        declaration=declaration,
+        closing=closing,
+    )
+
+
+def _check_same(wanted: CertifiedBranch, found: CertifiedBranch) -> None:
+    """Refuse to go on with another orbit's branch, or over another interval."""
+    names: Sequence[str] = (
+        "orbit", "itinerary", "parameter", "interval", "chosen", *wanted.parameters,
+        "declaration", "closing",
+    )  # fmt: skip
+    asked, known = (
+        {**vars(each), **each.parameters, "orbit": each.orbit.removeprefix(each.system)}
+        for each in (wanted, found)
+    )
+    check_same_question("state", {name: asked[name] for name in names}, known)

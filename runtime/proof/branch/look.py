@@ -1,0 +1,207 @@
+"""What is proved of one tile of a branch: its verdict, or one event and the verdicts beside it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.core.jets import part_of
+from nonsmooth.runtime.core.taylor_models import range_of
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.admissibility import Judgement
+from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
+from nonsmooth.runtime.proof.branch.crossing import SHARP, EventCrossing, Which, crossing_of
+from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
+from nonsmooth.runtime.proof.branch.passage import CyclePassage, multiplier
+from nonsmooth.runtime.proof.branch.tube import Piece, orbit_at
+from nonsmooth.runtime.proof.exact_tables import rational_of
+from nonsmooth.runtime.proof.orbit_claims import NOT_CONSERVED
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+__all__ = ["NOT_ADMISSIBLE", "UNDECIDED", "Look", "look"]
+
+NOT_ADMISSIBLE, UNDECIDED = "not admissible", "undecided"
+_TURNS = "the branch may turn"
+_PAIR = 4  # size of a conservative map with one pair of multipliers
+
+
+class Look(NamedTuple):
+    """What is proved on a tile.
+
+    Attributes
+    ----------
+    below, above : str
+        The verdict at its lower and upper end: the same without an event.
+    reason : str
+        Why it is undecided.
+    event : EventCrossing or None
+        The one place in it where the verdict changes, or the branch turns.
+    """
+
+    below: str
+    above: str
+    reason: str
+    event: EventCrossing | None = None
+
+    @property
+    def decided(self) -> bool:
+        """Whether there is a verdict at all of its points, but that of an event."""
+        return UNDECIDED not in (self.below, self.above)
+
+
+def look(curve: OrbitCurve, piece: Piece) -> Look:
+    """Judge a tile whose orbits are proved.
+
+    Parameters
+    ----------
+    curve : OrbitCurve
+    piece : Piece
+
+    Returns
+    -------
+    Look
+    """
+    with flint_precision(BITS):
+        passage = CyclePassage(curve.region, piece.point)
+        if not passage.conserved:
+            return _undecided(NOT_CONSERVED)
+        judgement = passage.judged()
+        turns = _turns(curve, piece)
+        if turns is None:
+            return _turned(curve, piece, passage, judgement)
+        if not turns:
+            return _undecided("the derivative along the branch is not known")
+        if judgement.verdict == "refuted":
+            return Look(NOT_ADMISSIBLE, NOT_ADMISSIBLE, "")
+        verdict = _told(curve, passage.stability.verdict)
+        if judgement.verdict == "proved":
+            if verdict != UNDECIDED:
+                return Look(verdict, verdict, "")
+            return _multipliers(curve, piece, passage)
+        if verdict == UNDECIDED:
+            return _undecided(judgement.reason)
+        return _border(curve, piece, passage, judgement, verdict)
+
+
+def _undecided(reason: str) -> Look:
+    return Look(UNDECIDED, UNDECIDED, reason)
+
+
+def _told(curve: OrbitCurve, verdict: str) -> str:
+    """The verdict of a claim on multipliers in words."""
+    words = {"proved": curve.region.closing.stability, "refuted": "unstable"}
+    return words.get(verdict, UNDECIDED)
+
+
+def _turns(curve: OrbitCurve, piece: Piece) -> bool | None:
+    """True where the parameter changes all along a tile, None where it may turn."""
+    coordinate = piece.tube.coordinate
+    if coordinate == curve.parameter:
+        return True
+    found = directions(curve, coordinate, piece.point, 1)
+    if found is None:
+        return False
+    slope = range_of(part_of(found[-1], 1))
+    return True if slope > 0 or slope < 0 else None
+
+
+def _turned(curve: OrbitCurve, piece: Piece, passage: CyclePassage, judgement: Judgement) -> Look:
+    """A tile in which the branch may turn."""
+    ends = [NOT_ADMISSIBLE] * 2
+    if judgement.verdict == "undecided":
+        return _undecided(judgement.reason)
+    if judgement.verdict == "proved":
+        if curve.region.closing.form is not None or _others(passage, "fold"):
+            return _undecided(_TURNS)
+        ends = _at_ends(curve, piece)
+    return _event(curve, piece, "fold", ends, _TURNS)
+
+
+def _multipliers(curve: OrbitCurve, piece: Piece, passage: CyclePassage) -> Look:
+    """A tile in which a multiplier may pass the unit circle."""
+    reason = passage.stability.reason
+    if passage.section is None or curve.region.cycle.one_sided:
+        return _undecided(reason)
+    if curve.region.closing.form is not None:
+        pair = passage.equations.size == _PAIR
+        return (
+            _event(curve, piece, "flip", _at_ends(curve, piece), reason)
+            if pair
+            else (_undecided(reason))
+        )
+    suspects = [kind for kind in ("flip", "neimark-sacker") if kind in _others(passage, "")]
+    if len(suspects) != 1 or "fold" in _others(passage, ""):
+        return _undecided(reason)
+    return _event(curve, piece, suspects[0], _at_ends(curve, piece), reason)
+
+
+def _others(passage: CyclePassage, but: str) -> list[str]:
+    """Which numbers of multipliers may be zero, but for one: all passings of the circle."""
+    size = passage.section.nrows()
+    kinds = [kind for kind in ("flip", "fold", "neimark-sacker") if kind != but]
+    if size < 2:
+        kinds = [kind for kind in kinds if kind != "neimark-sacker"]
+    found = []
+    for kind in kinds if size else ():
+        value = range_of(multiplier(passage, kind))
+        if not (value > 0 or value < 0):
+            found.append(kind)
+    return found
+
+
+def _at_ends(curve: OrbitCurve, piece: Piece) -> list[str]:
+    """Verdicts on the multipliers at both ends of a tile."""
+    from flint import arb
+
+    found = []
+    for end in (piece.tube.lower, piece.tube.upper):
+        with flint_precision(SHARP):
+            orbit = orbit_at(curve, piece.tube, arb(rational_of(end)), SHARP)
+            if orbit is None:
+                return [UNDECIDED] * 2
+            found.append(_told(curve, CyclePassage(curve.region, orbit).stability.verdict))
+    return found
+
+
+def _event(
+    curve: OrbitCurve,
+    piece: Piece,
+    which: Which,
+    ends: Sequence[str],
+    reason: str,
+    window: tuple[Any, Any] | None = None,
+) -> Look:
+    """One event of a tile, with the verdicts below and above it."""
+    if UNDECIDED in ends:
+        return _undecided(reason)
+    found = crossing_of(curve, piece, which, window)
+    if found is None:
+        return _undecided(reason)
+    return Look(ends[0], ends[1], "", found)
+
+
+def _border(
+    curve: OrbitCurve, piece: Piece, passage: CyclePassage, judgement: Judgement, verdict: str
+) -> Look:
+    """A tile in which the orbit may meet a border beyond which it is no motion."""
+    opens = [which for which in judgement.open if which is not None]
+    if len(opens) < len(judgement.open):
+        return _undecided(judgement.reason)
+    told = passage.judged(opens)
+    if told.verdict != "proved":
+        return _undecided(judgement.reason)
+    # a phase that vanishes ends where the one before it does
+    opens.sort(key=lambda which: which.kind != "vanishing-phase")
+    found: list[EventCrossing] = []
+    for which in opens:
+        crossing = crossing_of(curve, piece, which, told.touching.get(which))
+        if crossing is None or crossing.rises != (found or [crossing])[0].rises:
+            return _undecided(judgement.reason)
+        found.append(crossing)
+    lower, upper = min(x.lower for x in found), max(x.upper for x in found)
+    if max(x.lower for x in found) > min(x.upper for x in found):
+        return _undecided("several borders are met, one after the other")
+    event = found[0]._replace(lower=lower, upper=upper, also=tuple(opens[1:]))
+    ends = [verdict, NOT_ADMISSIBLE] if event.rises else [NOT_ADMISSIBLE, verdict]
+    return Look(ends[0], ends[1], "", event)

@@ -1,0 +1,205 @@
+"""The cycle along a branch, and the numbers whose zeros are its events, in any arithmetic."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any
+
+from nonsmooth.runtime.core.jets import part_of
+from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
+from nonsmooth.runtime.proof.admissibility import Judgement, OpenInequality
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
+from nonsmooth.runtime.proof.events.augmented_system import determinant, pair_products
+from nonsmooth.runtime.proof.motion.exact_rows import evaluate
+from nonsmooth.runtime.proof.multipliers import reduced_map
+from nonsmooth.runtime.proof.orbit_claims import MapClaim, claim_of_map, conserved, judged
+
+__all__ = ["MULTIPLIERS", "CyclePassage", "border", "multiplier", "time_of_touch"]
+
+MULTIPLIERS = ("flip", "fold", "neimark-sacker")
+
+
+class CyclePassage:
+    """The cycle of an orbit whose unknowns and parameter are enclosed.
+
+    Parameters
+    ----------
+    region : Region
+        Of one parameter.
+    point : sequence of arb, TaylorModel or Jet
+        The unknowns of the orbit's equations, and the parameter.
+    """
+
+    def __init__(self, region: Region, point: Sequence[Any]) -> None:
+        *own, parameter = point
+        self.region, self.own = region, own
+        self.number = region.tables.number_at([parameter])
+        self.equations = region.equations(self.number)
+
+    @cached_property
+    def shooting(self) -> Any:
+        """One passage through the cycle."""
+        fields = [phase.field for phase in self.equations.phases]
+        return self.equations.linearised(
+            self.own, lambda place, time: (fields[place] * time).exp()
+        ).shooting
+
+    @property
+    def dwell(self) -> Sequence[Any]:
+        """The dwell times."""
+        return self.equations.dwell(self.own)
+
+    @cached_property
+    def section(self) -> Any:
+        """The derivative of the Poincare map on the smallest section that is known."""
+        region = self.region
+        maps = self.equations.maps(self.shooting)
+        return reduced_map(maps, region.invariants, region.closing, self.number)
+
+    @property
+    def conserved(self) -> bool:
+        """Whether the energy returns the coordinate whose closure was dropped, if one was."""
+        return conserved(self.region, self.number, self.shooting)
+
+    @cached_property
+    def stability(self) -> MapClaim:
+        """What is proved of the multipliers."""
+        return claim_of_map(self.region, self.number, self.equations, self.shooting)
+
+    def judged(self, assumed: Sequence[OpenInequality] = ()) -> Judgement:
+        """Whether it is a motion of the system, if these inequalities hold.
+
+        Parameters
+        ----------
+        assumed : sequence of OpenInequality, optional
+
+        Returns
+        -------
+        Judgement
+        """
+        return judged(
+            self.region, self.number, self.equations.phases, self.shooting, self.dwell, assumed
+        )
+
+
+def multiplier(passage: CyclePassage, kind: str) -> Any:
+    """A number that is zero where multipliers are at the unit circle.
+
+    Parameters
+    ----------
+    passage : CyclePassage
+    kind : {"flip", "fold", "neimark-sacker"}
+        A multiplier is -1, or 1, or two have the product 1.
+
+    Returns
+    -------
+    arb, TaylorModel or Jet
+    """
+    found = passage.section
+    if kind == "neimark-sacker":
+        return pair_products(found)
+    sign = 1 if kind == "flip" else -1
+    size = found.nrows()
+    return determinant([[found[i, j] + sign * (i == j) for j in range(size)] for i in range(size)])
+
+
+def border(passage: CyclePassage, which: OpenInequality, time: Any = None) -> Any:
+    """A number that is negative where an inequality holds, and positive where it does not.
+
+    Parameters
+    ----------
+    passage : CyclePassage
+    which : OpenInequality
+    time : arb or TaylorModel, optional
+        Of a grazing: when in its phase, as `time_of_touch` gives it.
+
+    Returns
+    -------
+    arb, TaylorModel or Jet
+    """
+    place = which.phase
+    if which.kind == "vanishing-phase":
+        return -passage.dwell[place]
+    plan = passage.region.plans[place].at(passage.number)
+    watched = next(w for w in plan.watched if w.name == which.boundary)
+    start, end = (column[place] for column in (passage.shooting.starts, passage.shooting.ends))
+    if which.kind == "grazing":
+        field = passage.equations.phases[place].field
+        return (matrix([watched.row]) * ((field * time).exp() * start))[0, 0]
+    if which.instant == "start":
+        assert watched.begins is not None  # it is open
+        return evaluate(watched.begins.row, start.entries()[:-1])
+    if which.kind == "simultaneous":
+        return evaluate(watched.ends, end.entries()[:-1])
+    return -evaluate(watched.speed, end.entries()[:-1])
+
+
+def time_of_touch(
+    passage: CyclePassage, which: OpenInequality, window: tuple[Any, Any]
+) -> Any | None:
+    """When a boundary function has its maximum in a window of time in which it is concave.
+
+    By an interval Newton step around an approximation.
+
+    Parameters
+    ----------
+    passage : CyclePassage
+        In balls or Taylor models.
+    which : OpenInequality
+        A grazing.
+    window : tuple of (arb, arb)
+        Its beginning and end.
+
+    Returns
+    -------
+    arb, TaylorModel or None
+        An enclosure; None where the step fails.
+    """
+    from flint import arb, ctx
+
+    place = which.phase
+    plan = passage.region.plans[place].at(passage.number)
+    watched = next(w for w in plan.watched if w.name == which.boundary)
+    field, start = passage.equations.phases[place].field, passage.shooting.starts[place]
+    slope = matrix([watched.row]) * field
+
+    def rates(time: Any) -> tuple[Any, Any]:
+        state = (field * time).exp() * start
+        return (slope * state)[0, 0], (slope * (field * state))[0, 0]
+
+    time: Any = ((window[0] + window[1]) / 2).mid()
+    for _ in range(8):
+        rate, bend = rates(time)
+        time = (time - rate / bend).mid()
+    rate, _ = rates(time)
+    _, bend = rates(middle_of(time))
+    width = range_of(rate / bend)
+    radius = (2 * abs(width) + arb(2) ** (10 - ctx.prec)).upper()
+    if not radius.is_finite():
+        return None
+    box = time + arb(0, radius)
+    _, bend = rates(box)
+    if not bend < 0:
+        return None
+    moved = -rate / bend
+    if not abs(moved) <= radius:
+        return None
+    found = time + moved
+    inside = bool(found > window[0] and found < window[1])
+    return found if inside else None
+
+
+def value_and_slope(number: Any) -> tuple[Any, Any]:
+    """What a jet tells of a number along the branch.
+
+    Parameters
+    ----------
+    number : Jet
+
+    Returns
+    -------
+    tuple of (arb, arb)
+        All values, and all derivatives.
+    """
+    return range_of(part_of(number, 0)), range_of(part_of(number, 1))

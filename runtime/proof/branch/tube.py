@@ -1,0 +1,273 @@
+"""A tube around a piece of a branch, in which there is exactly one orbit for each coordinate."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, range_of, space_of
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
+from nonsmooth.runtime.proof.boxes.tile import contracted, followed
+from nonsmooth.runtime.proof.branch.curve import OrbitCurve
+from nonsmooth.runtime.proof.exact_tables import rational_of
+from nonsmooth.runtime.proof.krawczyk import Krawczyk, krawczyk, newton
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["ORDER", "BranchTube", "Piece", "orbit_at", "orbit_near", "proved_piece"]
+
+ORDER = 5  # of the polynomials: what costs least, measured
+_SHARE = 0.6  # of the bits: half of the box around an orbit at a point
+
+
+@dataclass(frozen=True, eq=False)
+class BranchTube:
+    """Polynomials of one coordinate of a branch, and how far the orbit is from them.
+
+    For each value of the coordinate between its ends there is exactly one orbit whose other
+    coordinates are as near to the polynomials as the radii tell.
+
+    Attributes
+    ----------
+    coordinate : int
+    lower, upper : Fraction
+        Ends of the coordinate.
+    centre : tuple of tuple of float
+        Coefficients of each other coordinate in e, which runs from -1 to 1.
+    radii : tuple of float
+    """
+
+    coordinate: int
+    lower: Fraction
+    upper: Fraction
+    centre: tuple[tuple[float, ...], ...]
+    radii: tuple[float, ...]
+
+    def value(self, space: Space) -> TaylorModel:
+        """The coordinate over the tube, at the working precision.
+
+        Parameters
+        ----------
+        space : Space
+            Of one variable.
+
+        Returns
+        -------
+        TaylorModel
+        """
+        from flint import arb
+
+        middle, half = (self.lower + self.upper) / 2, (self.upper - self.lower) / 2
+        return space.variable(0, arb(rational_of(middle)), arb(rational_of(half)))
+
+    def models(self, space: Space) -> list[TaylorModel]:
+        """The polynomials.
+
+        Parameters
+        ----------
+        space : Space
+            Of one variable and the polynomials' order.
+
+        Returns
+        -------
+        list of TaylorModel
+            One for each other coordinate.
+        """
+        from flint import arb
+
+        return [TaylorModel(space, tuple(map(arb, row))) for row in self.centre]
+
+    def holds(self, value: arb, others: Sequence[arb]) -> bool:
+        """Whether an orbit is the one of the tube, at the working precision.
+
+        Parameters
+        ----------
+        value : arb
+            Its coordinate, between the ends.
+        others : sequence of arb
+            Enclosures of the other ones.
+
+        Returns
+        -------
+        bool
+            True if that is proved.
+        """
+        away = zip(others, self.at(value), self.radii, strict=True)
+        return all(abs(x - middle) < radius for x, middle, radius in away)
+
+    def at(self, value: arb) -> list[arb]:
+        """The polynomials where the coordinate has a value, at the working precision.
+
+        Parameters
+        ----------
+        value : arb
+            Between the ends.
+
+        Returns
+        -------
+        list of arb
+            One ball for each other coordinate.
+        """
+        from flint import arb
+
+        middle, half = (self.lower + self.upper) / 2, (self.upper - self.lower) / 2
+        place = (value - arb(rational_of(middle))) / arb(rational_of(half))
+        found = []
+        for row in self.centre:
+            total = arb(0)
+            for coefficient in reversed(row):
+                total = total * place + arb(coefficient)
+            found.append(total)
+        return found
+
+    def slopes(self, end: float) -> list[float]:
+        """Derivatives of the polynomials by the coordinate, about.
+
+        Parameters
+        ----------
+        end : float
+            -1 at the lower end, 1 at the upper one.
+
+        Returns
+        -------
+        list of float
+        """
+        half = float(self.upper - self.lower) / 2
+        return [
+            sum(k * c * end ** (k - 1) for k, c in enumerate(row) if k) / half
+            for row in self.centre
+        ]
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A piece of a branch, proved to be in its tube.
+
+    Attributes
+    ----------
+    tube : BranchTube
+    point : list of TaylorModel
+        Enclosures of all coordinates.
+    """
+
+    tube: BranchTube
+    point: list[Any]
+
+
+def proved_piece(
+    curve: OrbitCurve,
+    coordinate: int,
+    ends: tuple[Fraction, Fraction],
+    guess: Sequence[arb],
+    known: tuple[arb, Sequence[arb]] | None,
+) -> Piece | str:
+    """Prove that there is one orbit near polynomials for each value of a coordinate.
+
+    Parameters
+    ----------
+    curve : OrbitCurve
+    coordinate : int
+    ends : tuple of (Fraction, Fraction)
+        Of the coordinate.
+    guess : sequence of arb
+        The other coordinates in the middle, about.
+    known : tuple of (arb, sequence of arb), optional
+        A value of the coordinate, and enclosures of the other ones there: what is found has to
+        be that orbit.
+
+    Returns
+    -------
+    Piece or str
+        Why nothing is proved.
+    """
+    space = space_of(1, ORDER)
+    lower, upper = ends
+    with flint_precision(BITS):
+        tube = BranchTube(coordinate, lower, upper, (), ())
+        value = tube.value(space)
+        equations = curve.equations(coordinate, value)
+        start = followed(equations, [x.mid() for x in guess], space)
+        if start is None:
+            return "Newton's method finds no orbit in the middle"
+        centre = tuple(
+            tuple(0.0 if part is None else float(part) for part in x.parts) for x in start
+        )
+        tube = BranchTube(coordinate, lower, upper, centre, ())
+        found = contracted(Krawczyk(equations, tube.models(space)))
+        if found is None:
+            return "Krawczyk's test fails"
+        # not above those that were tried, and the orbit is as near as they tell
+        radii = tuple(math.nextafter(float(r), 0.0) for r in found.radii)
+        tube = BranchTube(coordinate, lower, upper, centre, radii)
+        away = zip(found.image, tube.models(space), radii, strict=True)
+        if not all(abs(range_of(x - c)) < r for x, c, r in away):
+            return "Krawczyk's test fails"
+        point = curve.point(coordinate, value, found.image)
+        if known is not None:
+            at, others = known
+            if not tube.holds(at, others):
+                return "another orbit may have been found"
+        return Piece(tube, point)
+
+
+def orbit_at(curve: OrbitCurve, tube: BranchTube, value: arb, bits: int) -> list[arb] | None:
+    """The orbit of a tube at a value of its coordinate, sharply, at the working precision.
+
+    Parameters
+    ----------
+    curve : OrbitCurve
+    tube : BranchTube
+    value : arb
+        A point, or a ball: then for all of its values.
+    bits : int
+        Working precision.
+
+    Returns
+    -------
+    list of arb or None
+        Enclosures of all coordinates; None if none is proved to be in the tube.
+    """
+    found = orbit_near(curve, tube.coordinate, value, tube.at(value), bits)
+    if found is None or not tube.holds(value, curve.others(tube.coordinate, found)):
+        return None
+    return found
+
+
+def orbit_near(
+    curve: OrbitCurve, coordinate: int, value: arb, guess: Sequence[arb], bits: int
+) -> list[arb] | None:
+    """An orbit where a coordinate has a value, by Newton's method and Krawczyk's test.
+
+    Parameters
+    ----------
+    curve : OrbitCurve
+    coordinate : int
+    value : arb
+        A point, or a ball: then for all of its values.
+    guess : sequence of arb
+        The other coordinates, about.
+    bits : int
+        Working precision.
+
+    Returns
+    -------
+    list of arb or None
+        Enclosures of all coordinates; None if no orbit is proved to be there.
+    """
+    from flint import arb
+
+    middle = value.mid()
+    point = newton(lambda: curve.equations(coordinate, middle), [x.mid() for x in guess], bits - 16)
+    if point is None:
+        return None
+    equations = curve.equations(coordinate, value)
+    unit = arb(2) ** -int(bits * _SHARE) + 64 * value.rad()
+    found = krawczyk(equations, point, [(unit * (1 + abs(x))).upper() for x in point])
+    if not found.unique:
+        return None
+    return curve.point(coordinate, value, [range_of(x) for x in found.image])

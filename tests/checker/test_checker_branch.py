@@ -1,0 +1,158 @@
+"""The check of a branch: it proves what is so, and refuses a file that was edited."""
+
+import copy
+import hashlib
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.checker import Failure, check_branch
+
+Content = dict[str, Any]
+
+
+@pytest.fixture(scope="module")
+def content(tmp_path_factory: pytest.TempPathFactory) -> Content:
+    branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+    path = tmp_path_factory.mktemp("branch") / "branch.json"
+    ns.certify_branch(branch).save(path)
+    assert ns.check_certificate(path).claims == {"branch": "proved"}
+    found: Content = json.loads(path.read_text())
+    return found
+
+
+def signed(content: Content) -> Content:
+    covered = {key: value for key, value in content.items() if key != "sha256"}
+    digest = hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
+    return {**covered, "sha256": digest}
+
+
+def with_event(content: Content, kind: str) -> Any:
+    return next(tile for tile in content["tiles"] if (tile["event"] or {}).get("kind") == kind)
+
+
+def drop_a_tile(content: Content) -> None:
+    del content["tiles"][3]
+
+
+def drop_an_event(content: Content) -> None:
+    tile = with_event(content, "flip")
+    tile["event"] = None
+    tile["after"] = tile["before"]
+    for other in content["tiles"][content["tiles"].index(tile) + 1 :]:
+        other["before"] = other["after"] = tile["before"]
+
+
+def hide_both_sides(content: Content) -> None:
+    tile = with_event(content, "flip")
+    tile["event"], tile["before"] = None, tile["after"]
+
+
+def exchange_the_sides(content: Content) -> None:
+    tile = with_event(content, "grazing")
+    tile["before"], tile["after"] = tile["after"], tile["before"]
+
+
+def another_kind(content: Content) -> None:
+    with_event(content, "flip")["event"]["kind"] = "neimark-sacker"
+
+
+def a_fold(content: Content) -> None:
+    with_event(content, "flip")["event"]["kind"] = "fold"
+
+
+def move_the_event(content: Content) -> None:
+    event = with_event(content, "flip")["event"]
+    event["lower"], event["upper"] = "1.07", "1.08"
+
+
+def sharpen_the_event(content: Content) -> None:
+    ball = with_event(content, "flip")["event"]["enclosures"]["V"]
+    ball["rad"] = "1e-60"
+
+
+def move_the_window(content: Content) -> None:
+    with_event(content, "grazing")["event"]["window"] = ["0.1", "0.2"]
+
+
+def move_the_tube(content: Content) -> None:
+    content["tiles"][4]["centre"][0][0] += 1e-3
+
+
+def widen_the_tube(content: Content) -> None:
+    content["tiles"][4]["radii"] = [10.0 for _ in content["tiles"][4]["radii"]]
+
+
+def reverse_a_tile(content: Content) -> None:
+    content["tiles"][4]["forwards"] = False
+
+
+def shorten_a_tile(content: Content) -> None:
+    content["tiles"][0]["lower"] = "0.61"
+
+
+def widen_the_interval(content: Content) -> None:
+    content["interval"] = ["0.5", "1.3"]
+
+
+def call_it_stable(content: Content) -> None:
+    for tile in content["tiles"]:
+        tile["event"] = None
+        tile["before"] = tile["after"] = "stable"
+
+
+def call_a_tile_undecided(content: Content) -> None:
+    tile = content["tiles"][4]
+    tile["before"] = tile["after"] = "undecided"
+    tile["reason"] = "planted"
+
+
+def forget_an_end(content: Content) -> None:
+    content["ends"][1] = ""
+
+
+def another_parameter(content: Content) -> None:
+    content["parameters"]["eta"] = "4.1"
+
+
+def another_phase(content: Content) -> None:
+    with_event(content, "grazing")["event"]["phase"] = 2
+
+
+def an_event_of_its_own(content: Content) -> None:
+    tile = content["tiles"][4]
+    tile["event"] = {**copy.deepcopy(with_event(content, "flip")["event"])}
+
+
+ATTACKS: list[Callable[[Content], None]] = [
+    drop_a_tile, drop_an_event, hide_both_sides, exchange_the_sides, another_kind, a_fold,
+    move_the_event, sharpen_the_event, move_the_window, move_the_tube, widen_the_tube,
+    reverse_a_tile, shorten_a_tile, widen_the_interval, call_it_stable, call_a_tile_undecided,
+    forget_an_end, another_phase, an_event_of_its_own,
+]  # fmt: skip
+
+
+def test_a_branch_is_proved_again(content: Content) -> None:
+    check_branch(content)
+
+
+@pytest.mark.parametrize("attack", ATTACKS, ids=lambda attack: attack.__name__)
+def test_an_edited_branch_is_refused(content: Content, attack: Callable[[Content], None]) -> None:
+    edited = copy.deepcopy(content)
+    attack(edited)
+    with pytest.raises(Failure):
+        check_branch(signed(edited))
+    with pytest.raises(Failure, match="checksum"):
+        check_branch({**edited, "sha256": content["sha256"]})
+
+
+def test_other_parameters_are_another_branch(content: Content, tmp_path: Path) -> None:
+    edited = copy.deepcopy(content)
+    another_parameter(edited)
+    path = tmp_path / "edited.json"
+    path.write_text(json.dumps(signed(edited)))
+    assert ns.check_certificate(path).difference is not None

@@ -1,0 +1,75 @@
+"""`certify --branch`: the answer, its file, its picture, and going on with it."""
+
+import json
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from typer.testing import CliRunner
+
+from nonsmooth.runtime.cli.program import app
+
+pytestmark = pytest.mark.compiled  # much slower without it
+
+ASKED = ("certify", "dry-friction/symmetric", "V=0.9:1.2", "--branch")
+
+
+class Answer(NamedTuple):
+    """What a command answers."""
+
+    code: int
+    out: str
+    err: str
+
+
+def run(*arguments: str) -> Answer:
+    result = CliRunner().invoke(app, list(arguments))
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    return Answer(result.exit_code, result.stdout, result.stderr)
+
+
+def test_a_branch_is_proved_saved_drawn_and_checked(tmp_path: Path) -> None:
+    file, picture = tmp_path / "branch.json", tmp_path / "branch.svg"
+    found = run(*ASKED, "--save", str(file), "--plot", str(picture), "--require", "proved")
+    assert found.code == 0
+    assert "consists of exactly these intervals and events" in found.out
+    assert "flip" in found.out
+    assert picture.stat().st_size > 1000
+    check = run("certify", "--check", str(file), "--require", "proved")
+    assert check.code == 0
+    assert "proved again from the file" in check.out
+    drawn = run("plot", str(file), "--out", str(tmp_path / "again.svg"))
+    assert drawn.code == 0
+
+
+def test_it_goes_on_with_what_was_kept(tmp_path: Path) -> None:
+    file = tmp_path / "branch.json"
+    part = run(*ASKED, "--tiles", "1", "--save", str(file))
+    assert part.code == 1
+    assert "not followed further" in part.out
+    required = run(*ASKED, "--tiles", "1", "--require", "proved")
+    assert required.code == 3
+    whole = run(*ASKED, "--resume", str(file), "--json")
+    assert whole.code == 0
+    told = json.loads(whole.out)
+    assert told["claims"] == {"branch": "proved"}
+    assert [part["verdict"] for part in told["intervals"]] == ["unstable", "stable"]
+    assert told["events"][0]["enclosures"]["V"]["mid"].startswith("1.0805880741771120197670640759")
+    assert len(told["tiles"]) == len(json.loads(file.read_text())["tiles"])
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("certify", "dry-friction/symmetric", "--branch"), "--branch takes one range"),
+        ((*ASKED, "--events"), "ask one of them"),
+        ((*ASKED, "--digits", "30"), "are not for --branch"),
+        ((*ASKED, "--tiles", "0"), "not a positive integer"),
+        ((*ASKED, "eta=0.9:1.1"), "--branch takes one range"),
+    ],
+)
+def test_what_is_wrong_is_told_in_a_line(words: tuple[str, ...], told: str) -> None:
+    found = run(*words)
+    assert found.code == 2
+    assert told in found.err

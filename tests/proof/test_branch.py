@@ -1,0 +1,257 @@
+"""Certified branches: what is proved, against the integrator, the events' certificates, attacks."""
+
+import random
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from flint import arb
+
+import nonsmooth as ns
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.jets import part_of
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
+from nonsmooth.runtime.proof.branch.certify_branch import _begin
+from nonsmooth.runtime.proof.branch.crossing import crossing_of
+from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
+from nonsmooth.runtime.proof.branch.look import UNDECIDED, look
+from nonsmooth.runtime.proof.branch.tube import orbit_at, proved_piece
+from nonsmooth.runtime.proof.events.certify_event import certify_event
+from nonsmooth.runtime.proof.orbit_to_prove import subject_near
+
+
+@pytest.fixture(scope="module")
+def branch() -> Any:
+    return ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+
+
+@pytest.fixture(scope="module")
+def found(branch: Any) -> CertifiedBranch:
+    return ns.certify_branch(branch)
+
+
+def curve_near(value: str) -> OrbitCurve:
+    ends = {"V": (Fraction("0.6"), Fraction("1.3"))}
+    orbit, _ = with_open_ones(ns.solve("dry-friction/symmetric", {"V": value}), ends)
+    return OrbitCurve(region_of(orbit, ends))
+
+
+def piece_of(curve: OrbitCurve, low: str, high: str) -> Any:
+    begin = _begin(curve)
+    last = curve.parameter
+    ends = Fraction(low), Fraction(high)
+    piece = proved_piece(curve, last, ends, curve.others(last, begin), None)
+    assert not isinstance(piece, str), piece
+    return piece
+
+
+def test_the_papers_orbit_has_three_intervals_and_two_events(found: CertifiedBranch) -> None:
+    assert found.complete
+    assert found.claims == {"branch": "proved"}
+    verdicts = [part.verdict for part in found.intervals]
+    assert verdicts == ["not admissible", "unstable", "stable"]
+    assert [event.kind for event in found.events] == ["grazing", "flip"]
+    assert "consists of exactly" in found.statement
+    assert (found.intervals[0].begin, found.intervals[-1].end) == (0.6, 1.3)
+
+
+def test_events_are_those_of_their_certificates(branch: Any, found: CertifiedBranch) -> None:
+    for event, computed in zip(found.events, branch.events, strict=True):
+        assert event.kind == computed.kind
+        told = certify_event(branch, computed, 180).value
+        here = event.enclosures["V"]
+        with flint_precision(300):
+            assert here.ball.overlaps(told.ball)
+            assert here.ball.rad() < 1e-31
+        assert event.upper - event.lower < Fraction(1, 10**30)
+
+
+def test_tiles_follow_each_other_over_all_of_the_interval(found: CertifiedBranch) -> None:
+    assert found.tiles[0].lower == Fraction("0.6")
+    assert found.tiles[-1].upper == Fraction("1.3")
+    for tile, other in zip(found.tiles, found.tiles[1:], strict=False):
+        assert tile.upper == other.lower
+        assert tile.after == other.before
+
+
+def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
+    found: CertifiedBranch,
+) -> None:
+    draw = random.Random(1)
+    for tile in found.tiles:
+        value = draw.uniform(float(tile.lower), float(tile.upper))
+        orbit = ns.solve("dry-friction/symmetric", {"V": value})
+        place = 2 * (value - float(tile.lower)) / float(tile.upper - tile.lower) - 1
+        middles = [np.polynomial.polynomial.polyval(place, row) for row in tile.centre]
+        subject = subject_near(orbit)
+        numbers = [*subject.start, *subject.dwell]
+        for x, middle, radius in zip(numbers, middles, tile.radii, strict=True):
+            assert abs(float(x) - middle) < radius + 1e-9
+        verdict = tile.before
+        if tile.event is not None:
+            verdict = tile.before if value < float(tile.event.lower) else tile.after
+        admissible = orbit.admissibility.verdict is not False
+        told = orbit.stability.verdict if admissible else "not admissible"
+        assert told == verdict
+
+
+def test_a_branch_can_be_interrupted_and_resumed(
+    branch: Any, found: CertifiedBranch, tmp_path: Path
+) -> None:
+    part = ns.certify_branch(branch, tiles=4)
+    assert not part.complete
+    assert part.claims == {"branch": "undecided"}
+    part.save(tmp_path / "part.json")
+    again = ns.certify_branch(branch, resume=ns.load(tmp_path / "part.json"))
+    assert again.statement == found.statement
+    assert len(again.tiles) == len(found.tiles)
+
+    def stop(share: float, count: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(Interrupted) as stopped:
+        ns.certify_branch(branch, progress=stop)
+    assert len(stopped.value.partial.tiles) == 1
+    other = ns.certify_branch(branch, interval=("0.65", "1.1"), tiles=1)
+    with pytest.raises(InputError):
+        ns.certify_branch(branch, resume=other)
+
+
+def test_progress_rises_to_all_of_it(branch: Any) -> None:
+    shares: list[float] = []
+    ns.certify_branch(branch, progress=lambda share, count: shares.append(share))
+    assert shares == sorted(shares)
+    assert shares[-1] == 1
+    assert 0 < shares[0] < 0.5
+
+
+def test_derivatives_along_the_branch_are_those_of_differences() -> None:
+    curve = curve_near("1.08")
+    piece = piece_of(curve, "1.07", "1.09")
+    step = Fraction(1, 10**12)
+    with flint_precision(192):
+        ends = [
+            orbit_at(curve, piece.tube, arb(x), 192)
+            for x in ("1.08", "1.080000000001", "1.079999999999")
+        ]
+        assert all(end is not None for end in ends)
+        at, ahead, behind = (end or [] for end in ends)
+        for coordinate in (curve.parameter, 2):
+            jets = directions(curve, coordinate, at, 2)
+            assert jets is not None
+            rate = (ahead[coordinate] - behind[coordinate]) / (2 * arb(str(float(step))))
+            for x, a, b in zip(jets, ahead, behind, strict=True):
+                slope = (a - b) / (2 * arb(str(float(step)))) / rate
+                assert abs(part_of(x, 1) - slope) < 1e-18
+
+
+def test_a_vanishing_phase_is_one_event(tmp_path: Path) -> None:
+    branch = ns.continue_orbit(ns.solve("dry-friction/global-stick"), "V", (0.9, 1.3))
+    found = ns.certify_branch(branch, interval=("0.9", "1.3"))
+    assert found.complete
+    (event,) = found.events
+    assert event.kind == "vanishing-phase"
+    assert [other[0] for other in event.also] == ["simultaneous"]
+    (computed,) = branch.events
+    assert abs(float(event.enclosures["V"]) - computed.value) < 1e-9
+    dwell = event.enclosures[found.unknown_names[-4]]
+    assert dwell.ball.contains(0)
+    assert float(dwell.ball.rad()) < 1e-30
+
+
+def test_two_zeros_of_one_number_are_not_one_event() -> None:
+    """A tile that holds a point where a number is touched, or passed twice, proves nothing."""
+    curve = curve_near("1.08")
+    piece = piece_of(curve, "1.07", "1.09")
+    assert crossing_of(curve, piece, "flip") is not None
+    assert crossing_of(curve, piece, "neimark-sacker") is None
+    assert crossing_of(curve, piece, "fold") is None
+    beside = piece_of(curve, "1.085", "1.09")
+    assert crossing_of(curve, beside, "flip") is None
+
+
+def test_a_tile_with_two_events_is_undecided() -> None:
+    curve = curve_near("0.9")
+    begin = _begin(curve)
+    last = curve.parameter
+    piece = proved_piece(
+        curve, last, (Fraction("0.65"), Fraction("1.1")), curve.others(last, begin), None
+    )
+    if not isinstance(piece, str):
+        assert look(curve, piece).below == UNDECIDED
+
+
+def test_another_orbit_is_not_taken_for_the_one_that_is_known() -> None:
+    curve = curve_near("1.08")
+    begin = _begin(curve)
+    last = curve.parameter
+    ends = Fraction("1.07"), Fraction("1.09")
+    others = curve.others(last, begin)
+    moved = [x + arb("1e-6") for x in others]
+    assert isinstance(proved_piece(curve, last, ends, others, (begin[last], moved)), str)
+    assert not isinstance(proved_piece(curve, last, ends, others, (begin[last], others)), str)
+
+
+def test_what_is_asked_wrongly_is_told(branch: Any) -> None:
+    with pytest.raises(InputError, match="no branch"):
+        ns.certify_branch(branch.orbit)
+    with pytest.raises(InputError, match="positive integer"):
+        ns.certify_branch(branch, tiles=0)
+    with pytest.raises(InputError, match="is not in"):
+        ns.certify_branch(branch, interval=("1.2", "1.3"))
+    with pytest.raises(InputError, match="state to resume"):
+        ns.certify_branch(branch, resume=branch)
+
+
+def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: CertifiedBranch) -> None:
+    tiles = list(found.tiles)
+    tiles[3] = replace(tiles[3], before=UNDECIDED, after=UNDECIDED, reason="planted")
+    worse = replace(found, tiles=tuple(tiles))
+    assert not worse.complete
+    (part,) = worse.undecided
+    assert part.width == pytest.approx(float(tiles[3].upper - tiles[3].lower))
+    assert "not decided" in worse.statement
+
+
+def bump_stop() -> Any:
+    from nonsmooth.derive import Harmonic, SoftStop, oscillator
+
+    force, rate = sp.symbols("F Omega")
+    return oscillator(
+        "bump-stop",
+        ["x"],
+        mass=[[2]],
+        damping=[[2]],
+        stiffness=[[800]],
+        forcing=[Harmonic(rate, cosine=[force])],
+        elements=[SoftStop("x", at="0.005", stiffness=8000, damping=5, name="rubber")],
+    )
+
+
+def test_a_fold_is_passed_by_another_coordinate(tmp_path: Path) -> None:
+    system = bump_stop()
+    orbit = ns.find_orbits(system, {"F": 2, "Omega": 26}, 50, transitions=500).orbits[0].orbit
+    branch = ns.continue_orbit(orbit, "Omega", (25.5, 30), step=0.05)
+    found = ns.certify_branch(branch, interval=("25.5", "30"))
+    assert found.complete, found.statement
+    assert [part.verdict for part in found.intervals] == ["stable", "unstable"]
+    (event,) = found.events
+    (computed,) = (other for other in branch.events if other.kind == "fold")
+    assert event.kind == "fold"
+    assert abs(float(event.enclosures["Omega"]) - computed.value) < 1e-9
+    assert float(event.enclosures["Omega"].ball.rad()) < 1e-30
+    assert len({tile.coordinate for tile in found.tiles}) > 1
+    # both ends are at the lower end of the interval
+    ends = [found.intervals[0].begin, found.intervals[-1].end]
+    np.testing.assert_allclose(ends, 25.5)
+    found.save(tmp_path / "fold.json")
+    check = ns.check_certificate(tmp_path / "fold.json")
+    assert check.difference is None
+    assert check.claims == {"branch": "proved"}
+    assert found.plot() is not None
