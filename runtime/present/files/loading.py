@@ -47,8 +47,8 @@ def load(path: str | os.PathLike[str]) -> Any:
     ----------
     path : str or path
         JSON of an orbit, found orbits, a branch, a curve of events, a design, a sweep, a fit, a
-        certificate, a proven map, a proven branch, certificates of events or a census; .npz or .csv of a motion;
-        the folder of a chart.
+        certificate, a proven map, a proven branch, certificates of events or a census; .npz or
+        .csv of a motion; the folder of a chart.
 
     Returns
     -------
