@@ -30,6 +30,7 @@ TYPES: dict[str, type] = {
     "nonsmooth certificate": ns.Certificate,
     "nonsmooth box certificate": ns.BoxCertificate,
     "nonsmooth event certificate": tuple,
+    "nonsmooth certified branch": ns.CertifiedBranch,
     "nonsmooth census": ns.Census,
 }
 WITHOUT_PICTURE = {"nonsmooth certificate", "nonsmooth event certificate", "nonsmooth census"}
