@@ -39,7 +39,7 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.present.files.event_certificates import save_events
+from nonsmooth.runtime.present.files.event_certificates import load_event_certificates, save_events
 from tests.certified import LOOP, loop, unhashed
 from tests.explore import test_continuation_forced as impacts
 
@@ -432,7 +432,7 @@ def test_an_edited_file_is_not_loaded(tmp_path: Path) -> None:
         ns.load(path)
     assert "checksum" in str(ns.check_certificate(path).difference)
     with pytest.raises(InputError, match="not a file of events"):
-        ns.load(saved({"format": "nonsmooth branch"}, path))
+        load_event_certificates(saved({"format": "nonsmooth branch"}, path))
 
 
 def test_the_command_saves_and_checks_events(tmp_path: Path) -> None:

@@ -265,7 +265,7 @@ def test_damaged_files_are_refused(tmp_path: Path) -> None:
         assert str(path) in str(caught.value)
 
     refused(text[: len(text) // 2], "cut|JSON")
-    refused("{}", "not a proven map")
+    refused("{}", "not a saved result")
     refused(text.replace('"proved"', '"refuted"', 1), "checksum")
     refused(json.dumps({**content, "version": 99}), "version")
     refused(json.dumps({k: v for k, v in content.items() if k != "tiles"}), "tiles")

@@ -439,7 +439,7 @@ def test_a_census_is_kept_in_a_file(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="the checksum differs"):
         ns.load(path)
     path.write_text("{}")
-    with pytest.raises(InputError, match=r"census\.json: not a census"):
+    with pytest.raises(InputError, match=r"census\.json: not a saved result"):
         ns.load(path)
 
 
