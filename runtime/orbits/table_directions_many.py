@@ -1,0 +1,248 @@
+"""How orbits by tables move with parameters, at many points: compiled, or the same on NumPy."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from types import ModuleType
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.arithmetic import FLOATS
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
+from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine
+from nonsmooth.runtime.model.piecewise import tables_at
+from nonsmooth.runtime.model.table_derivatives import TableRates, table_rates
+from nonsmooth.runtime.orbits.directions import CONSISTENT
+from nonsmooth.runtime.orbits.table_directions import closed_along, passed, section_along
+from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
+from nonsmooth.runtime.shooting.derivatives import cycle_maps
+from nonsmooth.runtime.shooting.newton import LEAST
+from nonsmooth.runtime.shooting.section_map import mechanical_states
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers
+from nonsmooth.runtime.shooting.symmetric_orbit import closing_matrix
+from nonsmooth.runtime.shooting.table_newton import sizes
+
+__all__ = ["ManyDirections", "solve_linear_many", "table_directions_many"]
+
+
+class ManyDirections(NamedTuple):
+    """Derivatives of k orbits by q parameters; NaN where there are none.
+
+    Attributes
+    ----------
+    dwell : array (k, q, p)
+        Of each phase.
+    start : array (k, q, N)
+    trace : array (k, q)
+        Of the map on the section at the start, or of the stroboscopic one of forced motions.
+    maps : array (k, m, m)
+        That map; empty where it is not asked for, as its derivatives.
+    rates : array (k, q, m, m)
+    """
+
+    dwell: np.ndarray
+    start: np.ndarray
+    trace: np.ndarray
+    maps: np.ndarray
+    rates: np.ndarray
+
+
+def table_directions_many(
+    system: SystemKernels,
+    cycle: ItineraryShape,
+    points: np.ndarray,
+    dwell: np.ndarray,
+    start: np.ndarray,
+    places: Sequence[int],
+    *,
+    timed: bool,
+    maps: bool,
+) -> ManyDirections:
+    """Differentiate orbits by parameters.
+
+    Parameters
+    ----------
+    system : SystemKernels
+    cycle : ItineraryShape
+    points : array (k, p)
+        In the order of the system's parameters.
+    dwell : array (k, p)
+        In the system's unit of time.
+    start : array (k, N)
+        In the system's units.
+    places : sequence (q,) of int
+        Which of the parameters.
+    timed : bool
+        Whether the period was given: that of one of a family stays what it is.
+    maps : bool
+        Whether the maps are asked for.
+
+    Returns
+    -------
+    ManyDirections
+    """
+    engine = compiled_engine()
+    numbers = Numbers(*tables_at(system, points))
+    first = (part[0] for part in numbers[:3])
+    moved_along = len(points) and closing_matrix(cycle.structure, *first, None) is not None
+    if engine is None or moved_along or len(cycle.structure.forcing) > 1:
+        return _in_python(system, cycle, points, dwell, start, places, timed=timed, maps=maps)
+    rates = table_rates(system, points, places)
+    return _compiled(engine, cycle, numbers, rates, dwell, start, len(places), timed, maps)
+
+
+def _compiled(
+    engine: ModuleType,
+    cycle: ItineraryShape,
+    numbers: Numbers,
+    rates: TableRates,
+    dwell: np.ndarray,
+    start: np.ndarray,
+    directions: int,
+    timed: bool,
+    maps: bool,
+) -> ManyDirections:
+    (points, size), count = start.shape, len(cycle)
+    shape = (points if maps else 0, size, size)
+    found = ManyDirections(
+        np.empty((points, directions, count)),
+        np.empty((points, directions, size)),
+        np.empty((points, directions)),
+        np.empty(shape),
+        np.empty((shape[0], directions, size, size)),
+    )
+    engine.move(
+        points, count, size, directions, rates.values.shape[1], timed,
+        *_moving(cycle, numbers, rates, directions),
+        cycle.packed[3 * count :],
+        np.ascontiguousarray(dwell), np.ascontiguousarray(start), *cycle_maps(cycle, numbers),
+        rates.values, *found,
+    )  # fmt: skip
+    driven = mechanical_states(cycle)
+    if driven is None or not maps:
+        return found
+    own = np.ix_(driven, driven)
+    return found._replace(maps=found.maps[:, *own], rates=found.rates[:, :, *own])
+
+
+def _moving(
+    cycle: ItineraryShape, numbers: Numbers, rates: TableRates, directions: int
+) -> tuple[np.ndarray, ...]:
+    """What the engine reads of entries that change: for each phase and direction where they begin.
+
+    Then their places in the maps of the phase, and in the rates of a point.
+    """
+    count = len(cycle)
+    sizes_of = [part[0, 0].size for part in numbers[:3]]
+    befores = np.cumsum([0, *(part[0].size for part in numbers[:3])])
+    phases, entries, which = [], [], []
+    for phase, maps in enumerate(cycle.packed[: 3 * count].reshape(3, count).T):
+        inside = 0
+        for place, size, before in zip(maps, sizes_of, befores, strict=False):
+            begin = before + place * size
+            there = np.flatnonzero((rates.entries >= begin) & (rates.entries < begin + size))
+            phases.append(np.full(len(there), phase))
+            entries.append(rates.entries[there] - begin + inside)
+            which.append(there)
+            inside += size
+    phase_of, entry_of, rate_of = map(np.concatenate, (phases, entries, which))
+    pair_of = phase_of * directions + rates.directions[rate_of]
+    order = np.argsort(pair_of, kind="stable")
+    starts = np.searchsorted(pair_of[order], np.arange(count * directions + 1))
+    return tuple(part.astype(np.int32) for part in (starts, entry_of[order], rate_of[order]))
+
+
+def _in_python(
+    system: SystemKernels,
+    cycle: ItineraryShape,
+    points: np.ndarray,
+    dwell: np.ndarray,
+    start: np.ndarray,
+    places: Sequence[int],
+    *,
+    timed: bool,
+    maps: bool,
+) -> ManyDirections:
+    """The same by complex steps: each point stands q times."""
+    (k, size), q = start.shape, len(places)
+    steps = np.tile(np.eye(points.shape[1])[list(places)], (k, 1))
+    every = stepped(np.repeat(points, q, axis=0), steps, None)
+    numbers = Numbers(*tables_at(system, every))
+    cycle, closed = closed_along(cycle, numbers)
+    times, states = (np.repeat(part, q, axis=0) for part in (dwell, start))
+    with np.errstate(all="ignore"):
+        now = passed(cycle, closed, times + 0j, states + 0j, None)
+        parts = (real_parts(part) for part in (now.starts, now.ends, now.velocities))
+        plain = dict(zip(("starts", "ends", "velocities"), parts, strict=True))
+        size_of = sizes(now._replace(**plain), times)
+        still = now._replace(starts=np.broadcast_to(states, now.starts.shape))
+
+        def solved(period: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
+            sides = linearised_closure(now, times + 0j, size_of, period)
+            matrix, right = with_forcing(cycle, closed, still, size_of, *sides, FLOATS)
+            sides_of = imaginary_parts(right, None).reshape(k, q, -1)
+            plain_matrix = real_parts(matrix).reshape(k, q, -1, size)[:, 0]
+            return solve_linear_many(plain_matrix, np.moveaxis(sides_of, 1, 2))
+
+        changes, singular = solved(None)
+        if timed and singular.any():
+            given, _ = solved(times.sum(axis=-1) + 0j)
+            changes[singular] = given[singular]
+        starts = np.moveaxis(changes, 1, 2).reshape(k * q, size) * size_of
+        rates = np.moveaxis(now.rates, 0, 1)
+        waits = (real_parts(rates[..., :size]) @ starts[..., None])[..., 0]
+        waits = waits + imaginary_parts(rates[..., size], None)
+        moved = stepped(times, waits, None), stepped(states, starts, None)
+        along = section_along(cycle, closed, passed(cycle, closed, *moved, None))
+    along = along.reshape(k, q, *along.shape[1:])
+    changed = imaginary_parts(along, None)
+    return ManyDirections(
+        waits.reshape(k, q, -1),
+        starts.reshape(k, q, size),
+        np.trace(changed, axis1=-2, axis2=-1),
+        real_parts(along[: k if maps else 0, 0]),
+        changed[: k if maps else 0],
+    )
+
+
+def solve_linear_many(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Solve linear equations at many points.
+
+    Parameters
+    ----------
+    matrix : array (k, m, n)
+        m is n, or more for equations that follow from others.
+    right : array (k, m, q)
+
+    Returns
+    -------
+    found : array (k, n, q)
+        NaN where equations are singular, or contradict each other.
+    singular : array (k,) of bool
+    """
+    found = np.full((len(matrix), matrix.shape[2], right.shape[2]), np.nan)
+    singular = np.full(len(matrix), True)
+    sound = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(right).all(axis=(1, 2))
+    there = np.flatnonzero(sound)
+    square = matrix[there]
+    sides = right[there]
+    if matrix.shape[1] != matrix.shape[2]:
+        orthogonal, square = np.linalg.qr(square)
+        sides = np.swapaxes(orthogonal, 1, 2) @ sides
+    try:
+        inverse = np.linalg.inv(square)
+    except np.linalg.LinAlgError:  # some matrix is singular to the last bit
+        inverse = np.linalg.pinv(square, rcond=LEAST)
+        square = np.where(np.linalg.matrix_rank(square)[:, None, None] < square.shape[1], 0, square)
+    norms = np.linalg.norm(square, axis=(1, 2)) * np.linalg.norm(inverse, axis=(1, 2))
+    regular = np.isfinite(norms) & (norms > 0) & (norms * LEAST < 1)
+    singular[there] = ~regular
+    there = there[regular]
+    found[there] = inverse[regular] @ sides[regular]
+    missed = abs(matrix[there] @ found[there] - right[there]).max(axis=1)
+    wrong = missed > CONSISTENT * np.maximum(1.0, abs(right[there]).max(axis=1))
+    kept = found[there]
+    kept[np.broadcast_to(wrong[:, None, :], kept.shape)] = np.nan
+    found[there] = kept
+    return found, singular
