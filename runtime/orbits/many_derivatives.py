@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import reduce
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 
 __all__ = ["derivatives_of_many"]
 
-_POINTS = 512  # that one thread takes at a time
+_POINTS, _COLUMNS = 1 << 9, 1 << 15  # that one thread takes at a time, by tables and kernels
 
 _Found = dict[str, dict[str, np.ndarray]]
 
@@ -50,74 +51,92 @@ def derivatives_of_many(orbits: Orbits, by: Sequence[str] | str) -> _Found:
             raise unknown_name("parameter", name, known)
     shape, kernels = orbits.status.shape, orbits.problem.kernels
     sound = np.flatnonzero(orbits.converged.ravel())
-    points = np.stack(
-        [np.broadcast_to(orbits.parameters[n], shape).ravel()[sound] for n in known], axis=-1
-    ).astype(float)
-    unknowns = np.stack([row.ravel()[sound] for row in orbits.unknowns.values()], axis=-1)
+    every: slice | np.ndarray = slice(None) if len(sound) == orbits.status.size else sound
+    points, unknowns = (
+        np.stack([np.broadcast_to(a, shape).ravel()[every] for a in arrays]).astype(float).T
+        for arrays in ([orbits.parameters[n] for n in known], list(orbits.unknowns.values()))
+    )
     places = [known.index(name) for name in names]
     if kernels is None:
         rates = _by_tables(orbits, points, unknowns, places)
     else:
         rates = _by_kernels(kernels, points, unknowns, places)
-    quantities = (*orbits.unknowns, "period", "trace")
-    found: _Found = {quantity: {} for quantity in quantities}
-    for column, quantity in enumerate(quantities):
-        for place, name in enumerate(names):
-            filled = np.full(orbits.status.size, np.nan)
-            filled[sound] = rates[:, column, place]
-            found[quantity][name] = filled.reshape(shape)
-    return found
+    if every is sound:
+        filled = np.full((*rates.shape[:2], orbits.status.size), np.nan)
+        filled[..., sound] = rates
+        rates = filled
+    return {
+        quantity: {name: rate.reshape(shape) for name, rate in zip(names, moved, strict=True)}
+        for quantity, moved in zip((*orbits.unknowns, "trace", "period"), rates, strict=True)
+    }
 
 
 def _by_kernels(
     kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, places: list[int]
 ) -> np.ndarray:
-    """Rates (k, n + 2, q), compiled where the kernels are."""
+    """Rates (n + 2, q, k), compiled where the kernels are."""
     if kernels.table["vanishing"]:
         raise InputError(f"{kernels.name} is a border collision: its derivatives are one-sided")
+    (count, size), width = unknowns.shape, points.shape[1]
+    found = np.empty((size + 2, width, count))
+    unit = np.eye(width)[:, :, None]
+
+    def work(begin: int) -> None:
+        part = slice(begin, begin + _COLUMNS)
+        moved = found[..., part]
+        at = np.moveaxis(moved[:-1], -1, 0)
+        if kernels.directions is None:
+            _on_numpy(kernels, points[part], unknowns[part], at)
+        else:
+            with np.errstate(all="ignore"):
+                kernels.directions(points[part], unknowns[part], out=at)
+        columns = dict(zip(kernels.parameter_names, unit, strict=True))
+        columns |= dict(zip(kernels.unknowns, moved[:-2], strict=True))
+        moved[-1] = reduce(np.add, kernels.durations(columns).values())
+
+    in_parallel(work, range(0, count, _COLUMNS), None)
+    return found if places == [*range(width)] else found[:, places]
+
+
+def _on_numpy(
+    kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, found: np.ndarray
+) -> None:
+    """Fill in derivatives (k, n + 1, p) of the unknowns and of the trace by all parameters."""
     spectrum, moved = kernels.spectrum(points)
     with np.errstate(all="ignore"):
         jacobian = np.asarray(kernels.evaluate("jacobian", points, spectrum, unknowns))
-        changes = np.asarray(
-            kernels.evaluate("parameter_jacobian", points, spectrum, moved, unknowns)
-        )
+        changes = kernels.evaluate("parameter_jacobian", points, spectrum, moved, unknowns)
         gradient = np.asarray(kernels.evaluate("trace_gradient", points, spectrum, moved, unknowns))
-    rates, _ = solve_linear_many(jacobian, -changes[..., places])
-    count = unknowns.shape[1]
-    unit = np.eye(len(kernels.parameter_names))[:, places]
-    whole = np.concatenate([rates, np.broadcast_to(unit, (len(points), *unit.shape))], axis=1)
-    names = (*kernels.unknowns, *kernels.parameter_names)
-    columns = {name: whole[:, place] for place, name in enumerate(names)}
-    waits = sum(np.asarray(wait) for wait in kernels.durations(columns).values())
-    trace = np.einsum("kn,knq->kq", gradient, whole)
-    return np.concatenate([whole[:, :count], np.asarray(waits)[:, None], trace[:, None]], axis=1)
+    size = unknowns.shape[1]
+    found[:, :size], _ = solve_linear_many(jacobian, -np.asarray(changes))
+    found[:, size] = gradient[:, size:]
+    found[:, size] += np.einsum("kn,knq->kq", gradient[:, :size], found[:, :size])
 
 
 def _by_tables(
     orbits: Orbits, points: np.ndarray, unknowns: np.ndarray, places: list[int]
 ) -> np.ndarray:
-    """Rates (k, n + 2, q), with the cycle that was looked up."""
+    """Rates (n + 2, q, k)."""
     problem = orbits.problem
     cycle = itinerary_shape(structure_of(problem.system), problem.itinerary)
     if cycle.one_sided:
         raise InputError(
             f"{orbits.name}: boundaries are reached together: derivatives are one-sided"
         )
-    count = len(cycle)
-    found = np.full((len(points), unknowns.shape[1] + 2, len(places)), np.nan)
+    count, (amount, size) = len(cycle), unknowns.shape
+    found = np.empty((size + 2, len(places), amount))
 
     def work(begin: int) -> None:
         part = slice(begin, begin + _POINTS)
-        dwell, start = unknowns[part, :count], unknowns[part, count:]
         moved = table_directions_many(
-            problem.system, cycle, points[part], dwell, start, places,
+            problem.system, cycle, points[part],
+            unknowns[part, :count], unknowns[part, count:], places,
             timed=orbits.timed, maps=False,
         )  # fmt: skip
-        into = np.moveaxis(found[part], 1, 2)
-        into[..., :count] = moved.dwell
-        into[..., count:-2] = moved.start
-        into[..., -2] = moved.dwell.sum(axis=-1)
-        into[..., -1] = moved.trace
+        found[:count, :, part] = moved.dwell.T
+        found[count:-2, :, part] = moved.start.T
+        found[-2, :, part] = moved.trace.T
+        found[-1, :, part] = moved.dwell.sum(axis=-1).T
 
-    in_parallel(work, range(0, len(points), _POINTS), None)
+    in_parallel(work, range(0, amount, _POINTS), None)
     return found

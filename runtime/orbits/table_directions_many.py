@@ -84,12 +84,17 @@ def table_directions_many(
     """
     engine = compiled_engine()
     numbers = Numbers(*tables_at(system, points))
-    first = (part[0] for part in numbers[:3])
-    moved_along = len(points) and closing_matrix(cycle.structure, *first, None) is not None
+    moved_along = len(points) and _translates(cycle, numbers)
     if engine is None or moved_along or len(cycle.structure.forcing) > 1:
         return _in_python(system, cycle, points, dwell, start, places, timed=timed, maps=maps)
     rates = table_rates(system, points, places)
     return _compiled(engine, cycle, numbers, rates, dwell, start, len(places), timed, maps)
+
+
+def _translates(cycle: ItineraryShape, numbers: Numbers) -> bool:
+    """Whether the system does not change along some direction: the first point tells."""
+    fields, rows, resets = (part[0] for part in (numbers.fields, numbers.rows, numbers.resets))
+    return closing_matrix(cycle.structure, fields, rows, resets, None) is not None
 
 
 def _compiled(
@@ -122,8 +127,10 @@ def _compiled(
     driven = mechanical_states(cycle)
     if driven is None or not maps:
         return found
-    own = np.ix_(driven, driven)
-    return found._replace(maps=found.maps[:, *own], rates=found.rates[:, :, *own])
+    moved, rates_of = found.maps, found.rates
+    return found._replace(
+        maps=moved[..., driven, :][..., driven], rates=rates_of[..., driven, :][..., driven]
+    )
 
 
 def _moving(
