@@ -193,14 +193,15 @@ def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directio
     rates = real_parts(now.rates[:, 0, :size]) @ starts.T
     waits = rates.T + imaginary_parts(np.moveaxis(now.rates[..., size], 0, -1), lib)
     moved = stepped(dwell, waits, lib), stepped(start, starts, lib)
-    along = passed(cycle, closed, *moved, lib)
     unknowns = np.concatenate([waits, starts], axis=1).T
-    return Directions(
-        dict(zip(orbit.problem.unknown_names, unknowns, strict=True)),
-        waits,
-        np.moveaxis(imaginary_parts(along.starts[:-1], lib), 1, 0),
-        _section(evaluation, cycle, closed, along, lib),
-    )
+
+    def along() -> tuple[np.ndarray, MapDerivatives]:
+        found = passed(cycle, closed, *moved, lib)
+        states = np.moveaxis(imaginary_parts(found.starts[:-1], lib), 1, 0)
+        return states, _section(evaluation, cycle, closed, found, lib)
+
+    names = orbit.problem.unknown_names
+    return Directions(dict(zip(names, unknowns, strict=True)), waits, along)
 
 
 def closed_along(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShape, Numbers]:
