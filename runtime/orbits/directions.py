@@ -29,30 +29,27 @@ class Directions:
         What was solved for.
     dwell : array (q, p)
         Of each phase.
-    along : callable
-        Gives `starts` and `section`, once they are asked for.
+    moved, mapped : callable
+        Give `starts` and `section`, once they are asked for.
     trace : array (q,) or None
         Of the map's trace, where a formula gives it sharper than the map.
     """
 
     unknowns: Mapping[str, np.ndarray]
     dwell: np.ndarray
-    along: Callable[[], tuple[np.ndarray, MapDerivatives]]
+    moved: Callable[[], np.ndarray]
+    mapped: Callable[[], MapDerivatives]
     trace: np.ndarray | None = None
 
     @cached_property
-    def _along(self) -> tuple[np.ndarray, MapDerivatives]:
-        return self.along()
-
-    @property
     def starts(self) -> np.ndarray:
         """Of the state (q, p, N) at the start of each phase, which moves in time too."""
-        return self._along[0]
+        return self.moved()
 
-    @property
+    @cached_property
     def section(self) -> MapDerivatives:
         """Of the map whose eigenvalues the multipliers are."""
-        return self._along[1]
+        return self.mapped()
 
 
 def solve_linear(

@@ -103,22 +103,21 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
     waits = np.stack([np.broadcast_to(np.asarray(w), (len(by),)) for w in dwell], axis=-1)
     gradient = np.array(evaluate(orbit, "trace_gradient", moved=True), dtype=kind)
     trace = sum(slope * everything[name] for name, slope in zip(names, gradient, strict=True))
+    wide = None if lib is None else Mpmath(2 * (orbit.digits + GUARD))
 
-    def along() -> tuple[np.ndarray, MapDerivatives]:
-        wide = None if lib is None else Mpmath(2 * (orbit.digits + GUARD))
-        states, maps = (
-            np.array(stepped_kernel(orbit, kernel, rates, len(by), wide))
-            for kernel in ("states", "poincare_jacobian")
-        )
-        return imaginary_parts(states, wide)[:, :-1], MapDerivatives(
+    def along(kernel: str) -> np.ndarray:
+        return imaginary_parts(stepped_kernel(orbit, kernel, rates, len(by), wide), wide)
+
+    def section() -> MapDerivatives:
+        return MapDerivatives(
             real_parts(np.array(evaluate(orbit, "poincare_jacobian"), dtype=kind)),
-            imaginary_parts(maps, wide),
+            along("poincare_jacobian"),
             kernels.table["rank"],
             int(bool(kernels.table["conservative"])),
         )
 
     own = {name: rates[name] for name in orbit.unknowns}
-    return Directions(own, waits, along, np.asarray(trace))
+    return Directions(own, waits, lambda: along("states")[:, :-1], section, np.asarray(trace))
 
 
 def along_tables(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -195,13 +196,18 @@ def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directio
     moved = stepped(dwell, waits, lib), stepped(start, starts, lib)
     unknowns = np.concatenate([waits, starts], axis=1).T
 
-    def along() -> tuple[np.ndarray, MapDerivatives]:
-        found = passed(cycle, closed, *moved, lib)
-        states = np.moveaxis(imaginary_parts(found.starts[:-1], lib), 1, 0)
-        return states, _section(evaluation, cycle, closed, found, lib)
+    @cache
+    def along() -> Shooting:
+        return passed(cycle, closed, *moved, lib)
+
+    def states() -> np.ndarray:
+        return np.moveaxis(imaginary_parts(along().starts[:-1], lib), 1, 0)
+
+    def section() -> MapDerivatives:
+        return _section(evaluation, cycle, closed, along(), lib)
 
     names = orbit.problem.unknown_names
-    return Directions(dict(zip(names, unknowns, strict=True)), waits, along)
+    return Directions(dict(zip(names, unknowns, strict=True)), waits, states, section)
 
 
 def closed_along(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShape, Numbers]:
