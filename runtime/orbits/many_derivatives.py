@@ -16,17 +16,24 @@ from nonsmooth.runtime.orbits.table_directions_many import (
     solve_linear_many,
     table_directions_many,
 )
+from nonsmooth.runtime.shooting.multiplier_derivatives import (
+    MapDerivatives,
+    many_multiplier_derivatives,
+)
+from nonsmooth.runtime.shooting.section_map import mechanical_states
 from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 
 __all__ = ["derivatives_of_many"]
 
 _POINTS, _COLUMNS = 1 << 9, 1 << 15  # that one thread takes at a time, by tables and kernels
+_ZERO = 1e-12  # of the largest multiplier: one that is zero but for rounding
+_OF_MAPS = ("determinant", "spectral_radius")  # where multipliers are asked for
 
 _Found = dict[str, dict[str, np.ndarray]]
 
 
 def derivatives_of_many(orbits: Orbits, by: Sequence[str] | str) -> _Found:
-    """Derivatives of unknowns, period and trace at many points.
+    """Derivatives of unknowns, period and trace at many points; see `Orbits.derivatives`.
 
     Parameters
     ----------
@@ -61,13 +68,14 @@ def derivatives_of_many(orbits: Orbits, by: Sequence[str] | str) -> _Found:
         rates = _by_tables(orbits, points, unknowns, places)
     else:
         rates = _by_kernels(kernels, points, unknowns, places)
+    quantities = (*orbits.unknowns, "trace", "period", *_OF_MAPS)[: len(rates)]
     if every is sound:
         filled = np.full((*rates.shape[:2], orbits.status.size), np.nan)
         filled[..., sound] = rates
         rates = filled
     return {
         quantity: {name: rate.reshape(shape) for name, rate in zip(names, moved, strict=True)}
-        for quantity, moved in zip((*orbits.unknowns, "trace", "period"), rates, strict=True)
+        for quantity, moved in zip(quantities, rates, strict=True)
     }
 
 
@@ -116,7 +124,7 @@ def _on_numpy(
 def _by_tables(
     orbits: Orbits, points: np.ndarray, unknowns: np.ndarray, places: list[int]
 ) -> np.ndarray:
-    """Rates (n + 2, q, k)."""
+    """Rates (n + 2, q, k), or two more where there are multipliers."""
     problem = orbits.problem
     cycle = itinerary_shape(structure_of(problem.system), problem.itinerary)
     if cycle.one_sided:
@@ -124,19 +132,35 @@ def _by_tables(
             f"{orbits.name}: boundaries are reached together: derivatives are one-sided"
         )
     count, (amount, size) = len(cycle), unknowns.shape
-    found = np.empty((size + 2, len(places), amount))
+    maps = orbits.multipliers is not None
+    found = np.empty((size + 2 + maps * len(_OF_MAPS), len(places), amount))
+    driven = mechanical_states(cycle)
+    rank = _rank(orbits) if maps else 0
 
     def work(begin: int) -> None:
         part = slice(begin, begin + _POINTS)
         moved = table_directions_many(
             problem.system, cycle, points[part],
             unknowns[part, :count], unknowns[part, count:], places,
-            timed=orbits.timed, maps=False,
+            timed=orbits.timed, maps=maps,
         )  # fmt: skip
         found[:count, :, part] = moved.dwell.T
-        found[count:-2, :, part] = moved.start.T
-        found[-2, :, part] = moved.trace.T
-        found[-1, :, part] = moved.dwell.sum(axis=-1).T
+        found[count:size, :, part] = moved.start.T
+        found[size, :, part] = moved.trace.T
+        found[size + 1, :, part] = moved.dwell.sum(axis=-1).T
+        if maps:
+            trivial = int(orbits.timed and driven is None)
+            section = MapDerivatives(moved.maps, moved.rates, rank - moved.shifts, trivial)
+            for row, rates in enumerate(many_multiplier_derivatives(section), size + 2):
+                found[row, :, part] = rates.T
 
     in_parallel(work, range(0, amount, _POINTS), None)
     return found
+
+
+def _rank(orbits: Orbits) -> int:
+    """How many multipliers are not zero at all points."""
+    assert orbits.multipliers is not None
+    sizes = abs(orbits.multipliers[orbits.converged])
+    apart = sizes > _ZERO * sizes.max(axis=1, initial=0.0, keepdims=True)
+    return int(apart.sum(axis=1).max(initial=0))

@@ -20,8 +20,8 @@ from nonsmooth.runtime.shooting.derivatives import cycle_maps
 from nonsmooth.runtime.shooting.newton import LEAST
 from nonsmooth.runtime.shooting.section_map import mechanical_states
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers
-from nonsmooth.runtime.shooting.symmetric_orbit import closing_matrix
 from nonsmooth.runtime.shooting.table_newton import sizes
+from nonsmooth.runtime.shooting.translations import directions_of
 
 __all__ = ["ManyDirections", "solve_linear_many", "table_directions_many"]
 
@@ -39,6 +39,8 @@ class ManyDirections(NamedTuple):
     maps : array (k, m, m)
         That map; empty where it is not asked for, as its derivatives.
     rates : array (k, q, m, m)
+    shifts : int
+        Translations of the system: their multipliers 1 are zeros of the map.
     """
 
     dwell: np.ndarray
@@ -46,6 +48,7 @@ class ManyDirections(NamedTuple):
     trace: np.ndarray
     maps: np.ndarray
     rates: np.ndarray
+    shifts: int = 0
 
 
 def table_directions_many(
@@ -84,17 +87,18 @@ def table_directions_many(
     """
     engine = compiled_engine()
     numbers = Numbers(*tables_at(system, points))
-    moved_along = len(points) and _translates(cycle, numbers)
-    if engine is None or moved_along or len(cycle.structure.forcing) > 1:
-        return _in_python(system, cycle, points, dwell, start, places, timed=timed, maps=maps)
+    shifts = _shifts(cycle, numbers) if len(points) else 0
+    if engine is None or shifts or len(cycle.structure.forcing) > 1:
+        found = _in_python(system, cycle, points, dwell, start, places, timed=timed, maps=maps)
+        return found._replace(shifts=shifts)
     rates = table_rates(system, points, places)
     return _compiled(engine, cycle, numbers, rates, dwell, start, len(places), timed, maps)
 
 
-def _translates(cycle: ItineraryShape, numbers: Numbers) -> bool:
-    """Whether the system does not change along some direction: the first point tells."""
+def _shifts(cycle: ItineraryShape, numbers: Numbers) -> int:
+    """Along how many directions the system does not change: the first point tells."""
     fields, rows, resets = (part[0] for part in (numbers.fields, numbers.rows, numbers.resets))
-    return closing_matrix(cycle.structure, fields, rows, resets, None) is not None
+    return len(directions_of(cycle.structure, fields, rows, resets))
 
 
 def _compiled(
@@ -122,7 +126,7 @@ def _compiled(
         *_moving(cycle, numbers, rates, directions),
         cycle.packed[3 * count :],
         np.ascontiguousarray(dwell), np.ascontiguousarray(start), *cycle_maps(cycle, numbers),
-        rates.values, *found,
+        rates.values, *found[:5],
     )  # fmt: skip
     driven = mechanical_states(cycle)
     if driven is None or not maps:
