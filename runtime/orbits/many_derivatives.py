@@ -32,7 +32,9 @@ _OF_MAPS = ("determinant", "spectral_radius")  # where multipliers are asked for
 _Found = dict[str, dict[str, np.ndarray]]
 
 
-def derivatives_of_many(orbits: Orbits, by: Sequence[str] | str) -> _Found:
+def derivatives_of_many(
+    orbits: Orbits, by: Sequence[str] | str, threads: int | None = None
+) -> _Found:
     """Derivatives of unknowns, period and trace at many points; see `Orbits.derivatives`.
 
     Parameters
@@ -40,6 +42,8 @@ def derivatives_of_many(orbits: Orbits, by: Sequence[str] | str) -> _Found:
     orbits : Orbits
     by : sequence of str, or str
         Names of parameters.
+    threads : int, optional
+        As many as processors when omitted.
 
     Returns
     -------
@@ -65,9 +69,9 @@ def derivatives_of_many(orbits: Orbits, by: Sequence[str] | str) -> _Found:
     )
     places = [known.index(name) for name in names]
     if kernels is None:
-        rates = _by_tables(orbits, points, unknowns, places)
+        rates = _by_tables(orbits, points, unknowns, places, threads)
     else:
-        rates = _by_kernels(kernels, points, unknowns, places)
+        rates = _by_kernels(kernels, points, unknowns, places, threads)
     quantities = (*orbits.unknowns, "trace", "period", *_OF_MAPS)[: len(rates)]
     if every is sound:
         filled = np.full((*rates.shape[:2], orbits.status.size), np.nan)
@@ -80,7 +84,11 @@ def derivatives_of_many(orbits: Orbits, by: Sequence[str] | str) -> _Found:
 
 
 def _by_kernels(
-    kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, places: list[int]
+    kernels: OrbitKernels,
+    points: np.ndarray,
+    unknowns: np.ndarray,
+    places: list[int],
+    threads: int | None,
 ) -> np.ndarray:
     """Rates (n + 2, q, k), compiled where the kernels are."""
     if kernels.table["vanishing"]:
@@ -102,7 +110,7 @@ def _by_kernels(
         columns |= dict(zip(kernels.unknowns, moved[:-2], strict=True))
         moved[-1] = reduce(np.add, kernels.durations(columns).values())
 
-    in_parallel(work, range(0, count, _COLUMNS), None)
+    in_parallel(work, range(0, count, _COLUMNS), threads)
     return found if places == [*range(width)] else found[:, places]
 
 
@@ -122,7 +130,11 @@ def _on_numpy(
 
 
 def _by_tables(
-    orbits: Orbits, points: np.ndarray, unknowns: np.ndarray, places: list[int]
+    orbits: Orbits,
+    points: np.ndarray,
+    unknowns: np.ndarray,
+    places: list[int],
+    threads: int | None,
 ) -> np.ndarray:
     """Rates (n + 2, q, k), or two more where there are multipliers."""
     problem = orbits.problem
@@ -154,7 +166,7 @@ def _by_tables(
             for row, rates in enumerate(many_multiplier_derivatives(section), size + 2):
                 found[row, :, part] = rates.T
 
-    in_parallel(work, range(0, amount, _POINTS), None)
+    in_parallel(work, range(0, amount, _POINTS), threads)
     return found
 
 
