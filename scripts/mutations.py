@@ -437,6 +437,8 @@ BRANCHES = (
     Mutation("runtime/engine/directions.c", "pass_map", "section[i] = a->slid[i] * wait",
              "section[i] = 0.0 * wait", _BATCHES),
     Mutation("runtime/engine/directions.c", "at_fixed_times", "turn[k] * growth", "0.0", _BATCHES),
+    Mutation("runtime/orbits/table_directions_many.py", "_turn", "abs(sums) > _SAME * scales",
+             "abs(sums) > scales", _BATCHES),
     Mutation("runtime/orbits/table_directions_many.py", "_moving", "inside += size", "None",
              _BATCHES),
     Mutation("runtime/shooting/multiplier_derivatives.py", "_reduced_of_many",

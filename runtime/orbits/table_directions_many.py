@@ -20,10 +20,18 @@ from nonsmooth.runtime.shooting.derivatives import cycle_maps
 from nonsmooth.runtime.shooting.newton import LEAST
 from nonsmooth.runtime.shooting.section_map import mechanical_states
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers
+from nonsmooth.runtime.shooting.symmetric_orbit import closed_shape
 from nonsmooth.runtime.shooting.table_newton import sizes
-from nonsmooth.runtime.shooting.translations import directions_of
+from nonsmooth.runtime.shooting.translations import (
+    deciding_rows,
+    directions_of,
+    projection_along,
+    taken_resets,
+)
 
 __all__ = ["ManyDirections", "solve_linear_many", "table_directions_many"]
+
+_SAME = 1e-9  # of terms that cancel
 
 
 class ManyDirections(NamedTuple):
@@ -88,11 +96,14 @@ def table_directions_many(
     engine = compiled_engine()
     numbers = Numbers(*tables_at(system, points))
     shifts = _shifts(cycle, numbers) if len(points) else 0
-    if engine is None or shifts or len(cycle.structure.forcing) > 1:
-        found = _in_python(system, cycle, points, dwell, start, places, timed=timed, maps=maps)
-        return found._replace(shifts=shifts)
-    rates = table_rates(system, points, places)
-    return _compiled(engine, cycle, numbers, rates, dwell, start, len(places), timed, maps)
+    if engine is not None and len(cycle.structure.forcing) < 2:
+        rates = table_rates(system, points, places)
+        closed = _closed(cycle, numbers, rates) if shifts else _Closed(cycle, numbers, rates)
+        if closed is not None:
+            found = _compiled(engine, closed, dwell, start, len(places), timed, maps)
+            return found._replace(shifts=shifts)
+    found = _in_python(system, cycle, points, dwell, start, places, timed=timed, maps=maps)
+    return found._replace(shifts=shifts)
 
 
 def _shifts(cycle: ItineraryShape, numbers: Numbers) -> int:
@@ -101,17 +112,81 @@ def _shifts(cycle: ItineraryShape, numbers: Numbers) -> int:
     return len(directions_of(cycle.structure, fields, rows, resets))
 
 
+class _Closed(NamedTuple):
+    """A cycle that closes up to translations, its numbers, their rates, and the projections."""
+
+    cycle: ItineraryShape
+    numbers: Numbers
+    rates: TableRates
+    projections: np.ndarray | None = None
+
+
+def _closed(cycle: ItineraryShape, numbers: Numbers, rates: TableRates) -> _Closed | None:
+    """Close a cycle up to translations, at k points.
+
+    None where the directions of the translations change with a parameter.
+    """
+    structure, (count, _, size, width) = cycle.structure, numbers.fields.shape
+    arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
+    along = np.array([directions_of(structure, *each) for each in arrays])
+    if _turn(cycle, numbers, rates, along):
+        return None
+    projections = np.array([projection_along(directions) for directions in along])
+    place = cycle.transitions[-1].reset
+    added = (projections @ numbers.resets[:, place])[:, None]
+    ends = np.cumsum([part[0].size for part in numbers[:3]])
+    first = ends[1] + place * size * width
+    there = np.flatnonzero((rates.entries >= first) & (rates.entries < first + size * width))
+    moving = np.unique(rates.directions[there])
+    changes = np.zeros((count, len(moving), size * width))
+    rows = np.searchsorted(moving, rates.directions[there])
+    changes[:, rows, rates.entries[there] - first] = rates.values[:, there]
+    changes = projections[:, None] @ changes.reshape(count, -1, size, width)
+    driven = mechanical_states(cycle)
+    kept = slice(None) if driven is None else driven
+    return _Closed(
+        closed_shape(cycle, len(cycle)),
+        numbers._replace(resets=np.concatenate([numbers.resets, added], axis=1)),
+        TableRates(
+            np.concatenate([rates.directions, np.repeat(moving, size * width)]),
+            np.concatenate(
+                [rates.entries, np.tile(ends[2] + np.arange(size * width), len(moving))]
+            ),
+            np.concatenate([rates.values, changes.reshape(count, -1)], axis=1),
+        ),
+        projections[:, kept][:, :, kept],
+    )
+
+
+def _turn(cycle: ItineraryShape, numbers: Numbers, rates: TableRates, along: np.ndarray) -> bool:
+    """Whether directions (k, m, N) of translations change with one of the parameters."""
+    structure, size = cycle.structure, along.shape[2]
+    lines, columns = np.divmod(rates.entries, size + 1)
+    ends = np.cumsum([part[0].size // (size + 1) for part in numbers[:3]])
+    decides = np.full(ends[2], False)
+    decides[: ends[0]] = True
+    decides[ends[0] + np.array(deciding_rows(structure), dtype=int)] = True
+    for reset in taken_resets(structure):
+        decides[ends[1] + reset * size + np.arange(size)] = True
+    there = np.flatnonzero((columns < size) & decides[lines])
+    groups, place = np.unique(rates.directions[there] * ends[2] + lines[there], return_inverse=True)
+    terms = np.moveaxis(rates.values[:, None, there] * along[:, :, columns[there]], -1, 0)
+    sums, scales = (np.zeros((len(groups), *along.shape[:2])) for _ in range(2))
+    np.add.at(sums, place.ravel(), terms)
+    np.add.at(scales, place.ravel(), abs(terms))
+    return bool((abs(sums) > _SAME * scales).any())
+
+
 def _compiled(
     engine: ModuleType,
-    cycle: ItineraryShape,
-    numbers: Numbers,
-    rates: TableRates,
+    closed: _Closed,
     dwell: np.ndarray,
     start: np.ndarray,
     directions: int,
     timed: bool,
     maps: bool,
 ) -> ManyDirections:
+    cycle, numbers, rates, projections = closed
     (points, size), count = start.shape, len(cycle)
     shape = (points if maps else 0, size, size)
     found = ManyDirections(
@@ -128,13 +203,15 @@ def _compiled(
         np.ascontiguousarray(dwell), np.ascontiguousarray(start), *cycle_maps(cycle, numbers),
         rates.values, *found[:5],
     )  # fmt: skip
-    driven = mechanical_states(cycle)
-    if driven is None or not maps:
+    if not maps:
         return found
-    moved, rates_of = found.maps, found.rates
-    return found._replace(
-        maps=moved[..., driven, :][..., driven], rates=rates_of[..., driven, :][..., driven]
-    )
+    moved = found.maps, found.rates
+    driven = mechanical_states(cycle)
+    if driven is not None:
+        moved = moved[0][..., driven, :][..., driven], moved[1][..., driven, :][..., driven]
+    if projections is not None:
+        moved = projections @ moved[0], projections[:, None] @ moved[1]
+    return found._replace(maps=moved[0], rates=moved[1])
 
 
 def _moving(

@@ -11,15 +11,16 @@ import sympy as sp
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.values import as_value
-from nonsmooth.runtime.model.kernels import compiled_engine, uncompiled
+from nonsmooth.runtime.model.kernels import compiled_engine, load_system, uncompiled
+from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.model.table_derivatives import table_derivatives, table_rates
 from nonsmooth.runtime.orbits import table_directions_many as many
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
-from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
+from nonsmooth.runtime.shooting.shooting_map import Numbers, itinerary_shape
 
 KERNELS = [
     "rigid-stop/one-impact",
@@ -27,6 +28,19 @@ KERNELS = [
     "dry-friction/symmetric",
     "dry-friction/global-stick",
 ]
+
+
+_A, _C, _G, _K, _R, _U, _W = sp.symbols("A c g k r u w")
+# a box on rough ground, moved by a mass in it that strikes its wall: it closes up to a shift
+CAPSULE = oscillator(
+    "shifting-capsule", ["x", "y"], mass=[[2, 0], [0, 1]], stiffness=[[_K, -_K], [-_K, _K]],
+    damping=[[_C, -_C], [-_C, _C]], forcing=[Harmonic(_W, cosine=[-_A, _A])],
+    elements=[
+        Friction("x", kinetic=_U, static=_U, velocity=0, name="ground"),
+        RigidStop({"y": 1, "x": -1}, at=_G, restitution=_R, name="wall"),
+    ],
+)  # fmt: skip
+SHAKEN = {"A": 1.0, "w": 1.0, "u": 0.3, "k": 0.5, "g": 0.5, "r": 0.5, "c": 0.1}
 
 
 def chain() -> tuple[ns.derive.System, dict[str, float]]:
@@ -72,7 +86,9 @@ def cases(forced: Any) -> list[tuple[Any, dict[str, float], Any, Any]]:
         values = {key: float(value) for key, value in tables.parameters.items()}
         given = {"period": float(tables.period)} if tables.evaluation.family else None
         found.append((name.split("/")[0], values, tables, given))
-    return found
+    shaken = ns.simulate(CAPSULE, SHAKEN, [0, 0, 0, 0, 1, 0], transitions=800)
+    crawling = ns.solve(CAPSULE, SHAKEN, itinerary=ns.itinerary_of(shaken))
+    return [*found, (CAPSULE, SHAKEN, crawling, None)]
 
 
 @pytest.mark.compiled
@@ -81,8 +97,9 @@ def test_c_and_numpy_agree(forced: Any, monkeypatch: pytest.MonkeyPatch) -> None
         values, guess = scattered(data, 6), [*orbit.dwell_times, *orbit.states[0]]
         solved = ns.solve_many(system, values, guess, itinerary=orbit.itinerary, given=given)
         cycle = itinerary_shape(structure_of(orbit.system), orbit.itinerary)
+        given_points = [values[table.name] for table in orbit.system.parameters]
         points, unknowns = (
-            np.stack(list(part.values()), axis=-1) for part in (values, solved.unknowns)
+            np.stack(part, axis=-1) for part in (given_points, [*solved.unknowns.values()])
         )
         dwell, start = unknowns[:, : len(cycle)], unknowns[:, len(cycle) :]
         known = (orbit.system, cycle, points, dwell, start)
@@ -99,6 +116,26 @@ def test_c_and_numpy_agree(forced: Any, monkeypatch: pytest.MonkeyPatch) -> None
         alone = many.table_directions_many(*known, [1], **{**options, "maps": False})
         assert_allclose(alone.trace[:, 0], compiled.trace[:, 1], rtol=1e-12)
         assert alone.maps.size == alone.rates.size == 0
+
+
+def test_a_direction_that_changes_with_a_parameter_is_seen() -> None:
+    c, g, i, r = sp.symbols("c g i r")
+    geared = oscillator(
+        "geared-wheels", ["x", "y"], mass=sp.diag(1, 2), stiffness=sp.zeros(2),
+        damping=c * sp.eye(2),
+        elements=[RigidStop({"x": 1, "y": -i}, at=g, restitution=r, name="tooth")],
+    )  # fmt: skip
+    kernels = load_system(geared)
+    structure = structure_of(kernels)
+    boundary = structure.boundaries[0][0].name
+    cycle = itinerary_shape(structure, [(structure.configurations[0], boundary)])
+    names = [table.name for table in kernels.parameters]
+    point = [{"c": 0.1, "g": 0.5, "i": 1.5, "r": 0.5}[name] for name in names]
+    points = np.array([point, point])
+    numbers = Numbers(*tables_at(kernels, points))
+    for name in names:
+        rates = table_rates(kernels, points, [names.index(name)])
+        assert (many._closed(cycle, numbers, rates) is None) == (name == "i")
 
 
 def test_batches_have_the_derivatives_of_single_orbits(forced: Any) -> None:
