@@ -138,6 +138,7 @@ def test_a_direction_that_changes_with_a_parameter_is_seen() -> None:
         assert (many._closed(cycle, numbers, rates) is None) == (name == "i")
 
 
+@pytest.mark.compiled  # its orbits are found by simulation
 def test_batches_have_the_derivatives_of_single_orbits(forced: Any) -> None:
     for system, data, orbit, given in cases(forced):
         values = scattered(data, 3)
