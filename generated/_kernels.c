@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop, nonsmooth.derive.systems.elastic_stop, nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation f922ff54e6e267ed */
+ * SymPy 1.14.0, derivation 45d841dba31ca7c4 */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -612,6 +612,27 @@ static void loop_rigid_stop_one_impact_admissible(
         SCATTER(int32_t, a2, args[2], steps[2], NULL, 1, 0);
         SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
         SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
+    }
+}
+
+static const char types_rigid_stop_one_impact_directions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_rigid_stop_one_impact_directions(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    nonsmooth_work work = {0};
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
+        double a0[points * 5];
+        double a1[points * 2];
+        double a2[points * 15];
+        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 3, 5, 0);
+        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 4, 2, 0);
+        rigid_stop_one_impact_directions(here, a0, a1, a2);
+        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 5, 15, 5);
     }
 }
 
@@ -1226,6 +1247,27 @@ static void loop_elastic_stop_one_contact_admissible(
         SCATTER(int32_t, a2, args[2], steps[2], NULL, 1, 0);
         SCATTER(double, a3, args[3], steps[3], NULL, 1, 0);
         SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
+    }
+}
+
+static const char types_elastic_stop_one_contact_directions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_elastic_stop_one_contact_directions(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    nonsmooth_work work = {0};
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
+        double a0[points * 6];
+        double a1[points * 4];
+        double a2[points * 30];
+        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 3, 6, 0);
+        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 4, 4, 0);
+        elastic_stop_one_contact_directions(here, a0, a1, a2);
+        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 5, 30, 6);
     }
 }
 
@@ -2920,6 +2962,27 @@ static void loop_dry_friction_symmetric_admissible(
     }
 }
 
+static const char types_dry_friction_symmetric_directions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_symmetric_directions(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    nonsmooth_work work = {0};
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
+        double a0[points * 4];
+        double a1[points * 5];
+        double a2[points * 24];
+        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 3, 4, 0);
+        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 4, 5, 0);
+        dry_friction_symmetric_directions(here, a0, a1, a2);
+        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 5, 24, 4);
+    }
+}
+
 static const char types_dry_friction_global_stick_solve[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32, NPY_INT32};
 static void loop_dry_friction_global_stick_solve(
     char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
@@ -2977,6 +3040,27 @@ static void loop_dry_friction_global_stick_admissible(
         SCATTER(int32_t, a3, args[3], steps[3], NULL, 1, 0);
         SCATTER(double, a4, args[4], steps[4], NULL, 1, 0);
         SCATTER(double, a5, args[5], steps[5], NULL, 1, 0);
+    }
+}
+
+static const char types_dry_friction_global_stick_directions[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE};
+static void loop_dry_friction_global_stick_directions(
+    char **args, npy_intp const *dimensions, npy_intp const *steps, void *unused)
+{
+    (void)unused;
+    nonsmooth_work work = {0};
+    for (npy_intp start = 0; start < dimensions[0]; start += points) {
+        const npy_intp left = dimensions[0] - start;
+        const npy_intp here = left < points ? left : points;
+        if (nonsmooth_ends_later(&work))
+            return;
+        double a0[points * 5];
+        double a1[points * 6];
+        double a2[points * 35];
+        GATHER_COLUMNS(double, a0, args[0], steps[0], steps + 3, 5, 0);
+        GATHER_COLUMNS(double, a1, args[1], steps[1], steps + 4, 6, 0);
+        dry_friction_global_stick_directions(here, a0, a1, a2);
+        SCATTER_COLUMNS(double, a2, args[2], steps[2], steps + 5, 35, 5);
     }
 }
 
@@ -3092,6 +3176,8 @@ static const wrapped functions[] = {
      types_rigid_stop_one_impact_solve, 1, 5},
     {"rigid_stop_one_impact_admissible", "(5),(2)->(),(),()", loop_rigid_stop_one_impact_admissible,
      types_rigid_stop_one_impact_admissible, 2, 3},
+    {"rigid_stop_one_impact_directions", "(5),(2)->(3,5)", loop_rigid_stop_one_impact_directions,
+     types_rigid_stop_one_impact_directions, 2, 1},
     {"elastic_stop_spectrum", "(5)->(12),(12,5)", loop_elastic_stop_spectrum,
      types_elastic_stop_spectrum, 1, 2},
     {"elastic_stop_flow_contact", "(5),(12),(),(4)->(4)", loop_elastic_stop_flow_contact,
@@ -3140,6 +3226,8 @@ static const wrapped functions[] = {
      types_elastic_stop_one_contact_solve, 2, 5},
     {"elastic_stop_one_contact_admissible", "(6),(4)->(),(),()", loop_elastic_stop_one_contact_admissible,
      types_elastic_stop_one_contact_admissible, 2, 3},
+    {"elastic_stop_one_contact_directions", "(6),(4)->(5,6)", loop_elastic_stop_one_contact_directions,
+     types_elastic_stop_one_contact_directions, 2, 1},
     {"dry_friction_spectrum", "(2)->(7),(7,2)", loop_dry_friction_spectrum,
      types_dry_friction_spectrum, 1, 2},
     {"dry_friction_flow_slip_slip", "(7),(7),(),(4)->(4)", loop_dry_friction_flow_slip_slip,
@@ -3270,10 +3358,14 @@ static const wrapped functions[] = {
      types_dry_friction_symmetric_solve, 2, 5},
     {"dry_friction_symmetric_admissible", "(4),(5)->(1),(),(),()", loop_dry_friction_symmetric_admissible,
      types_dry_friction_symmetric_admissible, 2, 4},
+    {"dry_friction_symmetric_directions", "(4),(5)->(6,4)", loop_dry_friction_symmetric_directions,
+     types_dry_friction_symmetric_directions, 2, 1},
     {"dry_friction_global_stick_solve", "(5),(2)->(6),(),(),(),()", loop_dry_friction_global_stick_solve,
      types_dry_friction_global_stick_solve, 2, 5},
     {"dry_friction_global_stick_admissible", "(5),(6)->(2),(),(),()", loop_dry_friction_global_stick_admissible,
      types_dry_friction_global_stick_admissible, 2, 4},
+    {"dry_friction_global_stick_directions", "(5),(6)->(7,5)", loop_dry_friction_global_stick_directions,
+     types_dry_friction_global_stick_directions, 2, 1},
     {"dry_friction_solution_ii_solve", "(4),(3)->(6),(),(),(),()", loop_dry_friction_solution_ii_solve,
      types_dry_friction_solution_ii_solve, 2, 5},
     {"dry_friction_solution_ii_admissible", "(4),(6)->(2),(),(),()", loop_dry_friction_solution_ii_admissible,
@@ -3296,11 +3388,11 @@ static int add_all(PyObject *module)
         if (!ufunc || PyModule_AddObject(module, f->name, ufunc) < 0)
             return -1;
     }
-    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "f4c73a498b4d0c70") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_rigid_stop", "55586efa21b91602") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "d79c593841bc45a0") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_elastic_stop", "113e2b5e94516a32") < 0)
         return -1;
-    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "62c2468fe536308f") < 0)
+    if (PyModule_AddStringConstant(module, "derivation_dry_friction", "09d7fc9637b7ada5") < 0)
         return -1;
     return 0;
 }

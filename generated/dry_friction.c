@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 62c2468fe536308f */
+ * SymPy 1.14.0, derivation 09d7fc9637b7ada5 */
 #include "dry_friction.h"
 
 #include <math.h>
@@ -8665,6 +8665,811 @@ void dry_friction_symmetric_admissible(
     }
 }
 
+/* Derivatives of the unknowns (5) and the trace by the parameters (4), at solutions of the
+ * equations, for `count` points. Arrays hold columns: entry i of a point stands at
+ * [i * count + point], and of the derivatives those by one parameter follow another.
+ * NaN where the equations are singular: a pivot is below 1e-10 times the matrix. */
+NONSMOOTH_MULTIVERSION
+void dry_friction_symmetric_directions(
+    ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
+{
+    enum { lanes = 16, n = 5, p = 4, width = 5 + 4 };
+    for (ptrdiff_t start = 0; start < count; start += lanes) {
+        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
+        double parameter[p][lanes], unknown[n][lanes], fixed[15][lanes];
+        double matrix[n][width][lanes], slope[width][lanes], size[lanes], least[lanes];
+        for (int lane = 0; lane < lanes; ++lane) {
+            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
+            for (int i = 0; i < p; ++i)
+                parameter[i][lane] = parameters[i * count + point];
+            for (int i = 0; i < n; ++i)
+                unknown[i][lane] = unknowns[i * count + point];
+            size[lane] = 0.0;
+            least[lane] = INFINITY;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double chi = parameter[0][lane];
+            const double eta = parameter[1][lane];
+            /* spectrum */
+            const double t0 = chi*eta;
+            const double t1 = 1 - t0;
+            const double t2 = 4*(chi*chi);
+            const double gap1 = sqrt(eta*t2 + (t1*t1));
+            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t0 + 1.0/2.0);
+            const double t3 = (1.0/(omega1));
+            const double t4 = sqrt(1 - chi);
+            const double t5 = sqrt(chi);
+            const double t6 = sqrt(eta);
+            const double t7 = t5*t6;
+            const double t8 = t4*t7;
+            const double omega2 = t3*t8;
+            const double t9 = (1.0/(gap1));
+            const double t10 = (1.0/2.0)*t9;
+            const double p1 = t1*t10 + 1.0/2.0;
+            const double t11 = chi*t9;
+            const double p2 = -t11;
+            const double p3 = -t0*t9;
+            /* d/dchi of: spectrum */
+            const double t13 = 2*t1;
+            const double gap1_by_chi = t10*(-eta*t13 + 8*t0);
+            const double t14 = (1.0/2.0)*gap1_by_chi;
+            const double t15 = (1.0/2.0)*eta;
+            const double t16 = (1.0/2.0)*t3;
+            const double omega1_by_chi = t16*(t14 + t15);
+            const double t17 = (1.0/(t5));
+            const double t18 = t8/(omega1*omega1);
+            const double omega2_by_chi = -omega1_by_chi*t18 - t16*t7/t4 + (1.0/2.0)*t17*t3*t4*t6;
+            const double t19 = (1.0/(gap1*gap1));
+            const double t20 = t1*t19;
+            const double p1_by_chi = -t14*t20 - t15*t9;
+            const double t21 = chi*t19;
+            const double p2_by_chi = gap1_by_chi*t21 - t9;
+            const double t22 = t0*t19;
+            const double p3_by_chi = -eta*t9 + gap1_by_chi*t22;
+            /* d/deta of: spectrum */
+            const double gap1_by_eta = t10*(-chi*t13 + t2);
+            const double t23 = (1.0/2.0)*gap1_by_eta;
+            const double omega1_by_eta = t16*((1.0/2.0)*chi + t23);
+            const double t24 = (1.0/(t6));
+            const double omega2_by_eta = -omega1_by_eta*t18 + (1.0/2.0)*t24*t3*t4*t5;
+            const double p1_by_eta = -1.0/2.0*t11 - t20*t23;
+            const double p2_by_eta = gap1_by_eta*t21;
+            const double p3_by_eta = gap1_by_eta*t22 - t11;
+            fixed[0][lane] = omega1;
+            fixed[1][lane] = omega2;
+            fixed[2][lane] = p1;
+            fixed[3][lane] = p2;
+            fixed[4][lane] = p3;
+            fixed[5][lane] = omega1_by_chi;
+            fixed[6][lane] = omega1_by_eta;
+            fixed[7][lane] = omega2_by_chi;
+            fixed[8][lane] = omega2_by_eta;
+            fixed[9][lane] = p1_by_chi;
+            fixed[10][lane] = p1_by_eta;
+            fixed[11][lane] = p2_by_chi;
+            fixed[12][lane] = p2_by_eta;
+            fixed[13][lane] = p3_by_chi;
+            fixed[14][lane] = p3_by_eta;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double chi = parameter[0][lane];
+            const double V = parameter[2][lane];
+            const double z10 = unknown[0][lane];
+            const double z20 = unknown[1][lane];
+            const double v10 = unknown[2][lane];
+            const double tau = unknown[3][lane];
+            const double tau1 = unknown[4][lane];
+            const double omega1 = fixed[0][lane];
+            const double omega2 = fixed[1][lane];
+            const double p1 = fixed[2][lane];
+            const double p2 = fixed[3][lane];
+            const double p3 = fixed[4][lane];
+            const double omega1_by_chi = fixed[5][lane];
+            const double omega1_by_eta = fixed[6][lane];
+            const double omega2_by_chi = fixed[7][lane];
+            const double omega2_by_eta = fixed[8][lane];
+            const double p1_by_chi = fixed[9][lane];
+            const double p1_by_eta = fixed[10][lane];
+            const double p2_by_chi = fixed[11][lane];
+            const double p2_by_eta = fixed[12][lane];
+            const double p3_by_chi = fixed[13][lane];
+            const double p3_by_eta = fixed[14][lane];
+            /* half of tau */
+            const double half_tau = (1.0/2.0)*tau;
+            /* functions of half_tau in slip-slip */
+            const double t0 = half_tau*omega1;
+            double sine_0, cosine_0;
+            nonsmooth_sincos(t0, &sine_0, &cosine_0);
+            const double cos_omega1_half_tau = cosine_0;
+            const double sin_omega1_half_tau = sine_0;
+            const double t3 = half_tau*omega2;
+            double sine_1, cosine_1;
+            nonsmooth_sincos(t3, &sine_1, &cosine_1);
+            const double cos_omega2_half_tau = cosine_1;
+            const double sin_omega2_half_tau = sine_1;
+            /* half of tau1 */
+            const double half_tau1 = (1.0/2.0)*tau1;
+            double sine_2, cosine_2;
+            nonsmooth_sincos(half_tau1, &sine_2, &cosine_2);
+            const double cos_half_tau1 = cosine_2;
+            const double sin_half_tau1 = sine_2;
+            /* d/dtau of: functions of half_tau in slip-slip */
+            const double t8 = (1.0/2.0)*omega1;
+            const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t8;
+            const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t8;
+            const double t9 = (1.0/2.0)*omega2;
+            const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t9;
+            const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t9;
+            /* d/dtau1 of: functions of half_tau1 in slip-stick */
+            const double cos_half_tau1_by_tau1 = -1.0/2.0*sin_half_tau1;
+            const double sin_half_tau1_by_tau1 = (1.0/2.0)*cos_half_tau1;
+            /* d/dchi of: functions of half_tau in slip-slip */
+            const double t10 = half_tau*omega1_by_chi;
+            const double cos_omega1_half_tau_by_chi = -sin_omega1_half_tau*t10;
+            const double sin_omega1_half_tau_by_chi = cos_omega1_half_tau*t10;
+            const double t11 = half_tau*omega2_by_chi;
+            const double cos_omega2_half_tau_by_chi = -sin_omega2_half_tau*t11;
+            const double sin_omega2_half_tau_by_chi = cos_omega2_half_tau*t11;
+            /* d/deta of: functions of half_tau in slip-slip */
+            const double t12 = half_tau*omega1_by_eta;
+            const double cos_omega1_half_tau_by_eta = -sin_omega1_half_tau*t12;
+            const double sin_omega1_half_tau_by_eta = cos_omega1_half_tau*t12;
+            const double t13 = half_tau*omega2_by_eta;
+            const double cos_omega2_half_tau_by_eta = -sin_omega2_half_tau*t13;
+            const double sin_omega2_half_tau_by_eta = cos_omega2_half_tau*t13;
+            /* outputs */
+            const double t14 = p1 - 1;
+            const double t16 = (1.0/(omega2));
+            const double t17 = sin_omega2_half_tau*t16;
+            const double t18 = (1.0/(omega1));
+            const double t19 = p1*z10 + p2*z20;
+            const double t21 = -t19 + z10;
+            const double t22 = V*p2 + p1*v10;
+            const double t23 = sin_omega1_half_tau_by_tau*t18;
+            const double t25 = t22 - v10;
+            const double t26 = sin_omega2_half_tau_by_tau*t16;
+            const double t27 = p3*z10;
+            const double t28 = p1*z20;
+            const double t29 = t27 - t28 + z20;
+            const double t30 = -t27 + t28;
+            const double t31 = p3*v10;
+            const double t32 = V*p1 - t31;
+            const double t33 = V*p1 - V - t31;
+            const double t35 = V*chi;
+            const double t36 = sin_omega1_half_tau*t18;
+            const double t37 = cos_omega1_half_tau*z10 - cos_omega2_half_tau*z10 - t17*v10 + t36*v10;
+            const double t38 = -V*sin_omega1_half_tau*t18 + V*t17 - cos_omega1_half_tau*z20 + cos_omega2_half_tau*z20;
+            const double t40 = t18*t22;
+            const double t41 = t16*t25;
+            const double t42 = sin_omega2_half_tau/(omega2*omega2);
+            const double t43 = t25*t42;
+            const double t44 = sin_omega1_half_tau/(omega1*omega1);
+            const double t45 = t22*t44;
+            const double t46 = t16*t32;
+            const double t47 = t18*t33;
+            const double t48 = t33*t44;
+            const double t49 = t32*t42;
+            matrix[0][0][lane] = cos_omega1_half_tau*p1 - cos_omega2_half_tau*t14;
+            matrix[0][1][lane] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
+            matrix[0][2][lane] = p1*sin_omega1_half_tau*t18 - t14*t17;
+            matrix[0][3][lane] = cos_omega1_half_tau_by_tau*t19 + cos_omega2_half_tau_by_tau*t21 + t22*t23 - t25*t26;
+            matrix[0][4][lane] = 0;
+            matrix[1][0][lane] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
+            matrix[1][1][lane] = -cos_omega1_half_tau*t14 + cos_omega2_half_tau*p1;
+            matrix[1][2][lane] = p3*sin_omega1_half_tau*t18 - p3*t17;
+            matrix[1][3][lane] = cos_omega1_half_tau_by_tau*t29 + cos_omega2_half_tau_by_tau*t30 - t23*t33 + t26*t32;
+            matrix[1][4][lane] = 0;
+            matrix[2][0][lane] = -cos_half_tau1;
+            matrix[2][1][lane] = chi*cos_half_tau1 - chi;
+            matrix[2][2][lane] = sin_half_tau1;
+            matrix[2][3][lane] = 0;
+            matrix[2][4][lane] = cos_half_tau1_by_tau1*(chi*z20 - z10) + sin_half_tau1_by_tau1*(-t35 + v10) + (1.0/2.0)*t35;
+            matrix[3][0][lane] = 0;
+            matrix[3][1][lane] = -1;
+            matrix[3][2][lane] = 0;
+            matrix[3][3][lane] = 0;
+            matrix[3][4][lane] = (1.0/2.0)*V;
+            matrix[4][0][lane] = -chi;
+            matrix[4][1][lane] = chi;
+            matrix[4][2][lane] = 0;
+            matrix[4][3][lane] = 0;
+            matrix[4][4][lane] = 0;
+            matrix[0][5][lane] = -cos_omega1_half_tau_by_chi*t19 - cos_omega2_half_tau_by_chi*t21 + omega1_by_chi*t45 - omega2_by_chi*t43 - p1_by_chi*t37 + p2_by_chi*t38 - sin_omega1_half_tau_by_chi*t40 + sin_omega2_half_tau_by_chi*t41;
+            matrix[0][6][lane] = -cos_omega1_half_tau_by_eta*t19 - cos_omega2_half_tau_by_eta*t21 + omega1_by_eta*t45 - omega2_by_eta*t43 - p1_by_eta*t37 + p2_by_eta*t38 - sin_omega1_half_tau_by_eta*t40 + sin_omega2_half_tau_by_eta*t41;
+            matrix[0][7][lane] = -p2*sin_omega1_half_tau*t18 + p2*t17;
+            matrix[0][8][lane] = 0;
+            matrix[1][5][lane] = -cos_omega1_half_tau_by_chi*t29 - cos_omega2_half_tau_by_chi*t30 - omega1_by_chi*t48 + omega2_by_chi*t49 - p1_by_chi*t38 - p3_by_chi*t37 + sin_omega1_half_tau_by_chi*t47 - sin_omega2_half_tau_by_chi*t46;
+            matrix[1][6][lane] = -cos_omega1_half_tau_by_eta*t29 - cos_omega2_half_tau_by_eta*t30 - omega1_by_eta*t48 + omega2_by_eta*t49 - p1_by_eta*t38 - p3_by_eta*t37 + sin_omega1_half_tau_by_eta*t47 - sin_omega2_half_tau_by_eta*t46;
+            matrix[1][7][lane] = -p1*t17 + t14*t36;
+            matrix[1][8][lane] = 0;
+            matrix[2][5][lane] = -V*half_tau1 + V*sin_half_tau1 - cos_half_tau1*z20 + z20;
+            matrix[2][6][lane] = 0;
+            matrix[2][7][lane] = -chi*half_tau1 + chi*sin_half_tau1;
+            matrix[2][8][lane] = 0;
+            matrix[3][5][lane] = 0;
+            matrix[3][6][lane] = 0;
+            matrix[3][7][lane] = -half_tau1;
+            matrix[3][8][lane] = 0;
+            matrix[4][5][lane] = z10 - z20;
+            matrix[4][6][lane] = 0;
+            matrix[4][7][lane] = 0;
+            matrix[4][8][lane] = 1;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double chi = parameter[0][lane];
+            const double eta = parameter[1][lane];
+            const double V = parameter[2][lane];
+            const double z10 = unknown[0][lane];
+            const double z20 = unknown[1][lane];
+            const double v10 = unknown[2][lane];
+            const double tau = unknown[3][lane];
+            const double tau1 = unknown[4][lane];
+            const double omega1 = fixed[0][lane];
+            const double omega2 = fixed[1][lane];
+            const double p1 = fixed[2][lane];
+            const double p2 = fixed[3][lane];
+            const double p3 = fixed[4][lane];
+            const double omega1_by_chi = fixed[5][lane];
+            const double omega1_by_eta = fixed[6][lane];
+            const double omega2_by_chi = fixed[7][lane];
+            const double omega2_by_eta = fixed[8][lane];
+            const double p1_by_chi = fixed[9][lane];
+            const double p1_by_eta = fixed[10][lane];
+            const double p2_by_chi = fixed[11][lane];
+            const double p2_by_eta = fixed[12][lane];
+            const double p3_by_chi = fixed[13][lane];
+            const double p3_by_eta = fixed[14][lane];
+            /* functions of tau in slip-slip */
+            const double t0 = omega1*tau;
+            double sine_0, cosine_0;
+            nonsmooth_sincos(t0, &sine_0, &cosine_0);
+            const double cos_omega1_tau = cosine_0;
+            const double sin_omega1_tau = sine_0;
+            const double t3 = omega2*tau;
+            double sine_1, cosine_1;
+            nonsmooth_sincos(t3, &sine_1, &cosine_1);
+            const double cos_omega2_tau = cosine_1;
+            const double sin_omega2_tau = sine_1;
+            /* slip-slip for tau, until second-reaches-belt */
+            const double t6 = (1.0/(omega1));
+            const double t7 = sin_omega1_tau*t6;
+            const double t8 = p1 - 1;
+            const double t10 = (1.0/(omega2));
+            const double t11 = sin_omega2_tau*t10;
+            const double t12 = p1*t7 - t11*t8;
+            const double t13 = cos_omega1_tau*p1 - cos_omega2_tau*t8;
+            const double t14 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+            const double t15 = p2*sin_omega1_tau*t6 - p2*t11;
+            const double z1_1 = V*t15 + t12*v10 + t13*z10 + t14*z20;
+            const double t16 = p3*sin_omega1_tau*t6 - p3*t11;
+            const double t17 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+            const double t18 = -cos_omega1_tau*t8 + cos_omega2_tau*p1;
+            const double t19 = p1*t11 - t7*t8;
+            const double z2_1 = V*t19 + t16*v10 + t17*z10 + t18*z20;
+            const double t20 = omega2*sin_omega2_tau;
+            const double t21 = omega1*sin_omega1_tau;
+            const double t22 = p1*t21 - t20*t8;
+            const double t24 = -omega2*p2*sin_omega2_tau + p2*t21;
+            const double v1_1 = V*t14 + t13*v10 - t22*z10 - t24*z20;
+            const double t26 = -omega2*p3*sin_omega2_tau + p3*t21;
+            const double t28 = p1*t20 - t21*t8;
+            const double v2_1 = V*t18 + t17*v10 - t26*z10 - t28*z20;
+            double sine_2, cosine_2;
+            nonsmooth_sincos(tau1, &sine_2, &cosine_2);
+            const double cos_tau1 = cosine_2;
+            const double sin_tau1 = sine_2;
+            /* slip-stick for tau1, until second-breaks-forward */
+            const double t33 = chi*cos_tau1;
+            const double t34 = chi - t33;
+            const double t35 = chi*sin_tau1;
+            const double z1_2 = V*(chi*tau1 - t35) + cos_tau1*z1_1 + sin_tau1*v1_1 + t34*z2_1;
+            const double z2_2 = V*tau1 + z2_1;
+            const double v1_2 = V*t34 + cos_tau1*v1_1 - sin_tau1*z1_1 + t35*z2_1;
+            /* Phi along tau */
+            const double carried_z1_1_by_z20 = t13 + t14;
+            const double carried_z1_1_by_v10 = t12;
+            const double carried_z2_1_by_z20 = t17 + t18;
+            const double carried_z2_1_by_v10 = t16;
+            const double carried_v1_1_by_z20 = -t22 - t24;
+            const double carried_v1_1_by_v10 = t13;
+            const double carried_v2_1_by_z20 = -t26 - t28;
+            const double carried_v2_1_by_v10 = t17;
+            /* rate of the exit boundary after tau */
+            const double t36 = eta*z1_1;
+            const double t37 = chi*z2_1;
+            const double rate_1 = chi*t36 - eta*t37;
+            /* derivatives of the time to the boundary after tau */
+            const double t38 = (1.0/(rate_1));
+            const double delay_tau_by_z20 = -carried_v2_1_by_z20*t38;
+            const double delay_tau_by_v10 = -carried_v2_1_by_v10*t38;
+            /* perturbation on the boundary after tau */
+            const double z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1;
+            const double z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1;
+            const double z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1;
+            const double z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1;
+            const double t39 = t37 - z1_1;
+            const double v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t39;
+            const double v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t39;
+            /* Phi along tau1 */
+            const double carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t34*z2_1_on_boundary_by_z20;
+            const double carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t34*z2_1_on_boundary_by_v10;
+            /* rate of the exit boundary after tau1 */
+            const double t40 = V*chi;
+            const double rate_2 = -chi*v1_2 + t40;
+            /* derivatives of the time to the boundary after tau1 */
+            const double t41 = (1.0/(rate_2));
+            const double t42 = chi*z2_1_on_boundary_by_z20;
+            const double t43 = carried_z1_2_by_z20*chi - t42;
+            const double delay_tau1_by_z20 = t41*t43;
+            const double t44 = chi*z2_1_on_boundary_by_v10;
+            const double t45 = carried_z1_2_by_v10*chi - t44;
+            const double delay_tau1_by_v10 = t41*t45;
+            /* d/dtau of: functions of tau in slip-slip */
+            const double cos_omega1_tau_by_tau = -omega1*sin_omega1_tau;
+            const double sin_omega1_tau_by_tau = cos_omega1_tau*omega1;
+            const double cos_omega2_tau_by_tau = -omega2*sin_omega2_tau;
+            const double sin_omega2_tau_by_tau = cos_omega2_tau*omega2;
+            /* d/dchi of: functions of tau in slip-slip */
+            const double t46 = omega1_by_chi*tau;
+            const double cos_omega1_tau_by_chi = -sin_omega1_tau*t46;
+            const double sin_omega1_tau_by_chi = cos_omega1_tau*t46;
+            const double t47 = omega2_by_chi*tau;
+            const double cos_omega2_tau_by_chi = -sin_omega2_tau*t47;
+            const double sin_omega2_tau_by_chi = cos_omega2_tau*t47;
+            /* d/deta of: functions of tau in slip-slip */
+            const double t48 = omega1_by_eta*tau;
+            const double cos_omega1_tau_by_eta = -sin_omega1_tau*t48;
+            const double sin_omega1_tau_by_eta = cos_omega1_tau*t48;
+            const double t49 = omega2_by_eta*tau;
+            const double cos_omega2_tau_by_eta = -sin_omega2_tau*t49;
+            const double sin_omega2_tau_by_eta = cos_omega2_tau*t49;
+            /* d/dz10 of: slip-slip for tau, until second-reaches-belt */
+            const double z1_1_by_z10 = t13;
+            const double z2_1_by_z10 = t17;
+            const double v1_1_by_z10 = -t22;
+            const double v2_1_by_z10 = -t26;
+            /* d/dz20 of: slip-slip for tau, until second-reaches-belt */
+            const double z1_1_by_z20 = t14;
+            const double z2_1_by_z20 = t18;
+            const double v1_1_by_z20 = -t24;
+            const double v2_1_by_z20 = -t28;
+            /* d/dv10 of: slip-slip for tau, until second-reaches-belt */
+            const double z1_1_by_v10 = t12;
+            const double z2_1_by_v10 = t16;
+            const double v1_1_by_v10 = t13;
+            const double v2_1_by_v10 = t17;
+            /* d/dtau of: slip-slip for tau, until second-reaches-belt */
+            const double t50 = p1*z10;
+            const double t51 = p2*z20;
+            const double t52 = t50 + t51;
+            const double t53 = -t51 - t8*z10;
+            const double t54 = p1*v10;
+            const double t55 = V*p2;
+            const double t56 = t54*t6 + t55*t6;
+            const double t57 = -t10*t55 - t10*t8*v10;
+            const double z1_1_by_tau = cos_omega1_tau_by_tau*t52 + cos_omega2_tau_by_tau*t53 + sin_omega1_tau_by_tau*t56 + sin_omega2_tau_by_tau*t57;
+            const double t58 = p3*z10;
+            const double t59 = -t8*z20;
+            const double t60 = t58 + t59;
+            const double t61 = p1*z20;
+            const double t62 = -t58 + t61;
+            const double t63 = p3*v10;
+            const double t64 = -V*t8;
+            const double t65 = t6*t63 + t6*t64;
+            const double t66 = V*p1;
+            const double t67 = -t10*t63 + t10*t66;
+            const double z2_1_by_tau = cos_omega1_tau_by_tau*t60 + cos_omega2_tau_by_tau*t62 + sin_omega1_tau_by_tau*t65 + sin_omega2_tau_by_tau*t67;
+            const double t68 = t54 + t55;
+            const double t69 = -t55 - t8*v10;
+            const double t70 = -omega1*t50 - omega1*t51;
+            const double t71 = -t8*z10;
+            const double t72 = omega2*t51 - omega2*t71;
+            const double v1_1_by_tau = cos_omega1_tau_by_tau*t68 + cos_omega2_tau_by_tau*t69 + sin_omega1_tau_by_tau*t70 + sin_omega2_tau_by_tau*t72;
+            const double t73 = t63 + t64;
+            const double t74 = -t63 + t66;
+            const double t75 = -omega1*t58 - omega1*t59;
+            const double t76 = omega2*p3*z10 - omega2*t61;
+            const double v2_1_by_tau = cos_omega1_tau_by_tau*t73 + cos_omega2_tau_by_tau*t74 + sin_omega1_tau_by_tau*t75 + sin_omega2_tau_by_tau*t76;
+            /* d/dchi of: slip-slip for tau, until second-reaches-belt */
+            const double t77 = (1.0/(omega1*omega1));
+            const double t78 = sin_omega1_tau*t77;
+            const double t79 = -t54*t78 - t55*t78;
+            const double t80 = (1.0/(omega2*omega2));
+            const double t81 = sin_omega2_tau*t80;
+            const double t82 = t55*t81 + t8*t81*v10;
+            const double t83 = -sin_omega1_tau*t6 + t11;
+            const double t85 = cos_omega1_tau - cos_omega2_tau;
+            const double t86 = -t83*v10 + t85*z10;
+            const double t87 = -V*t83 + t85*z20;
+            const double z1_1_by_chi = cos_omega1_tau_by_chi*t52 + cos_omega2_tau_by_chi*t53 + omega1_by_chi*t79 + omega2_by_chi*t82 + p1_by_chi*t86 + p2_by_chi*t87 + sin_omega1_tau_by_chi*t56 + sin_omega2_tau_by_chi*t57;
+            const double t88 = -t63*t78 - t64*t78;
+            const double t89 = p3*sin_omega2_tau*t80*v10 - t66*t81;
+            const double t91 = V*t83 - t85*z20;
+            const double z2_1_by_chi = cos_omega1_tau_by_chi*t60 + cos_omega2_tau_by_chi*t62 + omega1_by_chi*t88 + omega2_by_chi*t89 + p1_by_chi*t91 + p3_by_chi*t86 + sin_omega1_tau_by_chi*t65 + sin_omega2_tau_by_chi*t67;
+            const double t92 = -sin_omega1_tau*t50 - sin_omega1_tau*t51;
+            const double t93 = sin_omega2_tau*t51 - sin_omega2_tau*t71;
+            const double t94 = -omega2*sin_omega2_tau + t21;
+            const double t96 = t85*v10 - t94*z10;
+            const double t97 = V*t85 - t94*z20;
+            const double v1_1_by_chi = cos_omega1_tau_by_chi*t68 + cos_omega2_tau_by_chi*t69 + omega1_by_chi*t92 + omega2_by_chi*t93 + p1_by_chi*t96 + p2_by_chi*t97 + sin_omega1_tau_by_chi*t70 + sin_omega2_tau_by_chi*t72;
+            const double t98 = -sin_omega1_tau*t58 - sin_omega1_tau*t59;
+            const double t99 = p3*sin_omega2_tau*z10 - sin_omega2_tau*t61;
+            const double t100 = -V*t85 + t94*z20;
+            const double v2_1_by_chi = cos_omega1_tau_by_chi*t73 + cos_omega2_tau_by_chi*t74 + omega1_by_chi*t98 + omega2_by_chi*t99 + p1_by_chi*t100 + p3_by_chi*t96 + sin_omega1_tau_by_chi*t75 + sin_omega2_tau_by_chi*t76;
+            /* d/deta of: slip-slip for tau, until second-reaches-belt */
+            const double z1_1_by_eta = cos_omega1_tau_by_eta*t52 + cos_omega2_tau_by_eta*t53 + omega1_by_eta*t79 + omega2_by_eta*t82 + p1_by_eta*t86 + p2_by_eta*t87 + sin_omega1_tau_by_eta*t56 + sin_omega2_tau_by_eta*t57;
+            const double z2_1_by_eta = cos_omega1_tau_by_eta*t60 + cos_omega2_tau_by_eta*t62 + omega1_by_eta*t88 + omega2_by_eta*t89 + p1_by_eta*t91 + p3_by_eta*t86 + sin_omega1_tau_by_eta*t65 + sin_omega2_tau_by_eta*t67;
+            const double v1_1_by_eta = cos_omega1_tau_by_eta*t68 + cos_omega2_tau_by_eta*t69 + omega1_by_eta*t92 + omega2_by_eta*t93 + p1_by_eta*t96 + p2_by_eta*t97 + sin_omega1_tau_by_eta*t70 + sin_omega2_tau_by_eta*t72;
+            const double v2_1_by_eta = cos_omega1_tau_by_eta*t73 + cos_omega2_tau_by_eta*t74 + omega1_by_eta*t98 + omega2_by_eta*t99 + p1_by_eta*t100 + p3_by_eta*t96 + sin_omega1_tau_by_eta*t75 + sin_omega2_tau_by_eta*t76;
+            /* d/dV of: slip-slip for tau, until second-reaches-belt */
+            const double z1_1_by_V = t15;
+            const double z2_1_by_V = t19;
+            const double v1_1_by_V = t14;
+            const double v2_1_by_V = t18;
+            /* d/dtau1 of: functions of tau1 in slip-stick */
+            const double cos_tau1_by_tau1 = -sin_tau1;
+            const double sin_tau1_by_tau1 = cos_tau1;
+            /* d/dz10 of: slip-stick for tau1, until second-breaks-forward */
+            const double z1_2_by_z10 = cos_tau1*z1_1_by_z10 + sin_tau1*v1_1_by_z10 + t34*z2_1_by_z10;
+            const double v1_2_by_z10 = cos_tau1*v1_1_by_z10 - sin_tau1*z1_1_by_z10 + t35*z2_1_by_z10;
+            /* d/dz20 of: slip-stick for tau1, until second-breaks-forward */
+            const double z1_2_by_z20 = cos_tau1*z1_1_by_z20 + sin_tau1*v1_1_by_z20 + t34*z2_1_by_z20;
+            const double v1_2_by_z20 = cos_tau1*v1_1_by_z20 - sin_tau1*z1_1_by_z20 + t35*z2_1_by_z20;
+            /* d/dv10 of: slip-stick for tau1, until second-breaks-forward */
+            const double z1_2_by_v10 = cos_tau1*z1_1_by_v10 + sin_tau1*v1_1_by_v10 + t34*z2_1_by_v10;
+            const double v1_2_by_v10 = cos_tau1*v1_1_by_v10 - sin_tau1*z1_1_by_v10 + t35*z2_1_by_v10;
+            /* d/dtau of: slip-stick for tau1, until second-breaks-forward */
+            const double z1_2_by_tau = cos_tau1*z1_1_by_tau + sin_tau1*v1_1_by_tau + t34*z2_1_by_tau;
+            const double v1_2_by_tau = cos_tau1*v1_1_by_tau - sin_tau1*z1_1_by_tau + t35*z2_1_by_tau;
+            /* d/dtau1 of: slip-stick for tau1, until second-breaks-forward */
+            const double t101 = -t40 + v1_1;
+            const double z1_2_by_tau1 = -cos_tau1_by_tau1*t39 + sin_tau1_by_tau1*t101 + t40;
+            const double v1_2_by_tau1 = cos_tau1_by_tau1*t101 + sin_tau1_by_tau1*t39;
+            /* d/dchi of: slip-stick for tau1, until second-breaks-forward */
+            const double t102 = 1 - cos_tau1;
+            const double z1_2_by_chi = V*(-sin_tau1 + tau1) + cos_tau1*z1_1_by_chi + sin_tau1*v1_1_by_chi + t102*z2_1 + t34*z2_1_by_chi;
+            const double v1_2_by_chi = V*t102 + cos_tau1*v1_1_by_chi - sin_tau1*z1_1_by_chi + sin_tau1*z2_1 + t35*z2_1_by_chi;
+            /* d/deta of: slip-stick for tau1, until second-breaks-forward */
+            const double z1_2_by_eta = cos_tau1*z1_1_by_eta + sin_tau1*v1_1_by_eta + t34*z2_1_by_eta;
+            const double v1_2_by_eta = cos_tau1*v1_1_by_eta - sin_tau1*z1_1_by_eta + t35*z2_1_by_eta;
+            /* d/dV of: slip-stick for tau1, until second-breaks-forward */
+            const double z1_2_by_V = chi*tau1 + cos_tau1*z1_1_by_V + sin_tau1*v1_1_by_V + t34*z2_1_by_V - t35;
+            const double z2_2_by_V = tau1 + z2_1_by_V;
+            const double v1_2_by_V = chi + cos_tau1*v1_1_by_V - sin_tau1*z1_1_by_V - t33 + t35*z2_1_by_V;
+            /* d/dtau of: Phi along tau */
+            const double t103 = p1 + p2;
+            const double t104 = -p2 - t8;
+            const double carried_z1_1_by_z20_by_tau = cos_omega1_tau_by_tau*t103 + cos_omega2_tau_by_tau*t104;
+            const double t105 = sin_omega2_tau_by_tau*t10;
+            const double carried_z1_1_by_v10_by_tau = p1*sin_omega1_tau_by_tau*t6 - t105*t8;
+            const double t106 = -p1 + p3 + 1;
+            const double t107 = p1 - p3;
+            const double carried_z2_1_by_z20_by_tau = cos_omega1_tau_by_tau*t106 + cos_omega2_tau_by_tau*t107;
+            const double carried_z2_1_by_v10_by_tau = p3*sin_omega1_tau_by_tau*t6 - p3*t105;
+            const double t108 = -omega1*p1 - omega1*p2;
+            const double t109 = omega2*p2 + omega2*t8;
+            const double carried_v1_1_by_z20_by_tau = sin_omega1_tau_by_tau*t108 + sin_omega2_tau_by_tau*t109;
+            const double carried_v1_1_by_v10_by_tau = cos_omega1_tau_by_tau*p1 - cos_omega2_tau_by_tau*t8;
+            const double t110 = -omega1*p3 + omega1*t8;
+            const double t111 = -omega2*p1 + omega2*p3;
+            const double carried_v2_1_by_z20_by_tau = sin_omega1_tau_by_tau*t110 + sin_omega2_tau_by_tau*t111;
+            const double carried_v2_1_by_v10_by_tau = cos_omega1_tau_by_tau*p3 - cos_omega2_tau_by_tau*p3;
+            /* d/dchi of: Phi along tau */
+            const double t112 = p1_by_chi*t85;
+            const double carried_z1_1_by_z20_by_chi = cos_omega1_tau_by_chi*t103 + cos_omega2_tau_by_chi*t104 + p2_by_chi*t85 + t112;
+            const double t113 = sin_omega1_tau_by_chi*t6;
+            const double t114 = sin_omega2_tau_by_chi*t10;
+            const double t115 = p1*sin_omega1_tau;
+            const double t116 = omega1_by_chi*t77;
+            const double t117 = -sin_omega2_tau*t8;
+            const double t118 = omega2_by_chi*t80;
+            const double carried_z1_1_by_v10_by_chi = p1*t113 - p1_by_chi*t83 - t114*t8 - t115*t116 - t117*t118;
+            const double t119 = p3_by_chi*t85;
+            const double carried_z2_1_by_z20_by_chi = cos_omega1_tau_by_chi*t106 + cos_omega2_tau_by_chi*t107 - p1_by_chi*t85 + t119;
+            const double t120 = p3*sin_omega2_tau;
+            const double t121 = p3*sin_omega1_tau;
+            const double carried_z2_1_by_v10_by_chi = p3*t113 - p3*t114 - p3_by_chi*t83 - t116*t121 + t118*t120;
+            const double t122 = -p2*sin_omega1_tau - t115;
+            const double t123 = p2*sin_omega2_tau - t117;
+            const double carried_v1_1_by_z20_by_chi = omega1_by_chi*t122 + omega2_by_chi*t123 - p1_by_chi*t94 - p2_by_chi*t94 + sin_omega1_tau_by_chi*t108 + sin_omega2_tau_by_chi*t109;
+            const double carried_v1_1_by_v10_by_chi = cos_omega1_tau_by_chi*p1 - cos_omega2_tau_by_chi*t8 + t112;
+            const double t124 = sin_omega1_tau*t8 - t121;
+            const double t125 = -p1*sin_omega2_tau + p3*sin_omega2_tau;
+            const double carried_v2_1_by_z20_by_chi = omega1_by_chi*t124 + omega2_by_chi*t125 + p1_by_chi*t94 - p3_by_chi*t94 + sin_omega1_tau_by_chi*t110 + sin_omega2_tau_by_chi*t111;
+            const double carried_v2_1_by_v10_by_chi = cos_omega1_tau_by_chi*p3 - cos_omega2_tau_by_chi*p3 + t119;
+            /* d/deta of: Phi along tau */
+            const double t126 = p1_by_eta*t85;
+            const double carried_z1_1_by_z20_by_eta = cos_omega1_tau_by_eta*t103 + cos_omega2_tau_by_eta*t104 + p2_by_eta*t85 + t126;
+            const double t127 = sin_omega1_tau_by_eta*t6;
+            const double t128 = sin_omega2_tau_by_eta*t10;
+            const double t129 = omega1_by_eta*t77;
+            const double t130 = omega2_by_eta*t80;
+            const double carried_z1_1_by_v10_by_eta = p1*t127 - p1_by_eta*t83 - t115*t129 - t117*t130 - t128*t8;
+            const double t131 = p3_by_eta*t85;
+            const double carried_z2_1_by_z20_by_eta = cos_omega1_tau_by_eta*t106 + cos_omega2_tau_by_eta*t107 - p1_by_eta*t85 + t131;
+            const double carried_z2_1_by_v10_by_eta = p3*t127 - p3*t128 - p3_by_eta*t83 + t120*t130 - t121*t129;
+            const double carried_v1_1_by_z20_by_eta = omega1_by_eta*t122 + omega2_by_eta*t123 - p1_by_eta*t94 - p2_by_eta*t94 + sin_omega1_tau_by_eta*t108 + sin_omega2_tau_by_eta*t109;
+            const double carried_v1_1_by_v10_by_eta = cos_omega1_tau_by_eta*p1 - cos_omega2_tau_by_eta*t8 + t126;
+            const double carried_v2_1_by_z20_by_eta = omega1_by_eta*t124 + omega2_by_eta*t125 + p1_by_eta*t94 - p3_by_eta*t94 + sin_omega1_tau_by_eta*t110 + sin_omega2_tau_by_eta*t111;
+            const double carried_v2_1_by_v10_by_eta = cos_omega1_tau_by_eta*p3 - cos_omega2_tau_by_eta*p3 + t131;
+            /* d/dz10 of: rate of the exit boundary after tau */
+            const double t132 = chi*eta;
+            const double rate_1_by_z10 = t132*z1_1_by_z10 - t132*z2_1_by_z10;
+            /* d/dz20 of: rate of the exit boundary after tau */
+            const double rate_1_by_z20 = t132*z1_1_by_z20 - t132*z2_1_by_z20;
+            /* d/dv10 of: rate of the exit boundary after tau */
+            const double rate_1_by_v10 = t132*z1_1_by_v10 - t132*z2_1_by_v10;
+            /* d/dtau of: rate of the exit boundary after tau */
+            const double rate_1_by_tau = t132*z1_1_by_tau - t132*z2_1_by_tau;
+            /* d/dchi of: rate of the exit boundary after tau */
+            const double rate_1_by_chi = -eta*z2_1 + t132*z1_1_by_chi - t132*z2_1_by_chi + t36;
+            /* d/deta of: rate of the exit boundary after tau */
+            const double rate_1_by_eta = chi*z1_1 + t132*z1_1_by_eta - t132*z2_1_by_eta - t37;
+            /* d/dV of: rate of the exit boundary after tau */
+            const double rate_1_by_V = t132*z1_1_by_V - t132*z2_1_by_V;
+            /* d/dz10 of: derivatives of the time to the boundary after tau */
+            const double t133 = (1.0/(rate_1*rate_1));
+            const double t134 = rate_1_by_z10*t133;
+            const double delay_tau_by_z20_by_z10 = carried_v2_1_by_z20*t134;
+            const double delay_tau_by_v10_by_z10 = carried_v2_1_by_v10*t134;
+            /* d/dz20 of: derivatives of the time to the boundary after tau */
+            const double t135 = rate_1_by_z20*t133;
+            const double delay_tau_by_z20_by_z20 = carried_v2_1_by_z20*t135;
+            const double delay_tau_by_v10_by_z20 = carried_v2_1_by_v10*t135;
+            /* d/dv10 of: derivatives of the time to the boundary after tau */
+            const double t136 = rate_1_by_v10*t133;
+            const double delay_tau_by_z20_by_v10 = carried_v2_1_by_z20*t136;
+            const double delay_tau_by_v10_by_v10 = carried_v2_1_by_v10*t136;
+            /* d/dtau of: derivatives of the time to the boundary after tau */
+            const double t137 = rate_1_by_tau*t133;
+            const double delay_tau_by_z20_by_tau = carried_v2_1_by_z20*t137 - carried_v2_1_by_z20_by_tau*t38;
+            const double delay_tau_by_v10_by_tau = carried_v2_1_by_v10*t137 - carried_v2_1_by_v10_by_tau*t38;
+            /* d/dchi of: derivatives of the time to the boundary after tau */
+            const double t138 = rate_1_by_chi*t133;
+            const double delay_tau_by_z20_by_chi = carried_v2_1_by_z20*t138 - carried_v2_1_by_z20_by_chi*t38;
+            const double delay_tau_by_v10_by_chi = carried_v2_1_by_v10*t138 - carried_v2_1_by_v10_by_chi*t38;
+            /* d/deta of: derivatives of the time to the boundary after tau */
+            const double t139 = rate_1_by_eta*t133;
+            const double delay_tau_by_z20_by_eta = carried_v2_1_by_z20*t139 - carried_v2_1_by_z20_by_eta*t38;
+            const double delay_tau_by_v10_by_eta = carried_v2_1_by_v10*t139 - carried_v2_1_by_v10_by_eta*t38;
+            /* d/dV of: derivatives of the time to the boundary after tau */
+            const double t140 = rate_1_by_V*t133;
+            const double delay_tau_by_z20_by_V = carried_v2_1_by_z20*t140;
+            const double delay_tau_by_v10_by_V = carried_v2_1_by_v10*t140;
+            /* d/dz10 of: perturbation on the boundary after tau */
+            const double z1_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*v1_1_by_z10 + delay_tau_by_z20_by_z10*v1_1;
+            const double z1_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*v1_1_by_z10 + delay_tau_by_v10_by_z10*v1_1;
+            const double z2_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*v2_1_by_z10 + delay_tau_by_z20_by_z10*v2_1;
+            const double z2_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*v2_1_by_z10 + delay_tau_by_v10_by_z10*v2_1;
+            const double t141 = chi*z2_1_by_z10;
+            const double v1_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*t141 - delay_tau_by_z20*z1_1_by_z10 + delay_tau_by_z20_by_z10*t39;
+            const double v1_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*t141 - delay_tau_by_v10*z1_1_by_z10 + delay_tau_by_v10_by_z10*t39;
+            /* d/dz20 of: perturbation on the boundary after tau */
+            const double z1_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*v1_1_by_z20 + delay_tau_by_z20_by_z20*v1_1;
+            const double z1_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*v1_1_by_z20 + delay_tau_by_v10_by_z20*v1_1;
+            const double z2_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*v2_1_by_z20 + delay_tau_by_z20_by_z20*v2_1;
+            const double z2_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*v2_1_by_z20 + delay_tau_by_v10_by_z20*v2_1;
+            const double t142 = chi*z2_1_by_z20;
+            const double v1_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*t142 - delay_tau_by_z20*z1_1_by_z20 + delay_tau_by_z20_by_z20*t39;
+            const double v1_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*t142 - delay_tau_by_v10*z1_1_by_z20 + delay_tau_by_v10_by_z20*t39;
+            /* d/dv10 of: perturbation on the boundary after tau */
+            const double z1_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*v1_1_by_v10 + delay_tau_by_z20_by_v10*v1_1;
+            const double z1_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*v1_1_by_v10 + delay_tau_by_v10_by_v10*v1_1;
+            const double z2_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*v2_1_by_v10 + delay_tau_by_z20_by_v10*v2_1;
+            const double z2_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*v2_1_by_v10 + delay_tau_by_v10_by_v10*v2_1;
+            const double t143 = chi*z2_1_by_v10;
+            const double v1_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*t143 - delay_tau_by_z20*z1_1_by_v10 + delay_tau_by_z20_by_v10*t39;
+            const double v1_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*t143 - delay_tau_by_v10*z1_1_by_v10 + delay_tau_by_v10_by_v10*t39;
+            /* d/dtau of: perturbation on the boundary after tau */
+            const double z1_1_on_boundary_by_z20_by_tau = carried_z1_1_by_z20_by_tau + delay_tau_by_z20*v1_1_by_tau + delay_tau_by_z20_by_tau*v1_1;
+            const double z1_1_on_boundary_by_v10_by_tau = carried_z1_1_by_v10_by_tau + delay_tau_by_v10*v1_1_by_tau + delay_tau_by_v10_by_tau*v1_1;
+            const double z2_1_on_boundary_by_z20_by_tau = carried_z2_1_by_z20_by_tau + delay_tau_by_z20*v2_1_by_tau + delay_tau_by_z20_by_tau*v2_1;
+            const double z2_1_on_boundary_by_v10_by_tau = carried_z2_1_by_v10_by_tau + delay_tau_by_v10*v2_1_by_tau + delay_tau_by_v10_by_tau*v2_1;
+            const double t144 = chi*z2_1_by_tau;
+            const double v1_1_on_boundary_by_z20_by_tau = carried_v1_1_by_z20_by_tau + delay_tau_by_z20*t144 - delay_tau_by_z20*z1_1_by_tau + delay_tau_by_z20_by_tau*t39;
+            const double v1_1_on_boundary_by_v10_by_tau = carried_v1_1_by_v10_by_tau + delay_tau_by_v10*t144 - delay_tau_by_v10*z1_1_by_tau + delay_tau_by_v10_by_tau*t39;
+            /* d/dchi of: perturbation on the boundary after tau */
+            const double z1_1_on_boundary_by_z20_by_chi = carried_z1_1_by_z20_by_chi + delay_tau_by_z20*v1_1_by_chi + delay_tau_by_z20_by_chi*v1_1;
+            const double z1_1_on_boundary_by_v10_by_chi = carried_z1_1_by_v10_by_chi + delay_tau_by_v10*v1_1_by_chi + delay_tau_by_v10_by_chi*v1_1;
+            const double z2_1_on_boundary_by_z20_by_chi = carried_z2_1_by_z20_by_chi + delay_tau_by_z20*v2_1_by_chi + delay_tau_by_z20_by_chi*v2_1;
+            const double z2_1_on_boundary_by_v10_by_chi = carried_z2_1_by_v10_by_chi + delay_tau_by_v10*v2_1_by_chi + delay_tau_by_v10_by_chi*v2_1;
+            const double t145 = chi*z2_1_by_chi;
+            const double v1_1_on_boundary_by_z20_by_chi = carried_v1_1_by_z20_by_chi + delay_tau_by_z20*t145 - delay_tau_by_z20*z1_1_by_chi + delay_tau_by_z20*z2_1 + delay_tau_by_z20_by_chi*t39;
+            const double v1_1_on_boundary_by_v10_by_chi = carried_v1_1_by_v10_by_chi + delay_tau_by_v10*t145 - delay_tau_by_v10*z1_1_by_chi + delay_tau_by_v10*z2_1 + delay_tau_by_v10_by_chi*t39;
+            /* d/deta of: perturbation on the boundary after tau */
+            const double z1_1_on_boundary_by_z20_by_eta = carried_z1_1_by_z20_by_eta + delay_tau_by_z20*v1_1_by_eta + delay_tau_by_z20_by_eta*v1_1;
+            const double z1_1_on_boundary_by_v10_by_eta = carried_z1_1_by_v10_by_eta + delay_tau_by_v10*v1_1_by_eta + delay_tau_by_v10_by_eta*v1_1;
+            const double z2_1_on_boundary_by_z20_by_eta = carried_z2_1_by_z20_by_eta + delay_tau_by_z20*v2_1_by_eta + delay_tau_by_z20_by_eta*v2_1;
+            const double z2_1_on_boundary_by_v10_by_eta = carried_z2_1_by_v10_by_eta + delay_tau_by_v10*v2_1_by_eta + delay_tau_by_v10_by_eta*v2_1;
+            const double t146 = chi*z2_1_by_eta;
+            const double v1_1_on_boundary_by_z20_by_eta = carried_v1_1_by_z20_by_eta + delay_tau_by_z20*t146 - delay_tau_by_z20*z1_1_by_eta + delay_tau_by_z20_by_eta*t39;
+            const double v1_1_on_boundary_by_v10_by_eta = carried_v1_1_by_v10_by_eta + delay_tau_by_v10*t146 - delay_tau_by_v10*z1_1_by_eta + delay_tau_by_v10_by_eta*t39;
+            /* d/dV of: perturbation on the boundary after tau */
+            const double z1_1_on_boundary_by_z20_by_V = delay_tau_by_z20*v1_1_by_V + delay_tau_by_z20_by_V*v1_1;
+            const double z1_1_on_boundary_by_v10_by_V = delay_tau_by_v10*v1_1_by_V + delay_tau_by_v10_by_V*v1_1;
+            const double z2_1_on_boundary_by_z20_by_V = delay_tau_by_z20*v2_1_by_V + delay_tau_by_z20_by_V*v2_1;
+            const double z2_1_on_boundary_by_v10_by_V = delay_tau_by_v10*v2_1_by_V + delay_tau_by_v10_by_V*v2_1;
+            const double t147 = chi*z2_1_by_V;
+            const double v1_1_on_boundary_by_z20_by_V = delay_tau_by_z20*t147 - delay_tau_by_z20*z1_1_by_V + delay_tau_by_z20_by_V*t39;
+            const double v1_1_on_boundary_by_v10_by_V = delay_tau_by_v10*t147 - delay_tau_by_v10*z1_1_by_V + delay_tau_by_v10_by_V*t39;
+            /* d/dz10 of: Phi along tau1 */
+            const double carried_z1_2_by_z20_by_z10 = cos_tau1*z1_1_on_boundary_by_z20_by_z10 + sin_tau1*v1_1_on_boundary_by_z20_by_z10 + t34*z2_1_on_boundary_by_z20_by_z10;
+            const double carried_z1_2_by_v10_by_z10 = cos_tau1*z1_1_on_boundary_by_v10_by_z10 + sin_tau1*v1_1_on_boundary_by_v10_by_z10 + t34*z2_1_on_boundary_by_v10_by_z10;
+            const double carried_v1_2_by_v10_by_z10 = cos_tau1*v1_1_on_boundary_by_v10_by_z10 - sin_tau1*z1_1_on_boundary_by_v10_by_z10 + t35*z2_1_on_boundary_by_v10_by_z10;
+            /* d/dz20 of: Phi along tau1 */
+            const double carried_z1_2_by_z20_by_z20 = cos_tau1*z1_1_on_boundary_by_z20_by_z20 + sin_tau1*v1_1_on_boundary_by_z20_by_z20 + t34*z2_1_on_boundary_by_z20_by_z20;
+            const double carried_z1_2_by_v10_by_z20 = cos_tau1*z1_1_on_boundary_by_v10_by_z20 + sin_tau1*v1_1_on_boundary_by_v10_by_z20 + t34*z2_1_on_boundary_by_v10_by_z20;
+            const double carried_v1_2_by_v10_by_z20 = cos_tau1*v1_1_on_boundary_by_v10_by_z20 - sin_tau1*z1_1_on_boundary_by_v10_by_z20 + t35*z2_1_on_boundary_by_v10_by_z20;
+            /* d/dv10 of: Phi along tau1 */
+            const double carried_z1_2_by_z20_by_v10 = cos_tau1*z1_1_on_boundary_by_z20_by_v10 + sin_tau1*v1_1_on_boundary_by_z20_by_v10 + t34*z2_1_on_boundary_by_z20_by_v10;
+            const double carried_z1_2_by_v10_by_v10 = cos_tau1*z1_1_on_boundary_by_v10_by_v10 + sin_tau1*v1_1_on_boundary_by_v10_by_v10 + t34*z2_1_on_boundary_by_v10_by_v10;
+            const double carried_v1_2_by_v10_by_v10 = cos_tau1*v1_1_on_boundary_by_v10_by_v10 - sin_tau1*z1_1_on_boundary_by_v10_by_v10 + t35*z2_1_on_boundary_by_v10_by_v10;
+            /* d/dtau of: Phi along tau1 */
+            const double carried_z1_2_by_z20_by_tau = cos_tau1*z1_1_on_boundary_by_z20_by_tau + sin_tau1*v1_1_on_boundary_by_z20_by_tau + t34*z2_1_on_boundary_by_z20_by_tau;
+            const double carried_z1_2_by_v10_by_tau = cos_tau1*z1_1_on_boundary_by_v10_by_tau + sin_tau1*v1_1_on_boundary_by_v10_by_tau + t34*z2_1_on_boundary_by_v10_by_tau;
+            const double carried_v1_2_by_v10_by_tau = cos_tau1*v1_1_on_boundary_by_v10_by_tau - sin_tau1*z1_1_on_boundary_by_v10_by_tau + t35*z2_1_on_boundary_by_v10_by_tau;
+            /* d/dtau1 of: Phi along tau1 */
+            const double carried_z1_2_by_z20_by_tau1 = cos_tau1_by_tau1*(-t42 + z1_1_on_boundary_by_z20) + sin_tau1_by_tau1*v1_1_on_boundary_by_z20;
+            const double t148 = t44 - z1_1_on_boundary_by_v10;
+            const double carried_z1_2_by_v10_by_tau1 = -cos_tau1_by_tau1*t148 + sin_tau1_by_tau1*v1_1_on_boundary_by_v10;
+            const double carried_v1_2_by_v10_by_tau1 = cos_tau1_by_tau1*v1_1_on_boundary_by_v10 + sin_tau1_by_tau1*t148;
+            /* d/dchi of: Phi along tau1 */
+            const double carried_z1_2_by_z20_by_chi = cos_tau1*z1_1_on_boundary_by_z20_by_chi + sin_tau1*v1_1_on_boundary_by_z20_by_chi + t102*z2_1_on_boundary_by_z20 + t34*z2_1_on_boundary_by_z20_by_chi;
+            const double carried_z1_2_by_v10_by_chi = cos_tau1*z1_1_on_boundary_by_v10_by_chi + sin_tau1*v1_1_on_boundary_by_v10_by_chi + t102*z2_1_on_boundary_by_v10 + t34*z2_1_on_boundary_by_v10_by_chi;
+            const double carried_v1_2_by_v10_by_chi = cos_tau1*v1_1_on_boundary_by_v10_by_chi - sin_tau1*z1_1_on_boundary_by_v10_by_chi + sin_tau1*z2_1_on_boundary_by_v10 + t35*z2_1_on_boundary_by_v10_by_chi;
+            /* d/deta of: Phi along tau1 */
+            const double carried_z1_2_by_z20_by_eta = cos_tau1*z1_1_on_boundary_by_z20_by_eta + sin_tau1*v1_1_on_boundary_by_z20_by_eta + t34*z2_1_on_boundary_by_z20_by_eta;
+            const double carried_z1_2_by_v10_by_eta = cos_tau1*z1_1_on_boundary_by_v10_by_eta + sin_tau1*v1_1_on_boundary_by_v10_by_eta + t34*z2_1_on_boundary_by_v10_by_eta;
+            const double carried_v1_2_by_v10_by_eta = cos_tau1*v1_1_on_boundary_by_v10_by_eta - sin_tau1*z1_1_on_boundary_by_v10_by_eta + t35*z2_1_on_boundary_by_v10_by_eta;
+            /* d/dV of: Phi along tau1 */
+            const double carried_z1_2_by_z20_by_V = cos_tau1*z1_1_on_boundary_by_z20_by_V + sin_tau1*v1_1_on_boundary_by_z20_by_V + t34*z2_1_on_boundary_by_z20_by_V;
+            const double carried_z1_2_by_v10_by_V = cos_tau1*z1_1_on_boundary_by_v10_by_V + sin_tau1*v1_1_on_boundary_by_v10_by_V + t34*z2_1_on_boundary_by_v10_by_V;
+            const double carried_v1_2_by_v10_by_V = cos_tau1*v1_1_on_boundary_by_v10_by_V - sin_tau1*z1_1_on_boundary_by_v10_by_V + t35*z2_1_on_boundary_by_v10_by_V;
+            /* d/dz10 of: rate of the exit boundary after tau1 */
+            const double rate_2_by_z10 = -chi*v1_2_by_z10;
+            /* d/dz20 of: rate of the exit boundary after tau1 */
+            const double rate_2_by_z20 = -chi*v1_2_by_z20;
+            /* d/dv10 of: rate of the exit boundary after tau1 */
+            const double rate_2_by_v10 = -chi*v1_2_by_v10;
+            /* d/dtau of: rate of the exit boundary after tau1 */
+            const double rate_2_by_tau = -chi*v1_2_by_tau;
+            /* d/dtau1 of: rate of the exit boundary after tau1 */
+            const double rate_2_by_tau1 = -chi*v1_2_by_tau1;
+            /* d/dchi of: rate of the exit boundary after tau1 */
+            const double rate_2_by_chi = V - chi*v1_2_by_chi - v1_2;
+            /* d/deta of: rate of the exit boundary after tau1 */
+            const double rate_2_by_eta = -chi*v1_2_by_eta;
+            /* d/dV of: rate of the exit boundary after tau1 */
+            const double rate_2_by_V = -chi*v1_2_by_V + chi;
+            /* d/dz10 of: derivatives of the time to the boundary after tau1 */
+            const double t149 = (1.0/(rate_2*rate_2));
+            const double t150 = rate_2_by_z10*t149;
+            const double t151 = chi*t41;
+            const double delay_tau1_by_z20_by_z10 = carried_z1_2_by_z20_by_z10*chi*t41 - t150*t43 - t151*z2_1_on_boundary_by_z20_by_z10;
+            const double delay_tau1_by_v10_by_z10 = carried_z1_2_by_v10_by_z10*chi*t41 - t150*t45 - t151*z2_1_on_boundary_by_v10_by_z10;
+            /* d/dz20 of: derivatives of the time to the boundary after tau1 */
+            const double t152 = rate_2_by_z20*t149;
+            const double delay_tau1_by_z20_by_z20 = carried_z1_2_by_z20_by_z20*chi*t41 - t151*z2_1_on_boundary_by_z20_by_z20 - t152*t43;
+            const double delay_tau1_by_v10_by_z20 = carried_z1_2_by_v10_by_z20*chi*t41 - t151*z2_1_on_boundary_by_v10_by_z20 - t152*t45;
+            /* d/dv10 of: derivatives of the time to the boundary after tau1 */
+            const double t153 = rate_2_by_v10*t149;
+            const double delay_tau1_by_z20_by_v10 = carried_z1_2_by_z20_by_v10*chi*t41 - t151*z2_1_on_boundary_by_z20_by_v10 - t153*t43;
+            const double delay_tau1_by_v10_by_v10 = carried_z1_2_by_v10_by_v10*chi*t41 - t151*z2_1_on_boundary_by_v10_by_v10 - t153*t45;
+            /* d/dtau of: derivatives of the time to the boundary after tau1 */
+            const double t154 = rate_2_by_tau*t149;
+            const double delay_tau1_by_z20_by_tau = carried_z1_2_by_z20_by_tau*chi*t41 - t151*z2_1_on_boundary_by_z20_by_tau - t154*t43;
+            const double delay_tau1_by_v10_by_tau = carried_z1_2_by_v10_by_tau*chi*t41 - t151*z2_1_on_boundary_by_v10_by_tau - t154*t45;
+            /* d/dtau1 of: derivatives of the time to the boundary after tau1 */
+            const double t155 = rate_2_by_tau1*t149;
+            const double delay_tau1_by_z20_by_tau1 = carried_z1_2_by_z20_by_tau1*t151 - t155*t43;
+            const double delay_tau1_by_v10_by_tau1 = carried_z1_2_by_v10_by_tau1*t151 - t155*t45;
+            /* d/dchi of: derivatives of the time to the boundary after tau1 */
+            const double t156 = rate_2_by_chi*t149;
+            const double delay_tau1_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t151 - t151*z2_1_on_boundary_by_z20_by_chi - t156*t43 + t41*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20);
+            const double delay_tau1_by_v10_by_chi = carried_z1_2_by_v10_by_chi*t151 - t151*z2_1_on_boundary_by_v10_by_chi - t156*t45 + t41*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10);
+            /* d/deta of: derivatives of the time to the boundary after tau1 */
+            const double t157 = rate_2_by_eta*t149;
+            const double delay_tau1_by_z20_by_eta = carried_z1_2_by_z20_by_eta*chi*t41 - t151*z2_1_on_boundary_by_z20_by_eta - t157*t43;
+            const double delay_tau1_by_v10_by_eta = carried_z1_2_by_v10_by_eta*chi*t41 - t151*z2_1_on_boundary_by_v10_by_eta - t157*t45;
+            /* d/dV of: derivatives of the time to the boundary after tau1 */
+            const double t158 = rate_2_by_V*t149;
+            const double delay_tau1_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t41 - t151*z2_1_on_boundary_by_z20_by_V - t158*t43;
+            const double delay_tau1_by_v10_by_V = carried_z1_2_by_v10_by_V*chi*t41 - t151*z2_1_on_boundary_by_v10_by_V - t158*t45;
+            /* d/dz10 of: perturbation on the boundary after tau1 */
+            const double z2_2_on_boundary_by_z20_by_z10 = V*delay_tau1_by_z20_by_z10 + z2_1_on_boundary_by_z20_by_z10;
+            const double t159 = chi*z2_2 - z1_2;
+            const double v1_2_on_boundary_by_v10_by_z10 = carried_v1_2_by_v10_by_z10 + delay_tau1_by_v10*t141 - delay_tau1_by_v10*z1_2_by_z10 + delay_tau1_by_v10_by_z10*t159;
+            /* d/dz20 of: perturbation on the boundary after tau1 */
+            const double z2_2_on_boundary_by_z20_by_z20 = V*delay_tau1_by_z20_by_z20 + z2_1_on_boundary_by_z20_by_z20;
+            const double v1_2_on_boundary_by_v10_by_z20 = carried_v1_2_by_v10_by_z20 + delay_tau1_by_v10*t142 - delay_tau1_by_v10*z1_2_by_z20 + delay_tau1_by_v10_by_z20*t159;
+            /* d/dv10 of: perturbation on the boundary after tau1 */
+            const double z2_2_on_boundary_by_z20_by_v10 = V*delay_tau1_by_z20_by_v10 + z2_1_on_boundary_by_z20_by_v10;
+            const double v1_2_on_boundary_by_v10_by_v10 = carried_v1_2_by_v10_by_v10 + delay_tau1_by_v10*t143 - delay_tau1_by_v10*z1_2_by_v10 + delay_tau1_by_v10_by_v10*t159;
+            /* d/dtau of: perturbation on the boundary after tau1 */
+            const double z2_2_on_boundary_by_z20_by_tau = V*delay_tau1_by_z20_by_tau + z2_1_on_boundary_by_z20_by_tau;
+            const double v1_2_on_boundary_by_v10_by_tau = carried_v1_2_by_v10_by_tau + delay_tau1_by_v10*t144 - delay_tau1_by_v10*z1_2_by_tau + delay_tau1_by_v10_by_tau*t159;
+            /* d/dtau1 of: perturbation on the boundary after tau1 */
+            const double z2_2_on_boundary_by_z20_by_tau1 = V*delay_tau1_by_z20_by_tau1;
+            const double v1_2_on_boundary_by_v10_by_tau1 = carried_v1_2_by_v10_by_tau1 + delay_tau1_by_v10*t40 - delay_tau1_by_v10*z1_2_by_tau1 + delay_tau1_by_v10_by_tau1*t159;
+            /* d/dchi of: perturbation on the boundary after tau1 */
+            const double z2_2_on_boundary_by_z20_by_chi = V*delay_tau1_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi;
+            const double v1_2_on_boundary_by_v10_by_chi = carried_v1_2_by_v10_by_chi + delay_tau1_by_v10*t145 - delay_tau1_by_v10*z1_2_by_chi + delay_tau1_by_v10*z2_2 + delay_tau1_by_v10_by_chi*t159;
+            /* d/deta of: perturbation on the boundary after tau1 */
+            const double z2_2_on_boundary_by_z20_by_eta = V*delay_tau1_by_z20_by_eta + z2_1_on_boundary_by_z20_by_eta;
+            const double v1_2_on_boundary_by_v10_by_eta = carried_v1_2_by_v10_by_eta + delay_tau1_by_v10*t146 - delay_tau1_by_v10*z1_2_by_eta + delay_tau1_by_v10_by_eta*t159;
+            /* d/dV of: perturbation on the boundary after tau1 */
+            const double z2_2_on_boundary_by_z20_by_V = V*delay_tau1_by_z20_by_V + delay_tau1_by_z20 + z2_1_on_boundary_by_z20_by_V;
+            const double v1_2_on_boundary_by_v10_by_V = carried_v1_2_by_v10_by_V + chi*delay_tau1_by_v10*z2_2_by_V - delay_tau1_by_v10*z1_2_by_V + delay_tau1_by_v10_by_V*t159;
+            slope[0][lane] = v1_2_on_boundary_by_v10_by_z10 + z2_2_on_boundary_by_z20_by_z10;
+            slope[1][lane] = v1_2_on_boundary_by_v10_by_z20 + z2_2_on_boundary_by_z20_by_z20;
+            slope[2][lane] = v1_2_on_boundary_by_v10_by_v10 + z2_2_on_boundary_by_z20_by_v10;
+            slope[3][lane] = v1_2_on_boundary_by_v10_by_tau + z2_2_on_boundary_by_z20_by_tau;
+            slope[4][lane] = v1_2_on_boundary_by_v10_by_tau1 + z2_2_on_boundary_by_z20_by_tau1;
+            slope[5][lane] = v1_2_on_boundary_by_v10_by_chi + z2_2_on_boundary_by_z20_by_chi;
+            slope[6][lane] = v1_2_on_boundary_by_v10_by_eta + z2_2_on_boundary_by_z20_by_eta;
+            slope[7][lane] = v1_2_on_boundary_by_v10_by_V + z2_2_on_boundary_by_z20_by_V;
+            slope[8][lane] = 0;
+        }
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j)
+#pragma omp simd
+                for (int lane = 0; lane < lanes; ++lane)
+                    size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
+        for (int k = 0; k < n; ++k) {
+            for (int i = k + 1; i < n; ++i) {
+                double other[lanes];
+                for (int lane = 0; lane < lanes; ++lane)
+                    other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
+                for (int j = k; j < width; ++j)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane) {
+                        const double above = matrix[k][j][lane], below = matrix[i][j][lane];
+                        matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
+                        matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
+                    }
+            }
+#pragma omp simd
+            for (int lane = 0; lane < lanes; ++lane) {
+                const double pivot = fabs(matrix[k][k][lane]);
+                least[lane] = pivot < least[lane] ? pivot : least[lane];
+                matrix[k][k][lane] = 1.0 / matrix[k][k][lane];
+            }
+            for (int i = k + 1; i < n; ++i) {
+                double factor[lanes];
+                for (int lane = 0; lane < lanes; ++lane)
+                    factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
+                for (int j = k + 1; j < width; ++j)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane)
+                        matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
+            }
+        }
+        for (int k = n - 1; k >= 0; --k)
+            for (int j = n; j < width; ++j) {
+                for (int l = k + 1; l < n; ++l)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane)
+                        matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
+#pragma omp simd
+                for (int lane = 0; lane < lanes; ++lane) {
+                    matrix[k][j][lane] *= matrix[k][k][lane];
+                    slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
+                }
+            }
+        for (int lane = 0; lane < here; ++lane) {
+            const double lost = least[lane] > 1e-10 * sqrt(size[lane]) ? 0.0 : (double)NAN;
+            for (int j = 0; j < p; ++j) {
+                for (int i = 0; i < n; ++i)
+                    directions[(i * p + j) * count + start + lane] = matrix[i][n + j][lane] + lost;
+                directions[(n * p + j) * count + start + lane] = slope[n + j][lane] + lost;
+            }
+        }
+    }
+}
+
 /* Newton's method on the reduced equations for `count` points.
  * Takes parameters (5) and guess (2: tau, tau1) of the points; gives unknowns (6), the
  * trace, the largest reduced residual, iterations and a status of each. Arrays hold columns:
@@ -9159,6 +9964,965 @@ void dry_friction_global_stick_admissible(
         boundary[point] = found;
         excess[point] = most;
         instant[point] = when;
+    }
+}
+
+/* Derivatives of the unknowns (6) and the trace by the parameters (5), at solutions of the
+ * equations, for `count` points. Arrays hold columns: entry i of a point stands at
+ * [i * count + point], and of the derivatives those by one parameter follow another.
+ * NaN where the equations are singular: a pivot is below 1e-10 times the matrix. */
+NONSMOOTH_MULTIVERSION
+void dry_friction_global_stick_directions(
+    ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
+{
+    enum { lanes = 16, n = 6, p = 5, width = 6 + 5 };
+    for (ptrdiff_t start = 0; start < count; start += lanes) {
+        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
+        double parameter[p][lanes], unknown[n][lanes], fixed[18][lanes];
+        double matrix[n][width][lanes], slope[width][lanes], size[lanes], least[lanes];
+        for (int lane = 0; lane < lanes; ++lane) {
+            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
+            for (int i = 0; i < p; ++i)
+                parameter[i][lane] = parameters[i * count + point];
+            for (int i = 0; i < n; ++i)
+                unknown[i][lane] = unknowns[i * count + point];
+            size[lane] = 0.0;
+            least[lane] = INFINITY;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double chi = parameter[0][lane];
+            const double eta = parameter[1][lane];
+            /* spectrum */
+            const double t0 = chi*eta;
+            const double t1 = 1 - t0;
+            const double t2 = 4*(chi*chi);
+            const double gap1 = sqrt(eta*t2 + (t1*t1));
+            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t0 + 1.0/2.0);
+            const double t3 = (1.0/(omega1));
+            const double t4 = sqrt(1 - chi);
+            const double t5 = sqrt(chi);
+            const double t6 = sqrt(eta);
+            const double t7 = t5*t6;
+            const double t8 = t4*t7;
+            const double omega2 = t3*t8;
+            const double t9 = (1.0/(gap1));
+            const double t10 = (1.0/2.0)*t9;
+            const double p1 = t1*t10 + 1.0/2.0;
+            const double t11 = chi*t9;
+            const double p2 = -t11;
+            const double p3 = -t0*t9;
+            const double omega3 = t7;
+            /* d/dchi of: spectrum */
+            const double t13 = 2*t1;
+            const double gap1_by_chi = t10*(-eta*t13 + 8*t0);
+            const double t14 = (1.0/2.0)*gap1_by_chi;
+            const double t15 = (1.0/2.0)*eta;
+            const double t16 = (1.0/2.0)*t3;
+            const double omega1_by_chi = t16*(t14 + t15);
+            const double t17 = (1.0/(t5));
+            const double t18 = t8/(omega1*omega1);
+            const double omega2_by_chi = -omega1_by_chi*t18 - t16*t7/t4 + (1.0/2.0)*t17*t3*t4*t6;
+            const double t19 = (1.0/(gap1*gap1));
+            const double t20 = t1*t19;
+            const double p1_by_chi = -t14*t20 - t15*t9;
+            const double t21 = chi*t19;
+            const double p2_by_chi = gap1_by_chi*t21 - t9;
+            const double t22 = t0*t19;
+            const double p3_by_chi = -eta*t9 + gap1_by_chi*t22;
+            const double omega3_by_chi = (1.0/2.0)*t17*t6;
+            /* d/deta of: spectrum */
+            const double gap1_by_eta = t10*(-chi*t13 + t2);
+            const double t23 = (1.0/2.0)*gap1_by_eta;
+            const double omega1_by_eta = t16*((1.0/2.0)*chi + t23);
+            const double t24 = (1.0/(t6));
+            const double omega2_by_eta = -omega1_by_eta*t18 + (1.0/2.0)*t24*t3*t4*t5;
+            const double p1_by_eta = -1.0/2.0*t11 - t20*t23;
+            const double p2_by_eta = gap1_by_eta*t21;
+            const double p3_by_eta = gap1_by_eta*t22 - t11;
+            const double omega3_by_eta = (1.0/2.0)*t24*t5;
+            fixed[0][lane] = omega1;
+            fixed[1][lane] = omega2;
+            fixed[2][lane] = p1;
+            fixed[3][lane] = p2;
+            fixed[4][lane] = p3;
+            fixed[5][lane] = omega3;
+            fixed[6][lane] = omega1_by_chi;
+            fixed[7][lane] = omega1_by_eta;
+            fixed[8][lane] = omega2_by_chi;
+            fixed[9][lane] = omega2_by_eta;
+            fixed[10][lane] = p1_by_chi;
+            fixed[11][lane] = p1_by_eta;
+            fixed[12][lane] = p2_by_chi;
+            fixed[13][lane] = p2_by_eta;
+            fixed[14][lane] = p3_by_chi;
+            fixed[15][lane] = p3_by_eta;
+            fixed[16][lane] = omega3_by_chi;
+            fixed[17][lane] = omega3_by_eta;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double chi = parameter[0][lane];
+            const double eta = parameter[1][lane];
+            const double V = parameter[2][lane];
+            const double z10 = unknown[0][lane];
+            const double z20 = unknown[1][lane];
+            const double ta = unknown[2][lane];
+            const double tau = unknown[3][lane];
+            const double tau1 = unknown[4][lane];
+            const double tau2 = unknown[5][lane];
+            const double omega1 = fixed[0][lane];
+            const double omega2 = fixed[1][lane];
+            const double p1 = fixed[2][lane];
+            const double p2 = fixed[3][lane];
+            const double p3 = fixed[4][lane];
+            const double omega3 = fixed[5][lane];
+            const double omega1_by_chi = fixed[6][lane];
+            const double omega1_by_eta = fixed[7][lane];
+            const double omega2_by_chi = fixed[8][lane];
+            const double omega2_by_eta = fixed[9][lane];
+            const double p1_by_chi = fixed[10][lane];
+            const double p1_by_eta = fixed[11][lane];
+            const double p2_by_chi = fixed[12][lane];
+            const double p2_by_eta = fixed[13][lane];
+            const double p3_by_chi = fixed[14][lane];
+            const double p3_by_eta = fixed[15][lane];
+            const double omega3_by_chi = fixed[16][lane];
+            const double omega3_by_eta = fixed[17][lane];
+            /* stick-stick for ta, until first-breaks-forward */
+            const double t0 = V*ta;
+            const double z1_1 = t0 + z10;
+            const double z2_1 = t0 + z20;
+            double sine_0, cosine_0;
+            nonsmooth_sincos(tau, &sine_0, &cosine_0);
+            const double cos_tau = cosine_0;
+            const double sin_tau = sine_0;
+            /* slip-stick for tau, until second-breaks-forward */
+            const double t1 = V*sin_tau;
+            const double t3 = chi*cos_tau;
+            const double t4 = chi - t3;
+            const double t5 = chi*sin_tau;
+            const double z1_2 = V*(chi*tau - t5) + cos_tau*z1_1 + t1 + t4*z2_1;
+            const double z2_2 = V*tau + z2_1;
+            const double t6 = V*cos_tau + V*t4;
+            const double v1_2 = -sin_tau*z1_1 + t5*z2_1 + t6;
+            /* functions of tau1 in slip-slip */
+            const double t7 = omega1*tau1;
+            double sine_1, cosine_1;
+            nonsmooth_sincos(t7, &sine_1, &cosine_1);
+            const double cos_omega1_tau1 = cosine_1;
+            const double sin_omega1_tau1 = sine_1;
+            const double t10 = omega2*tau1;
+            double sine_2, cosine_2;
+            nonsmooth_sincos(t10, &sine_2, &cosine_2);
+            const double cos_omega2_tau1 = cosine_2;
+            const double sin_omega2_tau1 = sine_2;
+            /* slip-slip for tau1, until first-reaches-belt */
+            const double t13 = (1.0/(omega1));
+            const double t14 = sin_omega1_tau1*t13;
+            const double t15 = 1 - p1;
+            const double t16 = (1.0/(omega2));
+            const double t17 = sin_omega2_tau1*t16;
+            const double t18 = p1*t14 + t15*t17;
+            const double t19 = cos_omega1_tau1*p1 + cos_omega2_tau1*t15;
+            const double t20 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+            const double t21 = p2*t17;
+            const double z1_3 = V*(p2*sin_omega1_tau1*t13 - t21) + t18*v1_2 + t19*z1_2 + t20*z2_2;
+            const double t22 = p3*sin_omega1_tau1*t13 - p3*t17;
+            const double t23 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+            const double t24 = cos_omega1_tau1*t15 + cos_omega2_tau1*p1;
+            const double t25 = p1*t17 + t14*t15;
+            const double z2_3 = V*t25 + t22*v1_2 + t23*z1_2 + t24*z2_2;
+            const double t26 = omega2*sin_omega2_tau1;
+            const double t27 = omega1*sin_omega1_tau1;
+            const double t28 = -p1*t27 - t15*t26;
+            const double t29 = p2*t27;
+            const double t30 = omega2*p2*sin_omega2_tau1 - t29;
+            const double t31 = V*t20;
+            const double t32 = t19*v1_2 + t31;
+            const double v1_3 = t28*z1_2 + t30*z2_2 + t32;
+            const double t33 = omega2*p3*sin_omega2_tau1 - p3*t27;
+            const double t34 = p1*t26 + t15*t27;
+            const double t36 = V*t24;
+            const double t37 = t23*v1_2 + t36;
+            const double v2_3 = t33*z1_2 - t34*z2_2 + t37;
+            /* functions of tau2 in stick-slip */
+            const double t38 = omega3*tau2;
+            double sine_3, cosine_3;
+            nonsmooth_sincos(t38, &sine_3, &cosine_3);
+            const double cos_omega3_tau2 = cosine_3;
+            const double sin_omega3_tau2 = sine_3;
+            /* stick-slip for tau2, until second-reaches-belt */
+            const double z1_4 = V*tau2 + z1_3;
+            const double t41 = 1 - cos_omega3_tau2;
+            const double t42 = (1.0/(omega3));
+            const double t43 = sin_omega3_tau2*t42;
+            const double t44 = -t43 + tau2;
+            const double z2_4 = V*t44 + cos_omega3_tau2*z2_3 + t41*z1_3 + t43*v2_3;
+            const double t45 = cos_omega3_tau2*v2_3;
+            const double t46 = sin_omega3_tau2*z1_3;
+            const double t47 = sin_omega3_tau2*z2_3;
+            const double v2_4 = V*t41 + omega3*t46 - omega3*t47 + t45;
+            /* derivatives of the state after tau */
+            const double z1_2_by_z20 = t4;
+            const double z1_2_by_ta = t6;
+            const double v1_2_by_z10 = -sin_tau;
+            const double v1_2_by_z20 = t5;
+            const double v1_2_by_ta = chi*t1 - t1;
+            const double v1_2_by_tau = chi*z2_2 - z1_2;
+            /* derivatives of the state after tau1 */
+            const double z1_3_by_z10 = cos_tau*t19 + t18*v1_2_by_z10;
+            const double z1_3_by_z20 = t18*v1_2_by_z20 + t19*z1_2_by_z20 + t20;
+            const double z1_3_by_ta = t18*v1_2_by_ta + t19*z1_2_by_ta + t31;
+            const double z1_3_by_tau = t18*v1_2_by_tau + t32;
+            const double z2_3_by_z10 = cos_tau*t23 + t22*v1_2_by_z10;
+            const double z2_3_by_z20 = t22*v1_2_by_z20 + t23*z1_2_by_z20 + t24;
+            const double z2_3_by_ta = t22*v1_2_by_ta + t23*z1_2_by_ta + t36;
+            const double z2_3_by_tau = t22*v1_2_by_tau + t37;
+            const double v1_3_by_z10 = cos_tau*t28 + t19*v1_2_by_z10;
+            const double v1_3_by_z20 = p2*t26 + t19*v1_2_by_z20 + t28*z1_2_by_z20 - t29;
+            const double t48 = V*t30;
+            const double v1_3_by_ta = t19*v1_2_by_ta + t28*z1_2_by_ta + t48;
+            const double v1_3_by_tau = t19*v1_2_by_tau + t28*v1_2 + t48;
+            const double t49 = chi*z2_3;
+            const double v1_3_by_tau1 = t49 - z1_3;
+            const double v2_3_by_z10 = cos_tau*t33 + t23*v1_2_by_z10;
+            const double v2_3_by_z20 = t23*v1_2_by_z20 + t33*z1_2_by_z20 - t34;
+            const double t50 = -V*t34;
+            const double v2_3_by_ta = t23*v1_2_by_ta + t33*z1_2_by_ta + t50;
+            const double v2_3_by_tau = t23*v1_2_by_tau + t33*v1_2 + t50;
+            const double t51 = chi*eta;
+            const double v2_3_by_tau1 = -eta*t49 + t51*z1_3;
+            /* derivatives of the state after tau2 */
+            const double z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t41*z1_3_by_z10 + t43*v2_3_by_z10;
+            const double z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t41*z1_3_by_z20 + t43*v2_3_by_z20;
+            const double z2_4_by_ta = cos_omega3_tau2*z2_3_by_ta + t41*z1_3_by_ta + t43*v2_3_by_ta;
+            const double z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t41*z1_3_by_tau + t43*v2_3_by_tau;
+            const double z2_4_by_tau1 = t41*v1_3 + t43*v2_3_by_tau1 + t45;
+            const double t52 = omega3*sin_omega3_tau2;
+            const double v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t52*z1_3_by_z10 - t52*z2_3_by_z10;
+            const double v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t52*z1_3_by_z20 - t52*z2_3_by_z20;
+            const double v2_4_by_ta = cos_omega3_tau2*v2_3_by_ta + t52*z1_3_by_ta - t52*z2_3_by_ta;
+            const double v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t52*z1_3_by_tau - t52*z2_3_by_tau;
+            const double v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t52*v1_3 - t52*v2_3;
+            const double v2_4_by_tau2 = t51*z1_4 - t51*z2_4;
+            /* d/dchi of: slip-stick for tau, until second-breaks-forward */
+            const double t53 = 1 - cos_tau;
+            const double z1_2_by_chi = V*(-sin_tau + tau) + t53*z2_1;
+            const double v1_2_by_chi = V*t53 + sin_tau*z2_1;
+            /* d/dV of: slip-stick for tau, until second-breaks-forward */
+            const double z1_2_by_V = chi*tau + cos_tau*ta + sin_tau + t4*ta - t5;
+            const double z2_2_by_V = ta + tau;
+            const double v1_2_by_V = chi + cos_tau - sin_tau*ta - t3 + t5*ta;
+            /* d/dchi of: functions of tau1 in slip-slip */
+            const double t55 = omega1_by_chi*tau1;
+            const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t55;
+            const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t55;
+            const double t56 = omega2_by_chi*tau1;
+            const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t56;
+            const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t56;
+            /* d/deta of: functions of tau1 in slip-slip */
+            const double t57 = omega1_by_eta*tau1;
+            const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t57;
+            const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t57;
+            const double t58 = omega2_by_eta*tau1;
+            const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t58;
+            const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t58;
+            /* d/dchi of: slip-slip for tau1, until first-reaches-belt */
+            const double t59 = p1*z1_2;
+            const double t60 = p2*z2_2;
+            const double t61 = t59 + t60;
+            const double t62 = t15*z1_2 - t60;
+            const double t63 = p1*v1_2;
+            const double t64 = sin_omega1_tau1/(omega1*omega1);
+            const double t65 = V*p2;
+            const double t66 = -t63*t64 - t64*t65;
+            const double t67 = (1.0/(omega2*omega2));
+            const double t68 = sin_omega2_tau1*t67;
+            const double t69 = -t15*t68*v1_2 + t65*t68;
+            const double t70 = -sin_omega1_tau1*t13 + t17;
+            const double t72 = cos_omega1_tau1 - cos_omega2_tau1;
+            const double t73 = -t70*v1_2 + t72*z1_2;
+            const double t74 = -V*t70 + t72*z2_2;
+            const double t75 = t13*t63 + t13*t65;
+            const double t76 = t15*t16*v1_2 - t16*t65;
+            const double z1_3_by_chi = cos_omega1_tau1_by_chi*t61 + cos_omega2_tau1_by_chi*t62 + omega1_by_chi*t66 + omega2_by_chi*t69 + p1_by_chi*t73 + p2_by_chi*t74 + sin_omega1_tau1_by_chi*t75 + sin_omega2_tau1_by_chi*t76 + t18*v1_2_by_chi + t19*z1_2_by_chi;
+            const double t77 = p3*z1_2;
+            const double t78 = t15*z2_2;
+            const double t79 = t77 + t78;
+            const double t80 = p1*z2_2;
+            const double t81 = -t77 + t80;
+            const double t82 = p3*v1_2;
+            const double t83 = V*t15;
+            const double t84 = -t64*t82 - t64*t83;
+            const double t85 = V*p1;
+            const double t86 = p3*sin_omega2_tau1*t67*v1_2 - t68*t85;
+            const double t88 = V*t70 - t72*z2_2;
+            const double t89 = t13*t82 + t13*t83;
+            const double t90 = -t16*t82 + t16*t85;
+            const double z2_3_by_chi = cos_omega1_tau1_by_chi*t79 + cos_omega2_tau1_by_chi*t81 + omega1_by_chi*t84 + omega2_by_chi*t86 + p1_by_chi*t88 + p3_by_chi*t73 + sin_omega1_tau1_by_chi*t89 + sin_omega2_tau1_by_chi*t90 + t22*v1_2_by_chi + t23*z1_2_by_chi;
+            const double t91 = t63 + t65;
+            const double t92 = t15*v1_2 - t65;
+            const double t93 = -sin_omega1_tau1*t59 - sin_omega1_tau1*t60;
+            const double t94 = t15*z1_2;
+            const double t95 = sin_omega2_tau1*t60 - sin_omega2_tau1*t94;
+            const double t96 = -omega2*sin_omega2_tau1 + t27;
+            const double t98 = t72*v1_2 - t96*z1_2;
+            const double t99 = V*t72 - t96*z2_2;
+            const double t100 = -omega1*t59 - omega1*t60;
+            const double t101 = omega2*t60 - omega2*t94;
+            const double v1_3_by_chi = cos_omega1_tau1_by_chi*t91 + cos_omega2_tau1_by_chi*t92 + omega1_by_chi*t93 + omega2_by_chi*t95 + p1_by_chi*t98 + p2_by_chi*t99 + sin_omega1_tau1_by_chi*t100 + sin_omega2_tau1_by_chi*t101 + t19*v1_2_by_chi + t28*z1_2_by_chi;
+            const double t102 = t82 + t83;
+            const double t103 = -t82 + t85;
+            const double t104 = -sin_omega1_tau1*t77 - sin_omega1_tau1*t78;
+            const double t105 = p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t80;
+            const double t106 = -V*t72 + t96*z2_2;
+            const double t107 = -omega1*t77 - omega1*t78;
+            const double t108 = omega2*p3*z1_2 - omega2*t80;
+            const double v2_3_by_chi = cos_omega1_tau1_by_chi*t102 + cos_omega2_tau1_by_chi*t103 + omega1_by_chi*t104 + omega2_by_chi*t105 + p1_by_chi*t106 + p3_by_chi*t98 + sin_omega1_tau1_by_chi*t107 + sin_omega2_tau1_by_chi*t108 + t23*v1_2_by_chi + t33*z1_2_by_chi;
+            /* d/deta of: slip-slip for tau1, until first-reaches-belt */
+            const double z1_3_by_eta = cos_omega1_tau1_by_eta*t61 + cos_omega2_tau1_by_eta*t62 + omega1_by_eta*t66 + omega2_by_eta*t69 + p1_by_eta*t73 + p2_by_eta*t74 + sin_omega1_tau1_by_eta*t75 + sin_omega2_tau1_by_eta*t76;
+            const double z2_3_by_eta = cos_omega1_tau1_by_eta*t79 + cos_omega2_tau1_by_eta*t81 + omega1_by_eta*t84 + omega2_by_eta*t86 + p1_by_eta*t88 + p3_by_eta*t73 + sin_omega1_tau1_by_eta*t89 + sin_omega2_tau1_by_eta*t90;
+            const double v1_3_by_eta = cos_omega1_tau1_by_eta*t91 + cos_omega2_tau1_by_eta*t92 + omega1_by_eta*t93 + omega2_by_eta*t95 + p1_by_eta*t98 + p2_by_eta*t99 + sin_omega1_tau1_by_eta*t100 + sin_omega2_tau1_by_eta*t101;
+            const double v2_3_by_eta = cos_omega1_tau1_by_eta*t102 + cos_omega2_tau1_by_eta*t103 + omega1_by_eta*t104 + omega2_by_eta*t105 + p1_by_eta*t106 + p3_by_eta*t98 + sin_omega1_tau1_by_eta*t107 + sin_omega2_tau1_by_eta*t108;
+            /* d/dV of: slip-slip for tau1, until first-reaches-belt */
+            const double z1_3_by_V = p2*t14 + t18*v1_2_by_V + t19*z1_2_by_V + t20*z2_2_by_V - t21;
+            const double z2_3_by_V = t22*v1_2_by_V + t23*z1_2_by_V + t24*z2_2_by_V + t25;
+            const double v1_3_by_V = t19*v1_2_by_V + t20 + t28*z1_2_by_V + t30*z2_2_by_V;
+            const double v2_3_by_V = t23*v1_2_by_V + t24 + t33*z1_2_by_V - t34*z2_2_by_V;
+            /* d/dchi of: functions of tau2 in stick-slip */
+            const double t109 = omega3_by_chi*tau2;
+            const double cos_omega3_tau2_by_chi = -sin_omega3_tau2*t109;
+            const double sin_omega3_tau2_by_chi = cos_omega3_tau2*t109;
+            /* d/deta of: functions of tau2 in stick-slip */
+            const double t110 = omega3_by_eta*tau2;
+            const double cos_omega3_tau2_by_eta = -sin_omega3_tau2*t110;
+            const double sin_omega3_tau2_by_eta = cos_omega3_tau2*t110;
+            /* d/dchi of: stick-slip for tau2, until second-reaches-belt */
+            const double t111 = -z1_3 + z2_3;
+            const double t112 = sin_omega3_tau2/(omega3*omega3);
+            const double t113 = V*t112 - t112*v2_3;
+            const double t114 = -V*t42 + t42*v2_3;
+            const double z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t111 + omega3_by_chi*t113 + sin_omega3_tau2_by_chi*t114 + t41*z1_3_by_chi + t43*v2_3_by_chi;
+            const double t115 = -V + v2_3;
+            const double t116 = t46 - t47;
+            const double t117 = omega3*z1_3 - omega3*z2_3;
+            const double v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t115 + omega3_by_chi*t116 + sin_omega3_tau2_by_chi*t117 + t52*z1_3_by_chi - t52*z2_3_by_chi;
+            /* d/deta of: stick-slip for tau2, until second-reaches-belt */
+            const double z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t111 + omega3_by_eta*t113 + sin_omega3_tau2_by_eta*t114 + t41*z1_3_by_eta + t43*v2_3_by_eta;
+            const double v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t115 + omega3_by_eta*t116 + sin_omega3_tau2_by_eta*t117 + t52*z1_3_by_eta - t52*z2_3_by_eta;
+            /* d/dV of: stick-slip for tau2, until second-reaches-belt */
+            const double z1_4_by_V = tau2 + z1_3_by_V;
+            const double z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t41*z1_3_by_V + t43*v2_3_by_V + t44;
+            const double v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t52*z1_3_by_V - t52*z2_3_by_V + 1;
+            /* outputs */
+            const double t118 = V*chi;
+            matrix[0][0][lane] = 1;
+            matrix[0][1][lane] = -chi;
+            matrix[0][2][lane] = V - t118;
+            matrix[0][3][lane] = 0;
+            matrix[0][4][lane] = 0;
+            matrix[0][5][lane] = 0;
+            matrix[1][0][lane] = -t3;
+            matrix[1][1][lane] = -chi*z1_2_by_z20 + chi;
+            matrix[1][2][lane] = -chi*z1_2_by_ta + t118;
+            matrix[1][3][lane] = -chi*v1_2 + t118;
+            matrix[1][4][lane] = 0;
+            matrix[1][5][lane] = 0;
+            matrix[2][0][lane] = v1_3_by_z10;
+            matrix[2][1][lane] = v1_3_by_z20;
+            matrix[2][2][lane] = v1_3_by_ta;
+            matrix[2][3][lane] = v1_3_by_tau;
+            matrix[2][4][lane] = v1_3_by_tau1;
+            matrix[2][5][lane] = 0;
+            matrix[3][0][lane] = v2_4_by_z10;
+            matrix[3][1][lane] = v2_4_by_z20;
+            matrix[3][2][lane] = v2_4_by_ta;
+            matrix[3][3][lane] = v2_4_by_tau;
+            matrix[3][4][lane] = v2_4_by_tau1;
+            matrix[3][5][lane] = v2_4_by_tau2;
+            matrix[4][0][lane] = z1_3_by_z10 - 1;
+            matrix[4][1][lane] = z1_3_by_z20;
+            matrix[4][2][lane] = z1_3_by_ta;
+            matrix[4][3][lane] = z1_3_by_tau;
+            matrix[4][4][lane] = v1_3;
+            matrix[4][5][lane] = V;
+            matrix[5][0][lane] = z2_4_by_z10;
+            matrix[5][1][lane] = z2_4_by_z20 - 1;
+            matrix[5][2][lane] = z2_4_by_ta;
+            matrix[5][3][lane] = z2_4_by_tau;
+            matrix[5][4][lane] = z2_4_by_tau1;
+            matrix[5][5][lane] = v2_4;
+            matrix[0][6][lane] = z2_1;
+            matrix[0][7][lane] = 0;
+            matrix[0][8][lane] = chi*ta - ta;
+            matrix[0][9][lane] = 1;
+            matrix[0][10][lane] = 0;
+            matrix[1][6][lane] = chi*z1_2_by_chi + z1_2 - z2_2;
+            matrix[1][7][lane] = 0;
+            matrix[1][8][lane] = chi*z1_2_by_V - chi*z2_2_by_V;
+            matrix[1][9][lane] = 0;
+            matrix[1][10][lane] = 1;
+            matrix[2][6][lane] = -v1_3_by_chi;
+            matrix[2][7][lane] = -v1_3_by_eta;
+            matrix[2][8][lane] = 1 - v1_3_by_V;
+            matrix[2][9][lane] = 0;
+            matrix[2][10][lane] = 0;
+            matrix[3][6][lane] = -v2_4_by_chi;
+            matrix[3][7][lane] = -v2_4_by_eta;
+            matrix[3][8][lane] = 1 - v2_4_by_V;
+            matrix[3][9][lane] = 0;
+            matrix[3][10][lane] = 0;
+            matrix[4][6][lane] = -z1_3_by_chi;
+            matrix[4][7][lane] = -z1_3_by_eta;
+            matrix[4][8][lane] = -z1_4_by_V;
+            matrix[4][9][lane] = 0;
+            matrix[4][10][lane] = 0;
+            matrix[5][6][lane] = -z2_4_by_chi;
+            matrix[5][7][lane] = -z2_4_by_eta;
+            matrix[5][8][lane] = -z2_4_by_V;
+            matrix[5][9][lane] = 0;
+            matrix[5][10][lane] = 0;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double chi = parameter[0][lane];
+            const double eta = parameter[1][lane];
+            const double V = parameter[2][lane];
+            const double e1 = parameter[3][lane];
+            const double e2 = parameter[4][lane];
+            const double tau = unknown[3][lane];
+            const double tau1 = unknown[4][lane];
+            const double omega1 = fixed[0][lane];
+            const double omega2 = fixed[1][lane];
+            const double p1 = fixed[2][lane];
+            const double p2 = fixed[3][lane];
+            const double p3 = fixed[4][lane];
+            const double omega3 = fixed[5][lane];
+            const double omega1_by_chi = fixed[6][lane];
+            const double omega1_by_eta = fixed[7][lane];
+            const double omega2_by_chi = fixed[8][lane];
+            const double omega2_by_eta = fixed[9][lane];
+            const double p1_by_chi = fixed[10][lane];
+            const double p1_by_eta = fixed[11][lane];
+            const double p2_by_chi = fixed[12][lane];
+            const double p2_by_eta = fixed[13][lane];
+            const double p3_by_chi = fixed[14][lane];
+            const double p3_by_eta = fixed[15][lane];
+            const double omega3_by_chi = fixed[16][lane];
+            const double omega3_by_eta = fixed[17][lane];
+            double sine_0, cosine_0;
+            nonsmooth_sincos(tau, &sine_0, &cosine_0);
+            const double cos_tau = cosine_0;
+            const double sin_tau = sine_0;
+            /* z2_1: linear in second-breaks-forward */
+            const double t2 = V*tau;
+            const double t3 = chi - 1;
+            const double t4 = (1.0/(t3));
+            const double t5 = cos_tau*t4;
+            const double t6 = (1.0/(chi));
+            const double t7 = t4*t6;
+            const double z2_1 = V*sin_tau - e1*t5 - e2*t7 - t2;
+            /* slip-stick for tau */
+            const double t8 = chi*z2_1;
+            const double t9 = e1 + t8;
+            const double t10 = chi*cos_tau;
+            const double t11 = chi - t10;
+            const double t12 = chi*sin_tau;
+            const double z1_2 = V*sin_tau + V*(chi*tau - t12) + cos_tau*t9 + t11*z2_1;
+            const double z2_2 = t2 + z2_1;
+            const double v1_2 = V*cos_tau + V*t11 + sin_tau*t8 - sin_tau*t9;
+            /* functions of tau1 in slip-slip */
+            const double t13 = omega1*tau1;
+            double sine_1, cosine_1;
+            nonsmooth_sincos(t13, &sine_1, &cosine_1);
+            const double cos_omega1_tau1 = cosine_1;
+            const double sin_omega1_tau1 = sine_1;
+            const double t16 = omega2*tau1;
+            double sine_2, cosine_2;
+            nonsmooth_sincos(t16, &sine_2, &cosine_2);
+            const double cos_omega2_tau1 = cosine_2;
+            const double sin_omega2_tau1 = sine_2;
+            /* slip-slip for tau1 */
+            const double t19 = (1.0/(omega1));
+            const double t20 = sin_omega1_tau1*t19;
+            const double t21 = 1 - p1;
+            const double t22 = (1.0/(omega2));
+            const double t23 = sin_omega2_tau1*t22;
+            const double t24 = p1*t20 + t21*t23;
+            const double t25 = cos_omega1_tau1*p1 + cos_omega2_tau1*t21;
+            const double t26 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2;
+            const double t27 = p2*t23;
+            const double z1_3 = V*(p2*sin_omega1_tau1*t19 - t27) + t24*v1_2 + t25*z1_2 + t26*z2_2;
+            const double t28 = p3*sin_omega1_tau1*t19 - p3*t23;
+            const double t29 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3;
+            const double t30 = cos_omega1_tau1*t21 + cos_omega2_tau1*p1;
+            const double t31 = p1*t23 + t20*t21;
+            const double z2_3 = V*t31 + t28*v1_2 + t29*z1_2 + t30*z2_2;
+            const double t32 = omega2*sin_omega2_tau1;
+            const double t33 = omega1*sin_omega1_tau1;
+            const double t34 = -p1*t33 - t21*t32;
+            const double t35 = omega2*p2*sin_omega2_tau1 - p2*t33;
+            const double v1_3 = V*t26 + t25*v1_2 + t34*z1_2 + t35*z2_2;
+            const double t36 = omega2*p3*sin_omega2_tau1 - p3*t33;
+            const double t37 = -p1*t32 - t21*t33;
+            const double v2_3 = V*t30 + t29*v1_2 + t36*z1_2 + t37*z2_2;
+            /* first return of tau2 */
+            const double cosine_part_tau2 = -V + v2_3;
+            const double sine_part_tau2 = omega3*z1_3 - omega3*z2_3;
+            /* first return of tau2 */
+            const double amplitude_tau2 = sqrt((cosine_part_tau2*cosine_part_tau2) + (sine_part_tau2*sine_part_tau2));
+            /* d/dtau of: functions of tau in slip-stick */
+            const double cos_tau_by_tau = -sin_tau;
+            const double sin_tau_by_tau = cos_tau;
+            /* d/dtau of: z2_1: linear in second-breaks-forward */
+            const double t40 = -V*sin_tau_by_tau;
+            const double t41 = cos_tau_by_tau*e1;
+            const double z2_1_by_tau = -V - t4*t41 - t40;
+            /* d/dtau of: slip-stick for tau */
+            const double t42 = V*chi;
+            const double t43 = V - t42;
+            const double z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t43 + t41 + t42;
+            const double z2_2_by_tau = V + z2_1_by_tau;
+            const double v1_2_by_tau = cos_tau_by_tau*t43 - e1*sin_tau_by_tau;
+            /* d/dtau of: slip-slip for tau1 */
+            const double z1_3_by_tau = t24*v1_2_by_tau + t25*z1_2_by_tau + t26*z2_2_by_tau;
+            const double z2_3_by_tau = t28*v1_2_by_tau + t29*z1_2_by_tau + t30*z2_2_by_tau;
+            const double v1_3_by_tau = t25*v1_2_by_tau + t34*z1_2_by_tau + t35*z2_2_by_tau;
+            const double v2_3_by_tau = t29*v1_2_by_tau + t36*z1_2_by_tau + t37*z2_2_by_tau;
+            /* d/dtau1 of: slip-slip for tau1 */
+            const double t45 = chi*z2_3;
+            const double v1_3_by_tau1 = t45 - z1_3;
+            const double t46 = eta*z1_3;
+            const double v2_3_by_tau1 = chi*t46 - eta*t45;
+            /* d/dtau of: first return of tau2 */
+            const double sine_part_tau2_by_tau = omega3*z1_3_by_tau - omega3*z2_3_by_tau;
+            /* d/dtau1 of: first return of tau2 */
+            const double sine_part_tau2_by_tau1 = omega3*v1_3 - omega3*v2_3;
+            /* d/dtau of: first return of tau2 */
+            const double t47 = 2*cosine_part_tau2;
+            const double t48 = 2*sine_part_tau2;
+            const double t49 = sine_part_tau2_by_tau*t48 + t47*v2_3_by_tau;
+            const double t50 = (1.0/(amplitude_tau2));
+            const double t51 = (1.0/2.0)*t50;
+            const double amplitude_tau2_by_tau = t49*t51;
+            /* d/dtau1 of: first return of tau2 */
+            const double t52 = sine_part_tau2_by_tau1*t48 + t47*v2_3_by_tau1;
+            const double amplitude_tau2_by_tau1 = t51*t52;
+            /* d/dchi of: z2_1: linear in second-breaks-forward */
+            const double t53 = (1.0/(t3*t3));
+            const double z2_1_by_chi = cos_tau*e1*t53 + e2*t53*t6 + e2*t4/(chi*chi);
+            /* d/dV of: z2_1: linear in second-breaks-forward */
+            const double z2_1_by_V = sin_tau - tau;
+            /* d/de1 of: z2_1: linear in second-breaks-forward */
+            const double z2_1_by_e1 = -t5;
+            /* d/de2 of: z2_1: linear in second-breaks-forward */
+            const double z2_1_by_e2 = -t7;
+            /* d/dchi of: slip-stick for tau */
+            const double t55 = 1 - cos_tau;
+            const double z1_2_by_chi = -V*z2_1_by_V + chi*z2_1_by_chi + cos_tau*z2_1 + t55*z2_1;
+            const double v1_2_by_chi = V*t55;
+            /* d/dV of: slip-stick for tau */
+            const double z1_2_by_V = chi*tau + chi*z2_1_by_V + sin_tau - t12;
+            const double z2_2_by_V = tau + z2_1_by_V;
+            const double v1_2_by_V = chi + cos_tau - t10;
+            /* d/de1 of: slip-stick for tau */
+            const double z1_2_by_e1 = chi*z2_1_by_e1 + cos_tau;
+            const double v1_2_by_e1 = -sin_tau;
+            /* d/de2 of: slip-stick for tau */
+            const double z1_2_by_e2 = chi*z2_1_by_e2;
+            /* d/dtau1 of: functions of tau1 in slip-slip */
+            const double cos_omega1_tau1_by_tau1 = -omega1*sin_omega1_tau1;
+            const double sin_omega1_tau1_by_tau1 = cos_omega1_tau1*omega1;
+            const double cos_omega2_tau1_by_tau1 = -omega2*sin_omega2_tau1;
+            const double sin_omega2_tau1_by_tau1 = cos_omega2_tau1*omega2;
+            /* d/dchi of: functions of tau1 in slip-slip */
+            const double t56 = omega1_by_chi*tau1;
+            const double cos_omega1_tau1_by_chi = -sin_omega1_tau1*t56;
+            const double sin_omega1_tau1_by_chi = cos_omega1_tau1*t56;
+            const double t57 = omega2_by_chi*tau1;
+            const double cos_omega2_tau1_by_chi = -sin_omega2_tau1*t57;
+            const double sin_omega2_tau1_by_chi = cos_omega2_tau1*t57;
+            /* d/deta of: functions of tau1 in slip-slip */
+            const double t58 = omega1_by_eta*tau1;
+            const double cos_omega1_tau1_by_eta = -sin_omega1_tau1*t58;
+            const double sin_omega1_tau1_by_eta = cos_omega1_tau1*t58;
+            const double t59 = omega2_by_eta*tau1;
+            const double cos_omega2_tau1_by_eta = -sin_omega2_tau1*t59;
+            const double sin_omega2_tau1_by_eta = cos_omega2_tau1*t59;
+            /* d/dtau1 of: slip-slip for tau1 */
+            const double t60 = p1*z1_2;
+            const double t61 = p2*z2_2;
+            const double t62 = t60 + t61;
+            const double t63 = t21*z1_2 - t61;
+            const double t64 = p1*v1_2;
+            const double t65 = V*p2;
+            const double t66 = t19*t64 + t19*t65;
+            const double t67 = t21*t22*v1_2 - t22*t65;
+            const double z1_3_by_tau1 = cos_omega1_tau1_by_tau1*t62 + cos_omega2_tau1_by_tau1*t63 + sin_omega1_tau1_by_tau1*t66 + sin_omega2_tau1_by_tau1*t67;
+            const double t68 = p3*z1_2;
+            const double t69 = t21*z2_2;
+            const double t70 = t68 + t69;
+            const double t71 = p1*z2_2;
+            const double t72 = -t68 + t71;
+            const double t73 = p3*v1_2;
+            const double t74 = V*t21;
+            const double t75 = t19*t73 + t19*t74;
+            const double t76 = V*p1;
+            const double t77 = -t22*t73 + t22*t76;
+            const double z2_3_by_tau1 = cos_omega1_tau1_by_tau1*t70 + cos_omega2_tau1_by_tau1*t72 + sin_omega1_tau1_by_tau1*t75 + sin_omega2_tau1_by_tau1*t77;
+            /* d/dchi of: slip-slip for tau1 */
+            const double t78 = sin_omega1_tau1/(omega1*omega1);
+            const double t79 = -t64*t78 - t65*t78;
+            const double t80 = (1.0/(omega2*omega2));
+            const double t81 = sin_omega2_tau1*t80;
+            const double t82 = -t21*t81*v1_2 + t65*t81;
+            const double t83 = -sin_omega1_tau1*t19 + t23;
+            const double t85 = cos_omega1_tau1 - cos_omega2_tau1;
+            const double t86 = -t83*v1_2 + t85*z1_2;
+            const double t87 = -V*t83 + t85*z2_2;
+            const double z1_3_by_chi = cos_omega1_tau1_by_chi*t62 + cos_omega2_tau1_by_chi*t63 + omega1_by_chi*t79 + omega2_by_chi*t82 + p1_by_chi*t86 + p2_by_chi*t87 + sin_omega1_tau1_by_chi*t66 + sin_omega2_tau1_by_chi*t67 + t24*v1_2_by_chi + t25*z1_2_by_chi + t26*z2_1_by_chi;
+            const double t88 = -t73*t78 - t74*t78;
+            const double t89 = p3*sin_omega2_tau1*t80*v1_2 - t76*t81;
+            const double t91 = V*t83 - t85*z2_2;
+            const double z2_3_by_chi = cos_omega1_tau1_by_chi*t70 + cos_omega2_tau1_by_chi*t72 + omega1_by_chi*t88 + omega2_by_chi*t89 + p1_by_chi*t91 + p3_by_chi*t86 + sin_omega1_tau1_by_chi*t75 + sin_omega2_tau1_by_chi*t77 + t28*v1_2_by_chi + t29*z1_2_by_chi + t30*z2_1_by_chi;
+            const double t92 = t64 + t65;
+            const double t93 = t21*v1_2 - t65;
+            const double t94 = -sin_omega1_tau1*t60 - sin_omega1_tau1*t61;
+            const double t95 = t21*z1_2;
+            const double t96 = sin_omega2_tau1*t61 - sin_omega2_tau1*t95;
+            const double t97 = -omega2*sin_omega2_tau1 + t33;
+            const double t99 = t85*v1_2 - t97*z1_2;
+            const double t100 = V*t85 - t97*z2_2;
+            const double t101 = -omega1*t60 - omega1*t61;
+            const double t102 = omega2*t61 - omega2*t95;
+            const double v1_3_by_chi = cos_omega1_tau1_by_chi*t92 + cos_omega2_tau1_by_chi*t93 + omega1_by_chi*t94 + omega2_by_chi*t96 + p1_by_chi*t99 + p2_by_chi*t100 + sin_omega1_tau1_by_chi*t101 + sin_omega2_tau1_by_chi*t102 + t25*v1_2_by_chi + t34*z1_2_by_chi + t35*z2_1_by_chi;
+            const double t103 = t73 + t74;
+            const double t104 = -t73 + t76;
+            const double t105 = -sin_omega1_tau1*t68 - sin_omega1_tau1*t69;
+            const double t106 = p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t71;
+            const double t107 = -V*t85 + t97*z2_2;
+            const double t108 = -omega1*t68 - omega1*t69;
+            const double t109 = omega2*p3*z1_2 - omega2*t71;
+            const double v2_3_by_chi = cos_omega1_tau1_by_chi*t103 + cos_omega2_tau1_by_chi*t104 + omega1_by_chi*t105 + omega2_by_chi*t106 + p1_by_chi*t107 + p3_by_chi*t99 + sin_omega1_tau1_by_chi*t108 + sin_omega2_tau1_by_chi*t109 + t29*v1_2_by_chi + t36*z1_2_by_chi + t37*z2_1_by_chi;
+            /* d/deta of: slip-slip for tau1 */
+            const double z1_3_by_eta = cos_omega1_tau1_by_eta*t62 + cos_omega2_tau1_by_eta*t63 + omega1_by_eta*t79 + omega2_by_eta*t82 + p1_by_eta*t86 + p2_by_eta*t87 + sin_omega1_tau1_by_eta*t66 + sin_omega2_tau1_by_eta*t67;
+            const double z2_3_by_eta = cos_omega1_tau1_by_eta*t70 + cos_omega2_tau1_by_eta*t72 + omega1_by_eta*t88 + omega2_by_eta*t89 + p1_by_eta*t91 + p3_by_eta*t86 + sin_omega1_tau1_by_eta*t75 + sin_omega2_tau1_by_eta*t77;
+            const double v1_3_by_eta = cos_omega1_tau1_by_eta*t92 + cos_omega2_tau1_by_eta*t93 + omega1_by_eta*t94 + omega2_by_eta*t96 + p1_by_eta*t99 + p2_by_eta*t100 + sin_omega1_tau1_by_eta*t101 + sin_omega2_tau1_by_eta*t102;
+            const double v2_3_by_eta = cos_omega1_tau1_by_eta*t103 + cos_omega2_tau1_by_eta*t104 + omega1_by_eta*t105 + omega2_by_eta*t106 + p1_by_eta*t107 + p3_by_eta*t99 + sin_omega1_tau1_by_eta*t108 + sin_omega2_tau1_by_eta*t109;
+            /* d/dV of: slip-slip for tau1 */
+            const double z1_3_by_V = p2*t20 + t24*v1_2_by_V + t25*z1_2_by_V + t26*z2_2_by_V - t27;
+            const double z2_3_by_V = t28*v1_2_by_V + t29*z1_2_by_V + t30*z2_2_by_V + t31;
+            const double v1_3_by_V = t25*v1_2_by_V + t26 + t34*z1_2_by_V + t35*z2_2_by_V;
+            const double v2_3_by_V = t29*v1_2_by_V + t30 + t36*z1_2_by_V + t37*z2_2_by_V;
+            /* d/de1 of: slip-slip for tau1 */
+            const double z1_3_by_e1 = t24*v1_2_by_e1 + t25*z1_2_by_e1 + t26*z2_1_by_e1;
+            const double z2_3_by_e1 = t28*v1_2_by_e1 + t29*z1_2_by_e1 + t30*z2_1_by_e1;
+            const double v1_3_by_e1 = t25*v1_2_by_e1 + t34*z1_2_by_e1 + t35*z2_1_by_e1;
+            const double v2_3_by_e1 = t29*v1_2_by_e1 + t36*z1_2_by_e1 + t37*z2_1_by_e1;
+            /* d/de2 of: slip-slip for tau1 */
+            const double z1_3_by_e2 = t25*z1_2_by_e2 + t26*z2_1_by_e2;
+            const double z2_3_by_e2 = t29*z1_2_by_e2 + t30*z2_1_by_e2;
+            const double v1_3_by_e2 = t34*z1_2_by_e2 + t35*z2_1_by_e2;
+            const double v2_3_by_e2 = t36*z1_2_by_e2 + t37*z2_1_by_e2;
+            /* d/dchi of: first return of tau2 */
+            const double t110 = z1_3 - z2_3;
+            const double sine_part_tau2_by_chi = omega3*z1_3_by_chi - omega3*z2_3_by_chi + omega3_by_chi*t110;
+            /* d/deta of: first return of tau2 */
+            const double sine_part_tau2_by_eta = omega3*z1_3_by_eta - omega3*z2_3_by_eta + omega3_by_eta*t110;
+            /* d/dV of: first return of tau2 */
+            const double cosine_part_tau2_by_V = v2_3_by_V - 1;
+            const double sine_part_tau2_by_V = omega3*z1_3_by_V - omega3*z2_3_by_V;
+            /* d/de1 of: first return of tau2 */
+            const double sine_part_tau2_by_e1 = omega3*z1_3_by_e1 - omega3*z2_3_by_e1;
+            /* d/de2 of: first return of tau2 */
+            const double sine_part_tau2_by_e2 = omega3*z1_3_by_e2 - omega3*z2_3_by_e2;
+            /* d/dchi of: first return of tau2 */
+            const double amplitude_tau2_by_chi = t51*(sine_part_tau2_by_chi*t48 + t47*v2_3_by_chi);
+            /* d/deta of: first return of tau2 */
+            const double amplitude_tau2_by_eta = t51*(sine_part_tau2_by_eta*t48 + t47*v2_3_by_eta);
+            /* d/dV of: first return of tau2 */
+            const double amplitude_tau2_by_V = t51*(cosine_part_tau2_by_V*t47 + sine_part_tau2_by_V*t48);
+            /* d/de1 of: first return of tau2 */
+            const double amplitude_tau2_by_e1 = t51*(sine_part_tau2_by_e1*t48 + t47*v2_3_by_e1);
+            /* d/de2 of: first return of tau2 */
+            const double amplitude_tau2_by_e2 = t51*(sine_part_tau2_by_e2*t48 + t47*v2_3_by_e2);
+            /* d/dtau of: d/dtau of: functions of tau in slip-stick */
+            const double cos_tau_by_tau_by_tau = -cos_tau;
+            const double sin_tau_by_tau_by_tau = -sin_tau;
+            /* d/dtau of: d/dtau of: z2_1: linear in second-breaks-forward */
+            const double t111 = cos_tau_by_tau_by_tau*e1;
+            const double z2_1_by_tau_by_tau = V*sin_tau_by_tau_by_tau - t111*t4;
+            /* d/dchi of: d/dtau of: z2_1: linear in second-breaks-forward */
+            const double z2_1_by_tau_by_chi = t41*t53;
+            /* d/dV of: d/dtau of: z2_1: linear in second-breaks-forward */
+            const double z2_1_by_tau_by_V = sin_tau_by_tau - 1;
+            /* d/de1 of: d/dtau of: z2_1: linear in second-breaks-forward */
+            const double z2_1_by_tau_by_e1 = -cos_tau_by_tau*t4;
+            /* d/dtau of: d/dtau of: slip-stick for tau */
+            const double z1_2_by_tau_by_tau = chi*z2_1_by_tau_by_tau + sin_tau_by_tau_by_tau*t43 + t111;
+            const double v1_2_by_tau_by_tau = cos_tau_by_tau_by_tau*t43 - e1*sin_tau_by_tau_by_tau;
+            /* d/dchi of: d/dtau of: slip-stick for tau */
+            const double z1_2_by_tau_by_chi = chi*z2_1_by_tau_by_chi + t40 + z2_2_by_tau;
+            const double v1_2_by_tau_by_chi = -V*cos_tau_by_tau;
+            /* d/dV of: d/dtau of: slip-stick for tau */
+            const double z1_2_by_tau_by_V = chi*z2_1_by_tau_by_V + chi - sin_tau_by_tau*t3;
+            const double z2_2_by_tau_by_V = z2_1_by_tau_by_V + 1;
+            const double v1_2_by_tau_by_V = -cos_tau_by_tau*t3;
+            /* d/de1 of: d/dtau of: slip-stick for tau */
+            const double z1_2_by_tau_by_e1 = chi*z2_1_by_tau_by_e1 + cos_tau_by_tau;
+            const double v1_2_by_tau_by_e1 = -sin_tau_by_tau;
+            /* d/dtau of: d/dtau of: slip-slip for tau1 */
+            const double z1_3_by_tau_by_tau = t24*v1_2_by_tau_by_tau + t25*z1_2_by_tau_by_tau + t26*z2_1_by_tau_by_tau;
+            const double z2_3_by_tau_by_tau = t28*v1_2_by_tau_by_tau + t29*z1_2_by_tau_by_tau + t30*z2_1_by_tau_by_tau;
+            const double v1_3_by_tau_by_tau = t25*v1_2_by_tau_by_tau + t34*z1_2_by_tau_by_tau + t35*z2_1_by_tau_by_tau;
+            const double v2_3_by_tau_by_tau = t29*v1_2_by_tau_by_tau + t36*z1_2_by_tau_by_tau + t37*z2_1_by_tau_by_tau;
+            /* d/dtau1 of: d/dtau of: slip-slip for tau1 */
+            const double t113 = p1*z1_2_by_tau;
+            const double t114 = p2*z2_2_by_tau;
+            const double t115 = t113 + t114;
+            const double t116 = -t114 + t21*z1_2_by_tau;
+            const double t117 = t19*v1_2_by_tau;
+            const double t118 = sin_omega1_tau1_by_tau1*t117;
+            const double t119 = t22*v1_2_by_tau;
+            const double t120 = sin_omega2_tau1_by_tau1*t119;
+            const double z1_3_by_tau_by_tau1 = cos_omega1_tau1_by_tau1*t115 + cos_omega2_tau1_by_tau1*t116 + p1*t118 + t120*t21;
+            const double t121 = p3*z1_2_by_tau;
+            const double t122 = t21*z2_2_by_tau;
+            const double t123 = t121 + t122;
+            const double t124 = p1*z2_2_by_tau;
+            const double t125 = -t121 + t124;
+            const double z2_3_by_tau_by_tau1 = cos_omega1_tau1_by_tau1*t123 + cos_omega2_tau1_by_tau1*t125 + p3*t118 - p3*t120;
+            const double t126 = -omega1*t113 - omega1*t114;
+            const double t127 = t21*z1_2_by_tau;
+            const double t128 = omega2*t114 - omega2*t127;
+            const double t129 = cos_omega1_tau1_by_tau1*v1_2_by_tau;
+            const double t130 = cos_omega2_tau1_by_tau1*v1_2_by_tau;
+            const double v1_3_by_tau_by_tau1 = p1*t129 + sin_omega1_tau1_by_tau1*t126 + sin_omega2_tau1_by_tau1*t128 + t130*t21;
+            const double t131 = -omega1*t121 - omega1*t122;
+            const double t132 = omega2*p3*z1_2_by_tau - omega2*t124;
+            const double v2_3_by_tau_by_tau1 = p3*t129 - p3*t130 + sin_omega1_tau1_by_tau1*t131 + sin_omega2_tau1_by_tau1*t132;
+            /* d/dchi of: d/dtau of: slip-slip for tau1 */
+            const double t133 = -t83*v1_2_by_tau + t85*z1_2_by_tau;
+            const double t134 = p2_by_chi*z2_2_by_tau;
+            const double t135 = sin_omega1_tau1_by_chi*t117;
+            const double t136 = sin_omega2_tau1_by_chi*t119;
+            const double t137 = t78*v1_2_by_tau;
+            const double t138 = omega1_by_chi*t137;
+            const double t139 = t81*v1_2_by_tau;
+            const double t140 = omega2_by_chi*t139;
+            const double z1_3_by_tau_by_chi = cos_omega1_tau1_by_chi*t115 + cos_omega2_tau1_by_chi*t116 + p1*t135 - p1*t138 + p1_by_chi*t133 + t134*t85 + t136*t21 - t140*t21 + t24*v1_2_by_tau_by_chi + t25*z1_2_by_tau_by_chi + t26*z2_1_by_tau_by_chi;
+            const double t141 = p1_by_chi*z2_2_by_tau;
+            const double z2_3_by_tau_by_chi = cos_omega1_tau1_by_chi*t123 + cos_omega2_tau1_by_chi*t125 + p3*t135 - p3*t136 - p3*t138 + p3*t140 + p3_by_chi*t133 - t141*t85 + t28*v1_2_by_tau_by_chi + t29*z1_2_by_tau_by_chi + t30*z2_1_by_tau_by_chi;
+            const double t142 = -sin_omega1_tau1*t113 - sin_omega1_tau1*t114;
+            const double t143 = sin_omega2_tau1*t114 - sin_omega2_tau1*t127;
+            const double t144 = t85*v1_2_by_tau - t97*z1_2_by_tau;
+            const double t145 = cos_omega1_tau1_by_chi*v1_2_by_tau;
+            const double t146 = cos_omega2_tau1_by_chi*v1_2_by_tau;
+            const double v1_3_by_tau_by_chi = omega1_by_chi*t142 + omega2_by_chi*t143 + p1*t145 + p1_by_chi*t144 + sin_omega1_tau1_by_chi*t126 + sin_omega2_tau1_by_chi*t128 - t134*t97 + t146*t21 + t25*v1_2_by_tau_by_chi + t34*z1_2_by_tau_by_chi + t35*z2_1_by_tau_by_chi;
+            const double t147 = -sin_omega1_tau1*t121 - sin_omega1_tau1*t122;
+            const double t148 = p3*sin_omega2_tau1*z1_2_by_tau - sin_omega2_tau1*t124;
+            const double v2_3_by_tau_by_chi = omega1_by_chi*t147 + omega2_by_chi*t148 + p3*t145 - p3*t146 + p3_by_chi*t144 + sin_omega1_tau1_by_chi*t131 + sin_omega2_tau1_by_chi*t132 + t141*t97 + t29*v1_2_by_tau_by_chi + t36*z1_2_by_tau_by_chi + t37*z2_1_by_tau_by_chi;
+            /* d/deta of: d/dtau of: slip-slip for tau1 */
+            const double t149 = p2_by_eta*z2_2_by_tau;
+            const double t150 = sin_omega1_tau1_by_eta*t117;
+            const double t151 = sin_omega2_tau1_by_eta*t119;
+            const double t152 = omega1_by_eta*t137;
+            const double t153 = omega2_by_eta*t139;
+            const double z1_3_by_tau_by_eta = cos_omega1_tau1_by_eta*t115 + cos_omega2_tau1_by_eta*t116 + p1*t150 - p1*t152 + p1_by_eta*t133 + t149*t85 + t151*t21 - t153*t21;
+            const double t154 = p1_by_eta*z2_2_by_tau;
+            const double z2_3_by_tau_by_eta = cos_omega1_tau1_by_eta*t123 + cos_omega2_tau1_by_eta*t125 + p3*t150 - p3*t151 - p3*t152 + p3*t153 + p3_by_eta*t133 - t154*t85;
+            const double t155 = cos_omega1_tau1_by_eta*v1_2_by_tau;
+            const double t156 = cos_omega2_tau1_by_eta*v1_2_by_tau;
+            const double v1_3_by_tau_by_eta = omega1_by_eta*t142 + omega2_by_eta*t143 + p1*t155 + p1_by_eta*t144 + sin_omega1_tau1_by_eta*t126 + sin_omega2_tau1_by_eta*t128 - t149*t97 + t156*t21;
+            const double v2_3_by_tau_by_eta = omega1_by_eta*t147 + omega2_by_eta*t148 + p3*t155 - p3*t156 + p3_by_eta*t144 + sin_omega1_tau1_by_eta*t131 + sin_omega2_tau1_by_eta*t132 + t154*t97;
+            /* d/dV of: d/dtau of: slip-slip for tau1 */
+            const double z1_3_by_tau_by_V = t24*v1_2_by_tau_by_V + t25*z1_2_by_tau_by_V + t26*z2_2_by_tau_by_V;
+            const double z2_3_by_tau_by_V = t28*v1_2_by_tau_by_V + t29*z1_2_by_tau_by_V + t30*z2_2_by_tau_by_V;
+            const double v1_3_by_tau_by_V = t25*v1_2_by_tau_by_V + t34*z1_2_by_tau_by_V + t35*z2_2_by_tau_by_V;
+            const double v2_3_by_tau_by_V = t29*v1_2_by_tau_by_V + t36*z1_2_by_tau_by_V + t37*z2_2_by_tau_by_V;
+            /* d/de1 of: d/dtau of: slip-slip for tau1 */
+            const double z1_3_by_tau_by_e1 = t24*v1_2_by_tau_by_e1 + t25*z1_2_by_tau_by_e1 + t26*z2_1_by_tau_by_e1;
+            const double z2_3_by_tau_by_e1 = t28*v1_2_by_tau_by_e1 + t29*z1_2_by_tau_by_e1 + t30*z2_1_by_tau_by_e1;
+            const double v1_3_by_tau_by_e1 = t25*v1_2_by_tau_by_e1 + t34*z1_2_by_tau_by_e1 + t35*z2_1_by_tau_by_e1;
+            const double v2_3_by_tau_by_e1 = t29*v1_2_by_tau_by_e1 + t36*z1_2_by_tau_by_e1 + t37*z2_1_by_tau_by_e1;
+            /* d/dtau of: d/dtau1 of: slip-slip for tau1 */
+            const double t157 = chi*z2_3_by_tau;
+            const double v1_3_by_tau1_by_tau = t157 - z1_3_by_tau;
+            const double t158 = chi*eta;
+            const double v2_3_by_tau1_by_tau = -eta*t157 + t158*z1_3_by_tau;
+            /* d/dtau1 of: d/dtau1 of: slip-slip for tau1 */
+            const double t159 = chi*z2_3_by_tau1;
+            const double v1_3_by_tau1_by_tau1 = t159 - z1_3_by_tau1;
+            const double v2_3_by_tau1_by_tau1 = -eta*t159 + t158*z1_3_by_tau1;
+            /* d/dchi of: d/dtau1 of: slip-slip for tau1 */
+            const double t160 = chi*z2_3_by_chi;
+            const double v1_3_by_tau1_by_chi = t160 - z1_3_by_chi + z2_3;
+            const double v2_3_by_tau1_by_chi = -eta*t160 - eta*z2_3 + t158*z1_3_by_chi + t46;
+            /* d/deta of: d/dtau1 of: slip-slip for tau1 */
+            const double t161 = chi*z2_3_by_eta;
+            const double v1_3_by_tau1_by_eta = t161 - z1_3_by_eta;
+            const double v2_3_by_tau1_by_eta = chi*z1_3 - eta*t161 + t158*z1_3_by_eta - t45;
+            /* d/dV of: d/dtau1 of: slip-slip for tau1 */
+            const double t162 = chi*z2_3_by_V;
+            const double v1_3_by_tau1_by_V = t162 - z1_3_by_V;
+            const double v2_3_by_tau1_by_V = -eta*t162 + t158*z1_3_by_V;
+            /* d/de1 of: d/dtau1 of: slip-slip for tau1 */
+            const double t163 = chi*z2_3_by_e1;
+            const double v1_3_by_tau1_by_e1 = t163 - z1_3_by_e1;
+            const double v2_3_by_tau1_by_e1 = -eta*t163 + t158*z1_3_by_e1;
+            /* d/de2 of: d/dtau1 of: slip-slip for tau1 */
+            const double t164 = chi*z2_3_by_e2;
+            const double v1_3_by_tau1_by_e2 = t164 - z1_3_by_e2;
+            const double v2_3_by_tau1_by_e2 = -eta*t164 + t158*z1_3_by_e2;
+            /* d/dtau of: d/dtau of: first return of tau2 */
+            const double sine_part_tau2_by_tau_by_tau = omega3*z1_3_by_tau_by_tau - omega3*z2_3_by_tau_by_tau;
+            /* d/dtau1 of: d/dtau of: first return of tau2 */
+            const double sine_part_tau2_by_tau_by_tau1 = omega3*z1_3_by_tau_by_tau1 - omega3*z2_3_by_tau_by_tau1;
+            /* d/dchi of: d/dtau of: first return of tau2 */
+            const double t165 = z1_3_by_tau - z2_3_by_tau;
+            const double sine_part_tau2_by_tau_by_chi = omega3*z1_3_by_tau_by_chi - omega3*z2_3_by_tau_by_chi + omega3_by_chi*t165;
+            /* d/deta of: d/dtau of: first return of tau2 */
+            const double sine_part_tau2_by_tau_by_eta = omega3*z1_3_by_tau_by_eta - omega3*z2_3_by_tau_by_eta + omega3_by_eta*t165;
+            /* d/dV of: d/dtau of: first return of tau2 */
+            const double sine_part_tau2_by_tau_by_V = omega3*z1_3_by_tau_by_V - omega3*z2_3_by_tau_by_V;
+            /* d/de1 of: d/dtau of: first return of tau2 */
+            const double sine_part_tau2_by_tau_by_e1 = omega3*z1_3_by_tau_by_e1 - omega3*z2_3_by_tau_by_e1;
+            /* d/dtau of: d/dtau1 of: first return of tau2 */
+            const double sine_part_tau2_by_tau1_by_tau = omega3*v1_3_by_tau - omega3*v2_3_by_tau;
+            /* d/dtau1 of: d/dtau1 of: first return of tau2 */
+            const double sine_part_tau2_by_tau1_by_tau1 = omega3*v1_3_by_tau1 - omega3*v2_3_by_tau1;
+            /* d/dchi of: d/dtau1 of: first return of tau2 */
+            const double t166 = v1_3 - v2_3;
+            const double sine_part_tau2_by_tau1_by_chi = omega3*v1_3_by_chi - omega3*v2_3_by_chi + omega3_by_chi*t166;
+            /* d/deta of: d/dtau1 of: first return of tau2 */
+            const double sine_part_tau2_by_tau1_by_eta = omega3*v1_3_by_eta - omega3*v2_3_by_eta + omega3_by_eta*t166;
+            /* d/dV of: d/dtau1 of: first return of tau2 */
+            const double sine_part_tau2_by_tau1_by_V = omega3*v1_3_by_V - omega3*v2_3_by_V;
+            /* d/de1 of: d/dtau1 of: first return of tau2 */
+            const double sine_part_tau2_by_tau1_by_e1 = omega3*v1_3_by_e1 - omega3*v2_3_by_e1;
+            /* d/de2 of: d/dtau1 of: first return of tau2 */
+            const double sine_part_tau2_by_tau1_by_e2 = omega3*v1_3_by_e2 - omega3*v2_3_by_e2;
+            /* d/dtau of: d/dtau of: first return of tau2 */
+            const double t167 = cosine_part_tau2*t50;
+            const double t168 = sine_part_tau2*t50;
+            const double t169 = (1.0/2.0)/(amplitude_tau2*amplitude_tau2);
+            const double t170 = t169*t49;
+            const double amplitude_tau2_by_tau_by_tau = -amplitude_tau2_by_tau*t170 + (sine_part_tau2_by_tau*sine_part_tau2_by_tau)*t50 + sine_part_tau2_by_tau_by_tau*t168 + t167*v2_3_by_tau_by_tau + t50*(v2_3_by_tau*v2_3_by_tau);
+            /* d/dtau1 of: d/dtau of: first return of tau2 */
+            const double t171 = sine_part_tau2_by_tau*t50;
+            const double t172 = t50*v2_3_by_tau;
+            const double t173 = sine_part_tau2_by_tau1*t171 + t172*v2_3_by_tau1;
+            const double amplitude_tau2_by_tau_by_tau1 = -amplitude_tau2_by_tau1*t170 + sine_part_tau2_by_tau_by_tau1*t168 + t167*v2_3_by_tau_by_tau1 + t173;
+            /* d/dchi of: d/dtau of: first return of tau2 */
+            const double amplitude_tau2_by_tau_by_chi = -amplitude_tau2_by_chi*t170 + sine_part_tau2_by_chi*t171 + sine_part_tau2_by_tau_by_chi*t168 + t167*v2_3_by_tau_by_chi + t172*v2_3_by_chi;
+            /* d/deta of: d/dtau of: first return of tau2 */
+            const double amplitude_tau2_by_tau_by_eta = -amplitude_tau2_by_eta*t170 + sine_part_tau2_by_eta*t171 + sine_part_tau2_by_tau_by_eta*t168 + t167*v2_3_by_tau_by_eta + t172*v2_3_by_eta;
+            /* d/dV of: d/dtau of: first return of tau2 */
+            const double amplitude_tau2_by_tau_by_V = -amplitude_tau2_by_V*t170 + cosine_part_tau2_by_V*t172 + sine_part_tau2_by_V*t171 + sine_part_tau2_by_tau_by_V*t168 + t167*v2_3_by_tau_by_V;
+            /* d/de1 of: d/dtau of: first return of tau2 */
+            const double amplitude_tau2_by_tau_by_e1 = -amplitude_tau2_by_e1*t170 + sine_part_tau2_by_e1*t171 + sine_part_tau2_by_tau_by_e1*t168 + t167*v2_3_by_tau_by_e1 + t172*v2_3_by_e1;
+            /* d/de2 of: d/dtau of: first return of tau2 */
+            const double amplitude_tau2_by_tau_by_e2 = -amplitude_tau2_by_e2*t170 + sine_part_tau2_by_e2*t171 + t172*v2_3_by_e2;
+            /* d/dtau of: d/dtau1 of: first return of tau2 */
+            const double t174 = t169*t52;
+            const double amplitude_tau2_by_tau1_by_tau = -amplitude_tau2_by_tau*t174 + sine_part_tau2_by_tau1_by_tau*t168 + t167*v2_3_by_tau1_by_tau + t173;
+            /* d/dtau1 of: d/dtau1 of: first return of tau2 */
+            const double amplitude_tau2_by_tau1_by_tau1 = -amplitude_tau2_by_tau1*t174 + (sine_part_tau2_by_tau1*sine_part_tau2_by_tau1)*t50 + sine_part_tau2_by_tau1_by_tau1*t168 + t167*v2_3_by_tau1_by_tau1 + t50*(v2_3_by_tau1*v2_3_by_tau1);
+            /* d/dchi of: d/dtau1 of: first return of tau2 */
+            const double t175 = sine_part_tau2_by_tau1*t50;
+            const double t176 = t50*v2_3_by_tau1;
+            const double amplitude_tau2_by_tau1_by_chi = -amplitude_tau2_by_chi*t174 + sine_part_tau2_by_chi*t175 + sine_part_tau2_by_tau1_by_chi*t168 + t167*v2_3_by_tau1_by_chi + t176*v2_3_by_chi;
+            /* d/deta of: d/dtau1 of: first return of tau2 */
+            const double amplitude_tau2_by_tau1_by_eta = -amplitude_tau2_by_eta*t174 + sine_part_tau2_by_eta*t175 + sine_part_tau2_by_tau1_by_eta*t168 + t167*v2_3_by_tau1_by_eta + t176*v2_3_by_eta;
+            /* d/dV of: d/dtau1 of: first return of tau2 */
+            const double amplitude_tau2_by_tau1_by_V = -amplitude_tau2_by_V*t174 + cosine_part_tau2_by_V*t176 + sine_part_tau2_by_V*t175 + sine_part_tau2_by_tau1_by_V*t168 + t167*v2_3_by_tau1_by_V;
+            /* d/de1 of: d/dtau1 of: first return of tau2 */
+            const double amplitude_tau2_by_tau1_by_e1 = -amplitude_tau2_by_e1*t174 + sine_part_tau2_by_e1*t175 + sine_part_tau2_by_tau1_by_e1*t168 + t167*v2_3_by_tau1_by_e1 + t176*v2_3_by_e1;
+            /* d/de2 of: d/dtau1 of: first return of tau2 */
+            const double amplitude_tau2_by_tau1_by_e2 = -amplitude_tau2_by_e2*t174 + sine_part_tau2_by_e2*t175 + sine_part_tau2_by_tau1_by_e2*t168 + t167*v2_3_by_tau1_by_e2 + t176*v2_3_by_e2;
+            /* outputs */
+            const double t177 = (1.0/(omega3));
+            const double t178 = amplitude_tau2_by_tau*t177;
+            const double t179 = t177*t4;
+            const double t180 = (1.0/(v1_3_by_tau1));
+            const double t181 = amplitude_tau2_by_tau1*t180;
+            const double t182 = (t178*t4 - t179*t181*v1_3_by_tau)/(z2_1_by_tau*z2_1_by_tau);
+            const double t183 = (1.0/(z2_1_by_tau));
+            const double t184 = t179*t183;
+            const double t185 = t181*t184;
+            const double t186 = t184*v1_3_by_tau;
+            const double t187 = t180*t186;
+            const double t188 = (1.0/(v1_3_by_tau1*v1_3_by_tau1));
+            const double t189 = amplitude_tau2_by_tau1*t186*t188;
+            const double t190 = (1.0/(omega3*omega3));
+            const double t191 = t183*(-amplitude_tau2_by_tau*t190*t4 + amplitude_tau2_by_tau1*t180*t190*t4*v1_3_by_tau);
+            slope[0][lane] = 0;
+            slope[1][lane] = 0;
+            slope[2][lane] = 0;
+            slope[3][lane] = amplitude_tau2_by_tau1*t177*t183*t188*t4*v1_3_by_tau*v1_3_by_tau1_by_tau - amplitude_tau2_by_tau1_by_tau*t187 + amplitude_tau2_by_tau_by_tau*t177*t183*t4 - t182*z2_1_by_tau_by_tau - t185*v1_3_by_tau_by_tau;
+            slope[4][lane] = -amplitude_tau2_by_tau1_by_tau1*t187 + amplitude_tau2_by_tau_by_tau1*t184 - t185*v1_3_by_tau_by_tau1 + t189*v1_3_by_tau1_by_tau1;
+            slope[5][lane] = 0;
+            slope[6][lane] = -amplitude_tau2_by_tau1_by_chi*t187 + amplitude_tau2_by_tau_by_chi*t184 + omega3_by_chi*t191 - t182*z2_1_by_tau_by_chi + t183*(amplitude_tau2_by_tau1*t177*t180*t53*v1_3_by_tau - t178*t53) - t185*v1_3_by_tau_by_chi + t189*v1_3_by_tau1_by_chi;
+            slope[7][lane] = -amplitude_tau2_by_tau1_by_eta*t187 + amplitude_tau2_by_tau_by_eta*t184 + omega3_by_eta*t191 - t185*v1_3_by_tau_by_eta + t189*v1_3_by_tau1_by_eta;
+            slope[8][lane] = amplitude_tau2_by_tau1*t177*t183*t188*t4*v1_3_by_tau*v1_3_by_tau1_by_V - amplitude_tau2_by_tau1_by_V*t187 + amplitude_tau2_by_tau_by_V*t177*t183*t4 - t182*z2_1_by_tau_by_V - t185*v1_3_by_tau_by_V;
+            slope[9][lane] = amplitude_tau2_by_tau1*t177*t183*t188*t4*v1_3_by_tau*v1_3_by_tau1_by_e1 - amplitude_tau2_by_tau1_by_e1*t187 + amplitude_tau2_by_tau_by_e1*t177*t183*t4 - t182*z2_1_by_tau_by_e1 - t185*v1_3_by_tau_by_e1;
+            slope[10][lane] = -amplitude_tau2_by_tau1_by_e2*t187 + amplitude_tau2_by_tau_by_e2*t184 + t189*v1_3_by_tau1_by_e2;
+        }
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j)
+#pragma omp simd
+                for (int lane = 0; lane < lanes; ++lane)
+                    size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
+        for (int k = 0; k < n; ++k) {
+            for (int i = k + 1; i < n; ++i) {
+                double other[lanes];
+                for (int lane = 0; lane < lanes; ++lane)
+                    other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
+                for (int j = k; j < width; ++j)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane) {
+                        const double above = matrix[k][j][lane], below = matrix[i][j][lane];
+                        matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
+                        matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
+                    }
+            }
+#pragma omp simd
+            for (int lane = 0; lane < lanes; ++lane) {
+                const double pivot = fabs(matrix[k][k][lane]);
+                least[lane] = pivot < least[lane] ? pivot : least[lane];
+                matrix[k][k][lane] = 1.0 / matrix[k][k][lane];
+            }
+            for (int i = k + 1; i < n; ++i) {
+                double factor[lanes];
+                for (int lane = 0; lane < lanes; ++lane)
+                    factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
+                for (int j = k + 1; j < width; ++j)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane)
+                        matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
+            }
+        }
+        for (int k = n - 1; k >= 0; --k)
+            for (int j = n; j < width; ++j) {
+                for (int l = k + 1; l < n; ++l)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane)
+                        matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
+#pragma omp simd
+                for (int lane = 0; lane < lanes; ++lane) {
+                    matrix[k][j][lane] *= matrix[k][k][lane];
+                    slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
+                }
+            }
+        for (int lane = 0; lane < here; ++lane) {
+            const double lost = least[lane] > 1e-10 * sqrt(size[lane]) ? 0.0 : (double)NAN;
+            for (int j = 0; j < p; ++j) {
+                for (int i = 0; i < n; ++i)
+                    directions[(i * p + j) * count + start + lane] = matrix[i][n + j][lane] + lost;
+                directions[(n * p + j) * count + start + lane] = slope[n + j][lane] + lost;
+            }
+        }
     }
 }
 

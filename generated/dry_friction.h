@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 62c2468fe536308f */
+ * SymPy 1.14.0, derivation 09d7fc9637b7ada5 */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 
@@ -144,12 +144,16 @@ void dry_friction_symmetric_solve(
 void dry_friction_symmetric_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant);
+void dry_friction_symmetric_directions(
+    ptrdiff_t count, const double *parameters, const double *unknowns, double *directions);
 void dry_friction_global_stick_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
     double *trace, double *residual, int32_t *iterations, int32_t *status);
 void dry_friction_global_stick_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns, double *bounds,
     int32_t *boundary, double *excess, double *instant);
+void dry_friction_global_stick_directions(
+    ptrdiff_t count, const double *parameters, const double *unknowns, double *directions);
 void dry_friction_solution_ii_solve(
     ptrdiff_t count, const double *parameters, const double *guess, double *unknowns,
     double *trace, double *residual, int32_t *iterations, int32_t *status);

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation d79c593841bc45a0 */
+ * SymPy 1.14.0, derivation 113e2b5e94516a32 */
 #include "elastic_stop.h"
 
 #include <math.h>
@@ -4402,5 +4402,1784 @@ void elastic_stop_one_contact_admissible(
         boundary[point] = found;
         excess[point] = most;
         instant[point] = when;
+    }
+}
+
+/* Derivatives of the unknowns (4) and the trace by the parameters (6), at solutions of the
+ * equations, for `count` points. Arrays hold columns: entry i of a point stands at
+ * [i * count + point], and of the derivatives those by one parameter follow another.
+ * NaN where the equations are singular: a pivot is below 1e-10 times the matrix. */
+NONSMOOTH_MULTIVERSION
+void elastic_stop_one_contact_directions(
+    ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
+{
+    enum { lanes = 16, n = 4, p = 6, width = 4 + 6 };
+    for (ptrdiff_t start = 0; start < count; start += lanes) {
+        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
+        double parameter[p][lanes], unknown[n][lanes], fixed[60][lanes];
+        double matrix[n][width][lanes], slope[width][lanes], size[lanes], least[lanes];
+        for (int lane = 0; lane < lanes; ++lane) {
+            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
+            for (int i = 0; i < p; ++i)
+                parameter[i][lane] = parameters[i * count + point];
+            for (int i = 0; i < n; ++i)
+                unknown[i][lane] = unknowns[i * count + point];
+            size[lane] = 0.0;
+            least[lane] = INFINITY;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double m1 = parameter[0][lane];
+            const double m2 = parameter[1][lane];
+            const double k1 = parameter[2][lane];
+            const double k2 = parameter[3][lane];
+            const double k3 = parameter[4][lane];
+            /* spectrum */
+            const double t0 = (1.0/(m2));
+            const double t1 = k1 + k2;
+            const double t2 = t0*t1;
+            const double t3 = (1.0/(m1));
+            const double t4 = k1 + k3;
+            const double t5 = -t2 + t3*t4;
+            const double t6 = (k1*k1);
+            const double t7 = 4*t0*t6;
+            const double t8 = t3*t7;
+            const double gap1 = sqrt((t5*t5) + t8);
+            const double t9 = (1.0/2.0)*t2;
+            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t3*t4 + t9);
+            const double t10 = sqrt(k1*k2 + k1*k3 + k2*k3);
+            const double t11 = (1.0/(omega1));
+            const double t12 = (1.0/sqrt(m1));
+            const double t13 = (1.0/sqrt(m2));
+            const double t14 = t12*t13;
+            const double t15 = t11*t14;
+            const double omega2 = t10*t15;
+            const double t16 = (1.0/(gap1));
+            const double t17 = (1.0/2.0)*t16;
+            const double p1 = t17*t5 + 1.0/2.0;
+            const double t18 = k1*t3;
+            const double p2 = -t16*t18;
+            const double t19 = t0*t16;
+            const double p3 = -k1*t19;
+            const double t20 = t18 - t2;
+            const double gap2 = sqrt((t20*t20) + t8);
+            const double omega3 = sqrt((1.0/2.0)*gap2 + (1.0/2.0)*t18 + t9);
+            const double t21 = (1.0/(omega3));
+            const double t22 = sqrt(k1);
+            const double t23 = sqrt(k2);
+            const double t24 = t14*t22*t23;
+            const double omega4 = t21*t24;
+            const double t25 = (1.0/(gap2));
+            const double t26 = (1.0/2.0)*t25;
+            const double p4 = t20*t26 + 1.0/2.0;
+            const double p5 = -t18*t25;
+            const double t27 = t0*t25;
+            const double p6 = -k1*t27;
+            /* d/dk1 of: spectrum */
+            const double t28 = -2*t0 + 2*t3;
+            const double t29 = 8*t0*t18;
+            const double gap1_by_k1 = t17*(t28*t5 + t29);
+            const double t30 = (1.0/2.0)*gap1_by_k1;
+            const double t31 = (1.0/2.0)*t0;
+            const double t32 = (1.0/2.0)*t3;
+            const double t33 = t31 + t32;
+            const double t34 = (1.0/2.0)*t11;
+            const double omega1_by_k1 = t34*(t30 + t33);
+            const double t35 = (1.0/2.0)*k2;
+            const double t36 = (1.0/2.0)*k3;
+            const double t37 = t15/t10;
+            const double t38 = t10*t14/(omega1*omega1);
+            const double omega2_by_k1 = -omega1_by_k1*t38 + t37*(t35 + t36);
+            const double t39 = -t0 + t3;
+            const double t40 = (1.0/(gap1*gap1));
+            const double t41 = t40*t5;
+            const double p1_by_k1 = t17*t39 - t30*t41;
+            const double t42 = t16*t3;
+            const double p2_by_k1 = gap1_by_k1*k1*t3*t40 - t42;
+            const double p3_by_k1 = gap1_by_k1*k1*t0*t40 - t19;
+            const double gap2_by_k1 = t26*(t20*t28 + t29);
+            const double t43 = (1.0/2.0)*gap2_by_k1;
+            const double t44 = (1.0/2.0)*t21;
+            const double omega3_by_k1 = t44*(t33 + t43);
+            const double t45 = t24/(omega3*omega3);
+            const double omega4_by_k1 = -omega3_by_k1*t45 + (1.0/2.0)*t12*t13*t21*t23/t22;
+            const double t46 = (1.0/(gap2*gap2));
+            const double t47 = t20*t46;
+            const double p4_by_k1 = t26*t39 - t43*t47;
+            const double p5_by_k1 = gap2_by_k1*k1*t3*t46 - t25*t3;
+            const double p6_by_k1 = gap2_by_k1*k1*t0*t46 - t27;
+            /* d/dk2 of: spectrum */
+            const double gap1_by_k2 = -t19*t5;
+            const double t48 = (1.0/2.0)*gap1_by_k2;
+            const double omega1_by_k2 = t34*(t31 + t48);
+            const double t49 = (1.0/2.0)*k1;
+            const double omega2_by_k2 = -omega1_by_k2*t38 + t37*(t36 + t49);
+            const double p1_by_k2 = -t16*t31 - t41*t48;
+            const double t50 = gap1_by_k2*t40;
+            const double p2_by_k2 = t18*t50;
+            const double t51 = k1*t0;
+            const double p3_by_k2 = t50*t51;
+            const double gap2_by_k2 = -t20*t27;
+            const double t52 = (1.0/2.0)*gap2_by_k2;
+            const double omega3_by_k2 = t44*(t31 + t52);
+            const double omega4_by_k2 = -omega3_by_k2*t45 + (1.0/2.0)*t12*t13*t21*t22/t23;
+            const double p4_by_k2 = -t25*t31 - t47*t52;
+            const double t53 = gap2_by_k2*t46;
+            const double p5_by_k2 = t18*t53;
+            const double p6_by_k2 = t51*t53;
+            /* d/dk3 of: spectrum */
+            const double gap1_by_k3 = t42*t5;
+            const double t54 = (1.0/2.0)*gap1_by_k3;
+            const double omega1_by_k3 = t34*(t32 + t54);
+            const double omega2_by_k3 = -omega1_by_k3*t38 + t37*(t35 + t49);
+            const double p1_by_k3 = t16*t32 - t41*t54;
+            const double t55 = gap1_by_k3*t40;
+            const double p2_by_k3 = t18*t55;
+            const double p3_by_k3 = t51*t55;
+            /* d/dm1 of: spectrum */
+            const double t56 = (1.0/(m1*m1));
+            const double t57 = t4*t56;
+            const double t58 = t56*t7;
+            const double gap1_by_m1 = t17*(-2*t5*t57 - t58);
+            const double t59 = (1.0/2.0)*gap1_by_m1;
+            const double omega1_by_m1 = t34*(-1.0/2.0*t57 + t59);
+            const double t60 = t10*t34;
+            const double t61 = t13/(sqrt(m1)*sqrt(m1)*sqrt(m1));
+            const double omega2_by_m1 = -omega1_by_m1*t38 - t60*t61;
+            const double p1_by_m1 = -t17*t57 - t41*t59;
+            const double t62 = k1*t56;
+            const double t63 = gap1_by_m1*t40;
+            const double p2_by_m1 = t16*t62 + t18*t63;
+            const double p3_by_m1 = t51*t63;
+            const double gap2_by_m1 = t26*(-2*t20*t62 - t58);
+            const double t64 = (1.0/2.0)*gap2_by_m1;
+            const double t65 = t49*t56;
+            const double omega3_by_m1 = t44*(t64 - t65);
+            const double t66 = t22*t23*t44;
+            const double omega4_by_m1 = -omega3_by_m1*t45 - t61*t66;
+            const double p4_by_m1 = -t25*t65 - t47*t64;
+            const double t67 = gap2_by_m1*t46;
+            const double p5_by_m1 = t18*t67 + t25*t62;
+            const double p6_by_m1 = t51*t67;
+            /* d/dm2 of: spectrum */
+            const double t68 = (1.0/(m2*m2));
+            const double t69 = 4*t3*t6*t68;
+            const double gap1_by_m2 = t17*(2*t1*t5*t68 - t69);
+            const double t70 = (1.0/2.0)*gap1_by_m2;
+            const double t71 = t1*t68;
+            const double t72 = -1.0/2.0*t71;
+            const double omega1_by_m2 = t34*(t70 + t72);
+            const double t73 = t12/(sqrt(m2)*sqrt(m2)*sqrt(m2));
+            const double omega2_by_m2 = -omega1_by_m2*t38 - t60*t73;
+            const double p1_by_m2 = t17*t71 - t41*t70;
+            const double t74 = gap1_by_m2*t40;
+            const double p2_by_m2 = t18*t74;
+            const double t75 = k1*t68;
+            const double p3_by_m2 = t16*t75 + t51*t74;
+            const double gap2_by_m2 = t26*(2*t1*t20*t68 - t69);
+            const double t76 = (1.0/2.0)*gap2_by_m2;
+            const double omega3_by_m2 = t44*(t72 + t76);
+            const double omega4_by_m2 = -omega3_by_m2*t45 - t66*t73;
+            const double p4_by_m2 = t26*t71 - t47*t76;
+            const double t77 = gap2_by_m2*t46;
+            const double p5_by_m2 = t18*t77;
+            const double p6_by_m2 = t25*t75 + t51*t77;
+            fixed[0][lane] = omega1;
+            fixed[1][lane] = omega2;
+            fixed[2][lane] = p1;
+            fixed[3][lane] = p2;
+            fixed[4][lane] = p3;
+            fixed[5][lane] = omega3;
+            fixed[6][lane] = omega4;
+            fixed[7][lane] = p4;
+            fixed[8][lane] = p5;
+            fixed[9][lane] = p6;
+            fixed[10][lane] = omega1_by_k1;
+            fixed[11][lane] = omega1_by_k2;
+            fixed[12][lane] = omega1_by_k3;
+            fixed[13][lane] = omega1_by_m1;
+            fixed[14][lane] = omega1_by_m2;
+            fixed[15][lane] = omega2_by_k1;
+            fixed[16][lane] = omega2_by_k2;
+            fixed[17][lane] = omega2_by_k3;
+            fixed[18][lane] = omega2_by_m1;
+            fixed[19][lane] = omega2_by_m2;
+            fixed[20][lane] = p1_by_k1;
+            fixed[21][lane] = p1_by_k2;
+            fixed[22][lane] = p1_by_k3;
+            fixed[23][lane] = p1_by_m1;
+            fixed[24][lane] = p1_by_m2;
+            fixed[25][lane] = p2_by_k1;
+            fixed[26][lane] = p2_by_k2;
+            fixed[27][lane] = p2_by_k3;
+            fixed[28][lane] = p2_by_m1;
+            fixed[29][lane] = p2_by_m2;
+            fixed[30][lane] = p3_by_k1;
+            fixed[31][lane] = p3_by_k2;
+            fixed[32][lane] = p3_by_k3;
+            fixed[33][lane] = p3_by_m1;
+            fixed[34][lane] = p3_by_m2;
+            fixed[35][lane] = omega3_by_k1;
+            fixed[36][lane] = omega3_by_k2;
+            fixed[37][lane] = 0;
+            fixed[38][lane] = omega3_by_m1;
+            fixed[39][lane] = omega3_by_m2;
+            fixed[40][lane] = omega4_by_k1;
+            fixed[41][lane] = omega4_by_k2;
+            fixed[42][lane] = 0;
+            fixed[43][lane] = omega4_by_m1;
+            fixed[44][lane] = omega4_by_m2;
+            fixed[45][lane] = p4_by_k1;
+            fixed[46][lane] = p4_by_k2;
+            fixed[47][lane] = 0;
+            fixed[48][lane] = p4_by_m1;
+            fixed[49][lane] = p4_by_m2;
+            fixed[50][lane] = p5_by_k1;
+            fixed[51][lane] = p5_by_k2;
+            fixed[52][lane] = 0;
+            fixed[53][lane] = p5_by_m1;
+            fixed[54][lane] = p5_by_m2;
+            fixed[55][lane] = p6_by_k1;
+            fixed[56][lane] = p6_by_k2;
+            fixed[57][lane] = 0;
+            fixed[58][lane] = p6_by_m1;
+            fixed[59][lane] = p6_by_m2;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double k1 = parameter[2][lane];
+            const double k2 = parameter[3][lane];
+            const double k3 = parameter[4][lane];
+            const double T = parameter[5][lane];
+            const double y = unknown[0][lane];
+            const double u = unknown[1][lane];
+            const double w = unknown[2][lane];
+            const double tau = unknown[3][lane];
+            const double omega1 = fixed[0][lane];
+            const double omega2 = fixed[1][lane];
+            const double p1 = fixed[2][lane];
+            const double p2 = fixed[3][lane];
+            const double p3 = fixed[4][lane];
+            const double omega3 = fixed[5][lane];
+            const double omega4 = fixed[6][lane];
+            const double p4 = fixed[7][lane];
+            const double p5 = fixed[8][lane];
+            const double p6 = fixed[9][lane];
+            const double omega1_by_k1 = fixed[10][lane];
+            const double omega1_by_k2 = fixed[11][lane];
+            const double omega1_by_k3 = fixed[12][lane];
+            const double omega1_by_m1 = fixed[13][lane];
+            const double omega1_by_m2 = fixed[14][lane];
+            const double omega2_by_k1 = fixed[15][lane];
+            const double omega2_by_k2 = fixed[16][lane];
+            const double omega2_by_k3 = fixed[17][lane];
+            const double omega2_by_m1 = fixed[18][lane];
+            const double omega2_by_m2 = fixed[19][lane];
+            const double p1_by_k1 = fixed[20][lane];
+            const double p1_by_k2 = fixed[21][lane];
+            const double p1_by_k3 = fixed[22][lane];
+            const double p1_by_m1 = fixed[23][lane];
+            const double p1_by_m2 = fixed[24][lane];
+            const double p2_by_k1 = fixed[25][lane];
+            const double p2_by_k2 = fixed[26][lane];
+            const double p2_by_k3 = fixed[27][lane];
+            const double p2_by_m1 = fixed[28][lane];
+            const double p2_by_m2 = fixed[29][lane];
+            const double p3_by_k1 = fixed[30][lane];
+            const double p3_by_k2 = fixed[31][lane];
+            const double p3_by_k3 = fixed[32][lane];
+            const double p3_by_m1 = fixed[33][lane];
+            const double p3_by_m2 = fixed[34][lane];
+            const double omega3_by_k1 = fixed[35][lane];
+            const double omega3_by_k2 = fixed[36][lane];
+            const double omega3_by_k3 = fixed[37][lane];
+            const double omega3_by_m1 = fixed[38][lane];
+            const double omega3_by_m2 = fixed[39][lane];
+            const double omega4_by_k1 = fixed[40][lane];
+            const double omega4_by_k2 = fixed[41][lane];
+            const double omega4_by_k3 = fixed[42][lane];
+            const double omega4_by_m1 = fixed[43][lane];
+            const double omega4_by_m2 = fixed[44][lane];
+            const double p4_by_k1 = fixed[45][lane];
+            const double p4_by_k2 = fixed[46][lane];
+            const double p4_by_k3 = fixed[47][lane];
+            const double p4_by_m1 = fixed[48][lane];
+            const double p4_by_m2 = fixed[49][lane];
+            const double p5_by_k1 = fixed[50][lane];
+            const double p5_by_k2 = fixed[51][lane];
+            const double p5_by_k3 = fixed[52][lane];
+            const double p5_by_m1 = fixed[53][lane];
+            const double p5_by_m2 = fixed[54][lane];
+            const double p6_by_k1 = fixed[55][lane];
+            const double p6_by_k2 = fixed[56][lane];
+            const double p6_by_k3 = fixed[57][lane];
+            const double p6_by_m1 = fixed[58][lane];
+            const double p6_by_m2 = fixed[59][lane];
+            /* half of tau */
+            const double half_tau = (1.0/2.0)*tau;
+            /* functions of half_tau in contact */
+            const double t0 = half_tau*omega1;
+            double sine_0, cosine_0;
+            nonsmooth_sincos(t0, &sine_0, &cosine_0);
+            const double cos_omega1_half_tau = cosine_0;
+            const double sin_omega1_half_tau = sine_0;
+            const double t3 = half_tau*omega2;
+            double sine_1, cosine_1;
+            nonsmooth_sincos(t3, &sine_1, &cosine_1);
+            const double cos_omega2_half_tau = cosine_1;
+            const double sin_omega2_half_tau = sine_1;
+            /* tau1 completes the period */
+            const double tau1 = T - tau;
+            /* half of tau1 */
+            const double half_tau1 = (1.0/2.0)*tau1;
+            /* functions of half_tau1 in free */
+            const double t6 = half_tau1*omega3;
+            double sine_2, cosine_2;
+            nonsmooth_sincos(t6, &sine_2, &cosine_2);
+            const double cos_omega3_half_tau1 = cosine_2;
+            const double sin_omega3_half_tau1 = sine_2;
+            const double t9 = half_tau1*omega4;
+            double sine_3, cosine_3;
+            nonsmooth_sincos(t9, &sine_3, &cosine_3);
+            const double cos_omega4_half_tau1 = cosine_3;
+            const double sin_omega4_half_tau1 = sine_3;
+            /* d/dtau of: functions of half_tau in contact */
+            const double t12 = (1.0/2.0)*omega1;
+            const double cos_omega1_half_tau_by_tau = -sin_omega1_half_tau*t12;
+            const double sin_omega1_half_tau_by_tau = cos_omega1_half_tau*t12;
+            const double t13 = (1.0/2.0)*omega2;
+            const double cos_omega2_half_tau_by_tau = -sin_omega2_half_tau*t13;
+            const double sin_omega2_half_tau_by_tau = cos_omega2_half_tau*t13;
+            /* d/dtau of: functions of half_tau1 in free */
+            const double t14 = (1.0/2.0)*omega3;
+            const double cos_omega3_half_tau1_by_tau = sin_omega3_half_tau1*t14;
+            const double t16 = cos_omega3_half_tau1*t14;
+            const double sin_omega3_half_tau1_by_tau = -t16;
+            const double t17 = (1.0/2.0)*omega4;
+            const double cos_omega4_half_tau1_by_tau = sin_omega4_half_tau1*t17;
+            const double t19 = cos_omega4_half_tau1*t17;
+            const double sin_omega4_half_tau1_by_tau = -t19;
+            /* d/dm1 of: functions of half_tau in contact */
+            const double t20 = half_tau*omega1_by_m1;
+            const double cos_omega1_half_tau_by_m1 = -sin_omega1_half_tau*t20;
+            const double sin_omega1_half_tau_by_m1 = cos_omega1_half_tau*t20;
+            const double t21 = half_tau*omega2_by_m1;
+            const double cos_omega2_half_tau_by_m1 = -sin_omega2_half_tau*t21;
+            const double sin_omega2_half_tau_by_m1 = cos_omega2_half_tau*t21;
+            /* d/dm2 of: functions of half_tau in contact */
+            const double t22 = half_tau*omega1_by_m2;
+            const double cos_omega1_half_tau_by_m2 = -sin_omega1_half_tau*t22;
+            const double sin_omega1_half_tau_by_m2 = cos_omega1_half_tau*t22;
+            const double t23 = half_tau*omega2_by_m2;
+            const double cos_omega2_half_tau_by_m2 = -sin_omega2_half_tau*t23;
+            const double sin_omega2_half_tau_by_m2 = cos_omega2_half_tau*t23;
+            /* d/dk1 of: functions of half_tau in contact */
+            const double t24 = half_tau*omega1_by_k1;
+            const double cos_omega1_half_tau_by_k1 = -sin_omega1_half_tau*t24;
+            const double sin_omega1_half_tau_by_k1 = cos_omega1_half_tau*t24;
+            const double t25 = half_tau*omega2_by_k1;
+            const double cos_omega2_half_tau_by_k1 = -sin_omega2_half_tau*t25;
+            const double sin_omega2_half_tau_by_k1 = cos_omega2_half_tau*t25;
+            /* d/dk2 of: functions of half_tau in contact */
+            const double t26 = half_tau*omega1_by_k2;
+            const double cos_omega1_half_tau_by_k2 = -sin_omega1_half_tau*t26;
+            const double sin_omega1_half_tau_by_k2 = cos_omega1_half_tau*t26;
+            const double t27 = half_tau*omega2_by_k2;
+            const double cos_omega2_half_tau_by_k2 = -sin_omega2_half_tau*t27;
+            const double sin_omega2_half_tau_by_k2 = cos_omega2_half_tau*t27;
+            /* d/dk3 of: functions of half_tau in contact */
+            const double t28 = half_tau*omega1_by_k3;
+            const double cos_omega1_half_tau_by_k3 = -sin_omega1_half_tau*t28;
+            const double sin_omega1_half_tau_by_k3 = cos_omega1_half_tau*t28;
+            const double t29 = half_tau*omega2_by_k3;
+            const double cos_omega2_half_tau_by_k3 = -sin_omega2_half_tau*t29;
+            const double sin_omega2_half_tau_by_k3 = cos_omega2_half_tau*t29;
+            /* d/dm1 of: functions of half_tau1 in free */
+            const double t30 = half_tau1*omega3_by_m1;
+            const double cos_omega3_half_tau1_by_m1 = -sin_omega3_half_tau1*t30;
+            const double sin_omega3_half_tau1_by_m1 = cos_omega3_half_tau1*t30;
+            const double t31 = half_tau1*omega4_by_m1;
+            const double cos_omega4_half_tau1_by_m1 = -sin_omega4_half_tau1*t31;
+            const double sin_omega4_half_tau1_by_m1 = cos_omega4_half_tau1*t31;
+            /* d/dm2 of: functions of half_tau1 in free */
+            const double t32 = half_tau1*omega3_by_m2;
+            const double cos_omega3_half_tau1_by_m2 = -sin_omega3_half_tau1*t32;
+            const double sin_omega3_half_tau1_by_m2 = cos_omega3_half_tau1*t32;
+            const double t33 = half_tau1*omega4_by_m2;
+            const double cos_omega4_half_tau1_by_m2 = -sin_omega4_half_tau1*t33;
+            const double sin_omega4_half_tau1_by_m2 = cos_omega4_half_tau1*t33;
+            /* d/dk1 of: functions of half_tau1 in free */
+            const double t34 = half_tau1*omega3_by_k1;
+            const double cos_omega3_half_tau1_by_k1 = -sin_omega3_half_tau1*t34;
+            const double sin_omega3_half_tau1_by_k1 = cos_omega3_half_tau1*t34;
+            const double t35 = half_tau1*omega4_by_k1;
+            const double cos_omega4_half_tau1_by_k1 = -sin_omega4_half_tau1*t35;
+            const double sin_omega4_half_tau1_by_k1 = cos_omega4_half_tau1*t35;
+            /* d/dk2 of: functions of half_tau1 in free */
+            const double t36 = half_tau1*omega3_by_k2;
+            const double cos_omega3_half_tau1_by_k2 = -sin_omega3_half_tau1*t36;
+            const double sin_omega3_half_tau1_by_k2 = cos_omega3_half_tau1*t36;
+            const double t37 = half_tau1*omega4_by_k2;
+            const double cos_omega4_half_tau1_by_k2 = -sin_omega4_half_tau1*t37;
+            const double sin_omega4_half_tau1_by_k2 = cos_omega4_half_tau1*t37;
+            /* d/dk3 of: functions of half_tau1 in free */
+            const double t38 = half_tau1*omega3_by_k3;
+            const double cos_omega3_half_tau1_by_k3 = -sin_omega3_half_tau1*t38;
+            const double sin_omega3_half_tau1_by_k3 = cos_omega3_half_tau1*t38;
+            const double t39 = half_tau1*omega4_by_k3;
+            const double cos_omega4_half_tau1_by_k3 = -sin_omega4_half_tau1*t39;
+            const double sin_omega4_half_tau1_by_k3 = cos_omega4_half_tau1*t39;
+            /* d/dT of: functions of half_tau1 in free */
+            const double cos_omega3_half_tau1_by_T = -cos_omega3_half_tau1_by_tau;
+            const double sin_omega3_half_tau1_by_T = t16;
+            const double cos_omega4_half_tau1_by_T = -cos_omega4_half_tau1_by_tau;
+            const double sin_omega4_half_tau1_by_T = t19;
+            /* outputs */
+            const double t40 = k1*k2;
+            const double t41 = k1*k3;
+            const double t42 = k2*k3;
+            const double t43 = t40 + t41 + t42;
+            const double t44 = (1.0/(t43));
+            const double t45 = p2*t40;
+            const double t46 = p2*t41;
+            const double t47 = p2*t42;
+            const double t48 = t45 + t46 + t47;
+            const double t49 = omega1*sin_omega1_half_tau;
+            const double t50 = 1 - p1;
+            const double t51 = p1*u + p2*w;
+            const double t53 = -t51 + u;
+            const double t55 = p1*t40;
+            const double t56 = t45*y + t46*y - t46 + t47*y + t55;
+            const double t57 = -t40 + t56;
+            const double t58 = t44*t57;
+            const double t59 = omega2*sin_omega2_half_tau_by_tau;
+            const double t60 = t44*t56;
+            const double t61 = omega1*sin_omega1_half_tau_by_tau;
+            const double t63 = p1*t41;
+            const double t64 = p1*t42;
+            const double t65 = t55 + t63 + t64;
+            const double t66 = t44*t49;
+            const double t67 = omega2*sin_omega2_half_tau;
+            const double t68 = t44*t67;
+            const double t69 = p3*u;
+            const double t70 = p1*w;
+            const double t71 = t69 - t70 + w;
+            const double t72 = -t69 + t70;
+            const double t73 = p3*t40;
+            const double t74 = t40*y + t41*y - t41 + t42*y;
+            const double t75 = k1*k2*p1*y + k1*k3*p1*y + k2*k3*p1*y - t63 - t73 - t74;
+            const double t76 = t44*t75;
+            const double t77 = t55*y + t63*y - t63 + t64*y - t73;
+            const double t78 = t44*t77;
+            const double t79 = omega3*sin_omega3_half_tau1;
+            const double t80 = p4 - 1;
+            const double t81 = p4*u + p5*w;
+            const double t83 = t81 - u;
+            const double t84 = p5*y;
+            const double t85 = t80 + t84;
+            const double t86 = omega4*sin_omega4_half_tau1_by_tau;
+            const double t87 = p4 + t84;
+            const double t88 = omega3*sin_omega3_half_tau1_by_tau;
+            const double t89 = p6*u;
+            const double t90 = p4*w;
+            const double t91 = -t89 + t90 - w;
+            const double t92 = t89 - t90;
+            const double t93 = p4*y - p6 - y;
+            const double t94 = p4*y - p6;
+            const double t95 = cos_omega1_half_tau*u - cos_omega2_half_tau*u - t40*t66 + t40*t68;
+            const double t96 = cos_omega1_half_tau*w - cos_omega2_half_tau*w - t66*t74 + t68*t74;
+            const double t97 = sin_omega2_half_tau*t58;
+            const double t98 = omega2*t58;
+            const double t99 = sin_omega1_half_tau*t60;
+            const double t100 = omega1*t60;
+            const double t101 = k2*p1;
+            const double t102 = k3*p2;
+            const double t103 = k2*y;
+            const double t104 = p2*t103;
+            const double t105 = t102*y;
+            const double t106 = t101 - t102 + t104 + t105;
+            const double t107 = (1.0/(t43*t43));
+            const double t108 = t107*(-k2 - k3);
+            const double t109 = t57*t67;
+            const double t110 = t49*t56;
+            const double t111 = k1*p1;
+            const double t112 = k1*p2;
+            const double t113 = t112*y;
+            const double t114 = t105 + t111 + t113;
+            const double t115 = t107*(-k1 - k3);
+            const double t116 = t104 - t112 + t113;
+            const double t117 = t107*(-k1 - k2);
+            const double t119 = sin_omega1_half_tau*t76;
+            const double t120 = omega1*t76;
+            const double t121 = sin_omega2_half_tau*t78;
+            const double t122 = omega2*t78;
+            const double t123 = k3*p1;
+            const double t124 = k2*p3;
+            const double t125 = -k3*p1*y + k3*y;
+            const double t126 = t101*y;
+            const double t127 = t123*y;
+            const double t128 = t49*t75;
+            const double t129 = t67*t77;
+            const double t130 = k1*p3;
+            const double t131 = k1*y;
+            const double t132 = t111*y;
+            const double t133 = -t111 + t126 + t132;
+            const double t134 = -cos_omega3_half_tau1*u + cos_omega4_half_tau1*u + omega4*sin_omega4_half_tau1 - t79;
+            const double t135 = cos_omega3_half_tau1*w - cos_omega4_half_tau1*w - omega4*sin_omega4_half_tau1*y + t79*y;
+            const double t137 = sin_omega4_half_tau1*t85;
+            const double t138 = omega4*t85;
+            const double t139 = sin_omega3_half_tau1*t87;
+            const double t140 = omega3*t87;
+            const double t141 = sin_omega3_half_tau1*t93;
+            const double t142 = omega3*t93;
+            const double t143 = sin_omega4_half_tau1*t94;
+            const double t144 = omega4*t94;
+            matrix[0][0][lane] = omega2*sin_omega2_half_tau*t44*t48 - t44*t48*t49;
+            matrix[0][1][lane] = cos_omega1_half_tau*p1 + cos_omega2_half_tau*t50;
+            matrix[0][2][lane] = cos_omega1_half_tau*p2 - cos_omega2_half_tau*p2;
+            matrix[0][3][lane] = cos_omega1_half_tau_by_tau*t51 + cos_omega2_half_tau_by_tau*t53 + t58*t59 - t60*t61;
+            matrix[1][0][lane] = -t65*t68 + t66*(-t40 - t41 - t42 + t65);
+            matrix[1][1][lane] = cos_omega1_half_tau*p3 - cos_omega2_half_tau*p3;
+            matrix[1][2][lane] = cos_omega1_half_tau*t50 + cos_omega2_half_tau*p1;
+            matrix[1][3][lane] = cos_omega1_half_tau_by_tau*t71 + cos_omega2_half_tau_by_tau*t72 - t59*t78 + t61*t76;
+            matrix[2][0][lane] = omega4*p5*sin_omega4_half_tau1 - p5*t79;
+            matrix[2][1][lane] = -cos_omega3_half_tau1*p4 + cos_omega4_half_tau1*t80;
+            matrix[2][2][lane] = -cos_omega3_half_tau1*p5 + cos_omega4_half_tau1*p5;
+            matrix[2][3][lane] = -cos_omega3_half_tau1_by_tau*t81 + cos_omega4_half_tau1_by_tau*t83 + t85*t86 - t87*t88;
+            matrix[3][0][lane] = -omega4*p4*sin_omega4_half_tau1 + t79*t80;
+            matrix[3][1][lane] = -cos_omega3_half_tau1*p6 + cos_omega4_half_tau1*p6;
+            matrix[3][2][lane] = cos_omega3_half_tau1*t80 - cos_omega4_half_tau1*p4;
+            matrix[3][3][lane] = cos_omega3_half_tau1_by_tau*t91 + cos_omega4_half_tau1_by_tau*t92 - t86*t94 + t88*t93;
+            matrix[0][4][lane] = -cos_omega1_half_tau_by_m1*t51 - cos_omega2_half_tau_by_m1*t53 + omega1_by_m1*t99 - omega2_by_m1*t97 - p1_by_m1*t95 - p2_by_m1*t96 + sin_omega1_half_tau_by_m1*t100 - sin_omega2_half_tau_by_m1*t98;
+            matrix[0][5][lane] = -cos_omega1_half_tau_by_m2*t51 - cos_omega2_half_tau_by_m2*t53 + omega1_by_m2*t99 - omega2_by_m2*t97 - p1_by_m2*t95 - p2_by_m2*t96 + sin_omega1_half_tau_by_m2*t100 - sin_omega2_half_tau_by_m2*t98;
+            matrix[0][6][lane] = -cos_omega1_half_tau_by_k1*t51 - cos_omega2_half_tau_by_k1*t53 + omega1_by_k1*t99 - omega2_by_k1*t97 - p1_by_k1*t95 - p2_by_k1*t96 + sin_omega1_half_tau_by_k1*t100 - sin_omega2_half_tau_by_k1*t98 + t106*t66 - t108*t109 + t108*t110 - t68*(-k2 + t106);
+            matrix[0][7][lane] = -cos_omega1_half_tau_by_k2*t51 - cos_omega2_half_tau_by_k2*t53 + omega1_by_k2*t99 - omega2_by_k2*t97 - p1_by_k2*t95 - p2_by_k2*t96 + sin_omega1_half_tau_by_k2*t100 - sin_omega2_half_tau_by_k2*t98 - t109*t115 + t110*t115 + t114*t66 - t68*(-k1 + t114);
+            matrix[0][8][lane] = -cos_omega1_half_tau_by_k3*t51 - cos_omega2_half_tau_by_k3*t53 + omega1_by_k3*t99 - omega2_by_k3*t97 - p1_by_k3*t95 - p2_by_k3*t96 + sin_omega1_half_tau_by_k3*t100 - sin_omega2_half_tau_by_k3*t98 - t109*t117 + t110*t117 + t116*t66 - t116*t68;
+            matrix[0][9][lane] = 0;
+            matrix[1][4][lane] = -cos_omega1_half_tau_by_m1*t71 - cos_omega2_half_tau_by_m1*t72 - omega1_by_m1*t119 + omega2_by_m1*t121 + p1_by_m1*t96 - p3_by_m1*t95 - sin_omega1_half_tau_by_m1*t120 + sin_omega2_half_tau_by_m1*t122;
+            matrix[1][5][lane] = -cos_omega1_half_tau_by_m2*t71 - cos_omega2_half_tau_by_m2*t72 - omega1_by_m2*t119 + omega2_by_m2*t121 + p1_by_m2*t96 - p3_by_m2*t95 - sin_omega1_half_tau_by_m2*t120 + sin_omega2_half_tau_by_m2*t122;
+            matrix[1][6][lane] = -cos_omega1_half_tau_by_k1*t71 - cos_omega2_half_tau_by_k1*t72 - omega1_by_k1*t119 + omega2_by_k1*t121 + p1_by_k1*t96 - p3_by_k1*t95 - sin_omega1_half_tau_by_k1*t120 + sin_omega2_half_tau_by_k1*t122 - t108*t128 + t108*t129 - t66*(k2*p1*y + k3 - t103 - t123 - t124 - t125) + t68*(-t123 - t124 + t126 + t127);
+            matrix[1][7][lane] = -cos_omega1_half_tau_by_k2*t71 - cos_omega2_half_tau_by_k2*t72 - omega1_by_k2*t119 + omega2_by_k2*t121 + p1_by_k2*t96 - p3_by_k2*t95 - sin_omega1_half_tau_by_k2*t120 + sin_omega2_half_tau_by_k2*t122 - t115*t128 + t115*t129 - t66*(k1*p1*y - t125 - t130 - t131) + t68*(t127 - t130 + t132);
+            matrix[1][8][lane] = -cos_omega1_half_tau_by_k3*t71 - cos_omega2_half_tau_by_k3*t72 - omega1_by_k3*t119 + omega2_by_k3*t121 + p1_by_k3*t96 - p3_by_k3*t95 - sin_omega1_half_tau_by_k3*t120 + sin_omega2_half_tau_by_k3*t122 - t117*t128 + t117*t129 + t133*t68 - t66*(k1 - t103 - t131 + t133);
+            matrix[1][9][lane] = 0;
+            matrix[2][4][lane] = cos_omega3_half_tau1_by_m1*t81 - cos_omega4_half_tau1_by_m1*t83 + omega3_by_m1*t139 - omega4_by_m1*t137 - p4_by_m1*t134 + p5_by_m1*t135 + sin_omega3_half_tau1_by_m1*t140 - sin_omega4_half_tau1_by_m1*t138;
+            matrix[2][5][lane] = cos_omega3_half_tau1_by_m2*t81 - cos_omega4_half_tau1_by_m2*t83 + omega3_by_m2*t139 - omega4_by_m2*t137 - p4_by_m2*t134 + p5_by_m2*t135 + sin_omega3_half_tau1_by_m2*t140 - sin_omega4_half_tau1_by_m2*t138;
+            matrix[2][6][lane] = cos_omega3_half_tau1_by_k1*t81 - cos_omega4_half_tau1_by_k1*t83 + omega3_by_k1*t139 - omega4_by_k1*t137 - p4_by_k1*t134 + p5_by_k1*t135 + sin_omega3_half_tau1_by_k1*t140 - sin_omega4_half_tau1_by_k1*t138;
+            matrix[2][7][lane] = cos_omega3_half_tau1_by_k2*t81 - cos_omega4_half_tau1_by_k2*t83 + omega3_by_k2*t139 - omega4_by_k2*t137 - p4_by_k2*t134 + p5_by_k2*t135 + sin_omega3_half_tau1_by_k2*t140 - sin_omega4_half_tau1_by_k2*t138;
+            matrix[2][8][lane] = cos_omega3_half_tau1_by_k3*t81 - cos_omega4_half_tau1_by_k3*t83 + omega3_by_k3*t139 - omega4_by_k3*t137 - p4_by_k3*t134 + p5_by_k3*t135 + sin_omega3_half_tau1_by_k3*t140 - sin_omega4_half_tau1_by_k3*t138;
+            matrix[2][9][lane] = cos_omega3_half_tau1_by_T*t81 - cos_omega4_half_tau1_by_T*t83 + sin_omega3_half_tau1_by_T*t140 - sin_omega4_half_tau1_by_T*t138;
+            matrix[3][4][lane] = -cos_omega3_half_tau1_by_m1*t91 - cos_omega4_half_tau1_by_m1*t92 - omega3_by_m1*t141 + omega4_by_m1*t143 - p4_by_m1*t135 - p6_by_m1*t134 - sin_omega3_half_tau1_by_m1*t142 + sin_omega4_half_tau1_by_m1*t144;
+            matrix[3][5][lane] = -cos_omega3_half_tau1_by_m2*t91 - cos_omega4_half_tau1_by_m2*t92 - omega3_by_m2*t141 + omega4_by_m2*t143 - p4_by_m2*t135 - p6_by_m2*t134 - sin_omega3_half_tau1_by_m2*t142 + sin_omega4_half_tau1_by_m2*t144;
+            matrix[3][6][lane] = -cos_omega3_half_tau1_by_k1*t91 - cos_omega4_half_tau1_by_k1*t92 - omega3_by_k1*t141 + omega4_by_k1*t143 - p4_by_k1*t135 - p6_by_k1*t134 - sin_omega3_half_tau1_by_k1*t142 + sin_omega4_half_tau1_by_k1*t144;
+            matrix[3][7][lane] = -cos_omega3_half_tau1_by_k2*t91 - cos_omega4_half_tau1_by_k2*t92 - omega3_by_k2*t141 + omega4_by_k2*t143 - p4_by_k2*t135 - p6_by_k2*t134 - sin_omega3_half_tau1_by_k2*t142 + sin_omega4_half_tau1_by_k2*t144;
+            matrix[3][8][lane] = -cos_omega3_half_tau1_by_k3*t91 - cos_omega4_half_tau1_by_k3*t92 - omega3_by_k3*t141 + omega4_by_k3*t143 - p4_by_k3*t135 - p6_by_k3*t134 - sin_omega3_half_tau1_by_k3*t142 + sin_omega4_half_tau1_by_k3*t144;
+            matrix[3][9][lane] = -cos_omega3_half_tau1_by_T*t91 - cos_omega4_half_tau1_by_T*t92 - sin_omega3_half_tau1_by_T*t142 + sin_omega4_half_tau1_by_T*t144;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double m1 = parameter[0][lane];
+            const double m2 = parameter[1][lane];
+            const double k1 = parameter[2][lane];
+            const double k2 = parameter[3][lane];
+            const double k3 = parameter[4][lane];
+            const double T = parameter[5][lane];
+            const double y = unknown[0][lane];
+            const double u = unknown[1][lane];
+            const double w = unknown[2][lane];
+            const double tau = unknown[3][lane];
+            const double omega1 = fixed[0][lane];
+            const double omega2 = fixed[1][lane];
+            const double p1 = fixed[2][lane];
+            const double p2 = fixed[3][lane];
+            const double p3 = fixed[4][lane];
+            const double omega3 = fixed[5][lane];
+            const double omega4 = fixed[6][lane];
+            const double p4 = fixed[7][lane];
+            const double p5 = fixed[8][lane];
+            const double p6 = fixed[9][lane];
+            const double omega1_by_k1 = fixed[10][lane];
+            const double omega1_by_k2 = fixed[11][lane];
+            const double omega1_by_k3 = fixed[12][lane];
+            const double omega1_by_m1 = fixed[13][lane];
+            const double omega1_by_m2 = fixed[14][lane];
+            const double omega2_by_k1 = fixed[15][lane];
+            const double omega2_by_k2 = fixed[16][lane];
+            const double omega2_by_k3 = fixed[17][lane];
+            const double omega2_by_m1 = fixed[18][lane];
+            const double omega2_by_m2 = fixed[19][lane];
+            const double p1_by_k1 = fixed[20][lane];
+            const double p1_by_k2 = fixed[21][lane];
+            const double p1_by_k3 = fixed[22][lane];
+            const double p1_by_m1 = fixed[23][lane];
+            const double p1_by_m2 = fixed[24][lane];
+            const double p2_by_k1 = fixed[25][lane];
+            const double p2_by_k2 = fixed[26][lane];
+            const double p2_by_k3 = fixed[27][lane];
+            const double p2_by_m1 = fixed[28][lane];
+            const double p2_by_m2 = fixed[29][lane];
+            const double p3_by_k1 = fixed[30][lane];
+            const double p3_by_k2 = fixed[31][lane];
+            const double p3_by_k3 = fixed[32][lane];
+            const double p3_by_m1 = fixed[33][lane];
+            const double p3_by_m2 = fixed[34][lane];
+            const double omega3_by_k1 = fixed[35][lane];
+            const double omega3_by_k2 = fixed[36][lane];
+            const double omega3_by_k3 = fixed[37][lane];
+            const double omega3_by_m1 = fixed[38][lane];
+            const double omega3_by_m2 = fixed[39][lane];
+            const double omega4_by_k1 = fixed[40][lane];
+            const double omega4_by_k2 = fixed[41][lane];
+            const double omega4_by_k3 = fixed[42][lane];
+            const double omega4_by_m1 = fixed[43][lane];
+            const double omega4_by_m2 = fixed[44][lane];
+            const double p4_by_k1 = fixed[45][lane];
+            const double p4_by_k2 = fixed[46][lane];
+            const double p4_by_k3 = fixed[47][lane];
+            const double p4_by_m1 = fixed[48][lane];
+            const double p4_by_m2 = fixed[49][lane];
+            const double p5_by_k1 = fixed[50][lane];
+            const double p5_by_k2 = fixed[51][lane];
+            const double p5_by_k3 = fixed[52][lane];
+            const double p5_by_m1 = fixed[53][lane];
+            const double p5_by_m2 = fixed[54][lane];
+            const double p6_by_k1 = fixed[55][lane];
+            const double p6_by_k2 = fixed[56][lane];
+            const double p6_by_k3 = fixed[57][lane];
+            const double p6_by_m1 = fixed[58][lane];
+            const double p6_by_m2 = fixed[59][lane];
+            /* functions of tau in contact */
+            const double t0 = omega1*tau;
+            double sine_0, cosine_0;
+            nonsmooth_sincos(t0, &sine_0, &cosine_0);
+            const double cos_omega1_tau = cosine_0;
+            const double sin_omega1_tau = sine_0;
+            const double t3 = omega2*tau;
+            double sine_1, cosine_1;
+            nonsmooth_sincos(t3, &sine_1, &cosine_1);
+            const double cos_omega2_tau = cosine_1;
+            const double sin_omega2_tau = sine_1;
+            /* contact for tau, until first-leaves-stop */
+            const double t6 = k1*k3;
+            const double t7 = k2*k3 + t6;
+            const double t8 = k1*k2 + t7;
+            const double t9 = (1.0/(t8));
+            const double t10 = t7*t9;
+            const double t11 = t6*t9;
+            const double t12 = p2*t11;
+            const double t13 = p1*t10 + t12;
+            const double t14 = p1 - 1;
+            const double t15 = t10*t14 + t12;
+            const double t16 = (1.0/(omega1));
+            const double t17 = sin_omega1_tau*t16;
+            const double t19 = (1.0/(omega2));
+            const double t20 = sin_omega2_tau*t19;
+            const double t21 = p1*t17 - t14*t20;
+            const double t22 = p2*sin_omega1_tau*t16 - p2*t20;
+            const double t23 = cos_omega1_tau*p2 - cos_omega2_tau*p2;
+            const double t24 = cos_omega1_tau*p1 - cos_omega2_tau*t14;
+            const double x1_1 = -cos_omega1_tau*t13 + cos_omega2_tau*t15 + t10 + t21*u + t22*w + t23*y + t24;
+            const double t25 = p3*t10;
+            const double t27 = t11*t14 - t25;
+            const double t28 = p1*t11;
+            const double t29 = -t25 + t28;
+            const double t30 = p3*sin_omega1_tau*t16 - p3*t20;
+            const double t31 = p1*t20 - t14*t17;
+            const double t32 = -cos_omega1_tau*t14 + cos_omega2_tau*p1;
+            const double t33 = cos_omega1_tau*p3 - cos_omega2_tau*p3;
+            const double x2_1 = cos_omega1_tau*t27 - cos_omega2_tau*t29 + t11 + t30*u + t31*w + t32*y + t33;
+            const double t34 = omega1*p1;
+            const double t35 = omega1*t12 + t10*t34;
+            const double t36 = omega2*t12 + omega2*t14*t7*t9;
+            const double t37 = omega1*sin_omega1_tau;
+            const double t38 = omega2*p2*sin_omega2_tau - p2*t37;
+            const double t39 = -omega2*t14;
+            const double v1_1 = -sin_omega1_tau*t34 + sin_omega1_tau*t35 - sin_omega2_tau*t36 - sin_omega2_tau*t39 + t23*w + t24*u + t38*y;
+            const double t40 = omega1*p3;
+            const double t41 = -t11*t14;
+            const double t42 = omega1*t41 + t10*t40;
+            const double t43 = omega2*p3;
+            const double t44 = omega2*t28 - t10*t43;
+            const double t45 = omega2*sin_omega2_tau;
+            const double t46 = -p1*t45 + t14*t37;
+            const double v2_1 = -sin_omega1_tau*t40 + sin_omega1_tau*t42 + sin_omega2_tau*t43 + sin_omega2_tau*t44 + t32*w + t33*u + t46*y;
+            /* tau1 completes the period */
+            const double tau1 = T - tau;
+            /* functions of tau1 in free */
+            const double t47 = omega3*tau1;
+            double sine_2, cosine_2;
+            nonsmooth_sincos(t47, &sine_2, &cosine_2);
+            const double cos_omega3_tau1 = cosine_2;
+            const double sin_omega3_tau1 = sine_2;
+            const double t50 = omega4*tau1;
+            double sine_3, cosine_3;
+            nonsmooth_sincos(t50, &sine_3, &cosine_3);
+            const double cos_omega4_tau1 = cosine_3;
+            const double sin_omega4_tau1 = sine_3;
+            /* free for tau1, until first-reaches-stop */
+            const double t53 = (1.0/(omega3));
+            const double t54 = sin_omega3_tau1*t53;
+            const double t55 = 1 - p4;
+            const double t56 = (1.0/(omega4));
+            const double t57 = sin_omega4_tau1*t56;
+            const double t58 = p4*t54 + t55*t57;
+            const double t59 = p5*sin_omega3_tau1*t53 - p5*t57;
+            const double t60 = cos_omega3_tau1*p4 + cos_omega4_tau1*t55;
+            const double t61 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5;
+            const double x1_2 = t58*v1_1 + t59*v2_1 + t60*x1_1 + t61*x2_1;
+            const double t62 = p6*sin_omega3_tau1*t53 - p6*t57;
+            const double t63 = p4*t57 + t54*t55;
+            const double t64 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6;
+            const double t65 = cos_omega3_tau1*t55 + cos_omega4_tau1*p4;
+            const double x2_2 = t62*v1_1 + t63*v2_1 + t64*x1_1 + t65*x2_1;
+            const double t66 = omega3*sin_omega3_tau1;
+            const double t67 = omega4*sin_omega4_tau1;
+            const double t68 = -p4*t66 - t55*t67;
+            const double t69 = omega4*p5*sin_omega4_tau1 - p5*t66;
+            const double v1_2 = t60*v1_1 + t61*v2_1 + t68*x1_1 + t69*x2_1;
+            const double t70 = omega4*p6*sin_omega4_tau1 - p6*t66;
+            const double t71 = -p4*t67 - t55*t66;
+            const double v2_2 = t64*v1_1 + t65*v2_1 + t70*x1_1 + t71*x2_1;
+            /* Phi along tau */
+            const double carried_x1_1_by_y = t23;
+            const double carried_x1_1_by_u = t21;
+            const double carried_x1_1_by_w = t22;
+            const double carried_x2_1_by_y = t32;
+            const double carried_x2_1_by_u = t30;
+            const double carried_x2_1_by_w = t31;
+            const double carried_v1_1_by_y = t38;
+            const double carried_v1_1_by_u = t24;
+            const double carried_v1_1_by_w = t23;
+            const double carried_v2_1_by_y = t46;
+            const double carried_v2_1_by_u = t33;
+            const double carried_v2_1_by_w = t32;
+            /* rate of the exit boundary after tau */
+            const double rate_1 = -v1_1;
+            /* derivatives of the time to the boundary after tau */
+            const double t72 = (1.0/(rate_1));
+            const double delay_tau_by_y = carried_x1_1_by_y*t72;
+            const double delay_tau_by_u = carried_x1_1_by_u*t72;
+            const double delay_tau_by_w = carried_x1_1_by_w*t72;
+            /* perturbation on the boundary after tau */
+            const double x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1;
+            const double x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1;
+            const double x1_1_on_boundary_by_w = carried_x1_1_by_w + delay_tau_by_w*v1_1;
+            const double x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1;
+            const double x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1;
+            const double x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1;
+            const double t73 = (1.0/(m1));
+            const double t74 = k1 + k3;
+            const double t75 = t73*x1_1;
+            const double t76 = k1*t73*x2_1 + k3*t73 - t74*t75;
+            const double v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t76;
+            const double v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t76;
+            const double v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t76;
+            const double t77 = (1.0/(m2));
+            const double t78 = t77*x1_1;
+            const double t79 = k1 + k2;
+            const double t80 = t77*x2_1;
+            const double t81 = k1*t78 - t79*t80;
+            const double v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t81;
+            const double v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t81;
+            const double v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t81;
+            /* Phi along tau1 */
+            const double carried_x1_2_by_y = t58*v1_1_on_boundary_by_y + t59*v2_1_on_boundary_by_y + t60*x1_1_on_boundary_by_y + t61*x2_1_on_boundary_by_y;
+            const double carried_x1_2_by_u = t58*v1_1_on_boundary_by_u + t59*v2_1_on_boundary_by_u + t60*x1_1_on_boundary_by_u + t61*x2_1_on_boundary_by_u;
+            const double carried_x1_2_by_w = t58*v1_1_on_boundary_by_w + t59*v2_1_on_boundary_by_w + t60*x1_1_on_boundary_by_w + t61*x2_1_on_boundary_by_w;
+            /* derivatives of the time to the boundary after tau1 */
+            const double t82 = (1.0/(v1_2));
+            const double delay_tau1_by_y = -carried_x1_2_by_y*t82;
+            const double delay_tau1_by_u = -carried_x1_2_by_u*t82;
+            const double delay_tau1_by_w = -carried_x1_2_by_w*t82;
+            /* d/dtau of: functions of tau in contact */
+            const double cos_omega1_tau_by_tau = -omega1*sin_omega1_tau;
+            const double sin_omega1_tau_by_tau = cos_omega1_tau*omega1;
+            const double cos_omega2_tau_by_tau = -omega2*sin_omega2_tau;
+            const double sin_omega2_tau_by_tau = cos_omega2_tau*omega2;
+            /* d/dm1 of: functions of tau in contact */
+            const double t83 = omega1_by_m1*tau;
+            const double cos_omega1_tau_by_m1 = -sin_omega1_tau*t83;
+            const double sin_omega1_tau_by_m1 = cos_omega1_tau*t83;
+            const double t84 = omega2_by_m1*tau;
+            const double cos_omega2_tau_by_m1 = -sin_omega2_tau*t84;
+            const double sin_omega2_tau_by_m1 = cos_omega2_tau*t84;
+            /* d/dm2 of: functions of tau in contact */
+            const double t85 = omega1_by_m2*tau;
+            const double cos_omega1_tau_by_m2 = -sin_omega1_tau*t85;
+            const double sin_omega1_tau_by_m2 = cos_omega1_tau*t85;
+            const double t86 = omega2_by_m2*tau;
+            const double cos_omega2_tau_by_m2 = -sin_omega2_tau*t86;
+            const double sin_omega2_tau_by_m2 = cos_omega2_tau*t86;
+            /* d/dk1 of: functions of tau in contact */
+            const double t87 = omega1_by_k1*tau;
+            const double cos_omega1_tau_by_k1 = -sin_omega1_tau*t87;
+            const double sin_omega1_tau_by_k1 = cos_omega1_tau*t87;
+            const double t88 = omega2_by_k1*tau;
+            const double cos_omega2_tau_by_k1 = -sin_omega2_tau*t88;
+            const double sin_omega2_tau_by_k1 = cos_omega2_tau*t88;
+            /* d/dk2 of: functions of tau in contact */
+            const double t89 = omega1_by_k2*tau;
+            const double cos_omega1_tau_by_k2 = -sin_omega1_tau*t89;
+            const double sin_omega1_tau_by_k2 = cos_omega1_tau*t89;
+            const double t90 = omega2_by_k2*tau;
+            const double cos_omega2_tau_by_k2 = -sin_omega2_tau*t90;
+            const double sin_omega2_tau_by_k2 = cos_omega2_tau*t90;
+            /* d/dk3 of: functions of tau in contact */
+            const double t91 = omega1_by_k3*tau;
+            const double cos_omega1_tau_by_k3 = -sin_omega1_tau*t91;
+            const double sin_omega1_tau_by_k3 = cos_omega1_tau*t91;
+            const double t92 = omega2_by_k3*tau;
+            const double cos_omega2_tau_by_k3 = -sin_omega2_tau*t92;
+            const double sin_omega2_tau_by_k3 = cos_omega2_tau*t92;
+            /* d/dy of: contact for tau, until first-leaves-stop */
+            const double x1_1_by_y = t23;
+            const double x2_1_by_y = t32;
+            const double v1_1_by_y = t38;
+            const double v2_1_by_y = t46;
+            /* d/du of: contact for tau, until first-leaves-stop */
+            const double x1_1_by_u = t21;
+            const double x2_1_by_u = t30;
+            const double v1_1_by_u = t24;
+            const double v2_1_by_u = t33;
+            /* d/dw of: contact for tau, until first-leaves-stop */
+            const double x1_1_by_w = t22;
+            const double x2_1_by_w = t31;
+            const double v1_1_by_w = t23;
+            const double v2_1_by_w = t32;
+            /* d/dtau of: contact for tau, until first-leaves-stop */
+            const double t93 = p2*y;
+            const double t94 = -p1 - t93;
+            const double t95 = -t13 - t94;
+            const double t96 = t15 + t94 + 1;
+            const double t97 = p1*u;
+            const double t98 = p2*w;
+            const double t99 = t16*t97 + t16*t98;
+            const double t100 = -t14*t19*u - t19*t98;
+            const double x1_1_by_tau = cos_omega1_tau_by_tau*t95 + cos_omega2_tau_by_tau*t96 + sin_omega1_tau_by_tau*t99 + sin_omega2_tau_by_tau*t100;
+            const double t101 = -t14*y;
+            const double t102 = p3 + t101 + t27;
+            const double t103 = p1*y - p3 - t29;
+            const double t104 = p3*u;
+            const double t105 = -t14*w;
+            const double t106 = t104*t16 + t105*t16;
+            const double t107 = p1*w;
+            const double t108 = -t104*t19 + t107*t19;
+            const double x2_1_by_tau = cos_omega1_tau_by_tau*t102 + cos_omega2_tau_by_tau*t103 + sin_omega1_tau_by_tau*t106 + sin_omega2_tau_by_tau*t108;
+            const double t109 = t97 + t98;
+            const double t110 = -t14*u - t98;
+            const double t111 = -omega1*t93 - t34 + t35;
+            const double t112 = omega2*p2*y - t36 - t39;
+            const double v1_1_by_tau = cos_omega1_tau_by_tau*t109 + cos_omega2_tau_by_tau*t110 + sin_omega1_tau_by_tau*t111 + sin_omega2_tau_by_tau*t112;
+            const double t113 = t104 + t105;
+            const double t114 = -t104 + t107;
+            const double t115 = -omega1*t101 - t40 + t42;
+            const double t116 = p1*y;
+            const double t117 = -omega2*t116 + t43 + t44;
+            const double v2_1_by_tau = cos_omega1_tau_by_tau*t113 + cos_omega2_tau_by_tau*t114 + sin_omega1_tau_by_tau*t115 + sin_omega2_tau_by_tau*t117;
+            /* d/dm1 of: contact for tau, until first-leaves-stop */
+            const double t118 = (1.0/(omega1*omega1));
+            const double t119 = sin_omega1_tau*t118;
+            const double t120 = -t119*t97 - t119*t98;
+            const double t121 = (1.0/(omega2*omega2));
+            const double t122 = sin_omega2_tau*t121;
+            const double t123 = t122*t14*u + t122*t98;
+            const double t124 = -sin_omega1_tau*t16 + t20;
+            const double t126 = cos_omega1_tau - cos_omega2_tau;
+            const double t127 = -cos_omega1_tau*t10 + cos_omega2_tau*t10 - t124*u + t126;
+            const double t128 = cos_omega2_tau*t11;
+            const double t129 = cos_omega1_tau*t11;
+            const double t130 = -t124*w + t126*y + t128 - t129;
+            const double x1_1_by_m1 = cos_omega1_tau_by_m1*t95 + cos_omega2_tau_by_m1*t96 + omega1_by_m1*t120 + omega2_by_m1*t123 + p1_by_m1*t127 + p2_by_m1*t130 + sin_omega1_tau_by_m1*t99 + sin_omega2_tau_by_m1*t100;
+            const double t131 = -t104*t119 - t105*t119;
+            const double t132 = p3*sin_omega2_tau*t121*u - t107*t122;
+            const double t134 = t124*w - t126*y - t128 + t129;
+            const double x2_1_by_m1 = cos_omega1_tau_by_m1*t102 + cos_omega2_tau_by_m1*t103 + omega1_by_m1*t131 + omega2_by_m1*t132 + p1_by_m1*t134 + p3_by_m1*t127 + sin_omega1_tau_by_m1*t106 + sin_omega2_tau_by_m1*t108;
+            const double t135 = p1*sin_omega1_tau;
+            const double t136 = sin_omega1_tau*t13 - sin_omega1_tau*t93 - t135;
+            const double t137 = -sin_omega2_tau*t14;
+            const double t138 = sin_omega2_tau*t93 + sin_omega2_tau*(-t12 - t14*t7*t9) - t137;
+            const double t139 = t10*t37 - t10*t45 + t126*u - t37 + t45;
+            const double t140 = -omega2*sin_omega2_tau + t37;
+            const double t142 = t11*t37;
+            const double t143 = t11*t45;
+            const double t144 = t126*w - t140*y + t142 - t143;
+            const double v1_1_by_m1 = cos_omega1_tau_by_m1*t109 + cos_omega2_tau_by_m1*t110 + omega1_by_m1*t136 + omega2_by_m1*t138 + p1_by_m1*t139 + p2_by_m1*t144 + sin_omega1_tau_by_m1*t111 + sin_omega2_tau_by_m1*t112;
+            const double t145 = p3*sin_omega1_tau;
+            const double t146 = -sin_omega1_tau*t101 + sin_omega1_tau*(t25 + t41) - t145;
+            const double t147 = p3*sin_omega2_tau;
+            const double t148 = -sin_omega2_tau*t116 + sin_omega2_tau*t29 + t147;
+            const double t149 = -t126*w + t140*y - t142 + t143;
+            const double v2_1_by_m1 = cos_omega1_tau_by_m1*t113 + cos_omega2_tau_by_m1*t114 + omega1_by_m1*t146 + omega2_by_m1*t148 + p1_by_m1*t149 + p3_by_m1*t139 + sin_omega1_tau_by_m1*t115 + sin_omega2_tau_by_m1*t117;
+            /* d/dm2 of: contact for tau, until first-leaves-stop */
+            const double x1_1_by_m2 = cos_omega1_tau_by_m2*t95 + cos_omega2_tau_by_m2*t96 + omega1_by_m2*t120 + omega2_by_m2*t123 + p1_by_m2*t127 + p2_by_m2*t130 + sin_omega1_tau_by_m2*t99 + sin_omega2_tau_by_m2*t100;
+            const double x2_1_by_m2 = cos_omega1_tau_by_m2*t102 + cos_omega2_tau_by_m2*t103 + omega1_by_m2*t131 + omega2_by_m2*t132 + p1_by_m2*t134 + p3_by_m2*t127 + sin_omega1_tau_by_m2*t106 + sin_omega2_tau_by_m2*t108;
+            const double v1_1_by_m2 = cos_omega1_tau_by_m2*t109 + cos_omega2_tau_by_m2*t110 + omega1_by_m2*t136 + omega2_by_m2*t138 + p1_by_m2*t139 + p2_by_m2*t144 + sin_omega1_tau_by_m2*t111 + sin_omega2_tau_by_m2*t112;
+            const double v2_1_by_m2 = cos_omega1_tau_by_m2*t113 + cos_omega2_tau_by_m2*t114 + omega1_by_m2*t146 + omega2_by_m2*t148 + p1_by_m2*t149 + p3_by_m2*t139 + sin_omega1_tau_by_m2*t115 + sin_omega2_tau_by_m2*t117;
+            /* d/dk1 of: contact for tau, until first-leaves-stop */
+            const double t150 = k3*t9;
+            const double t151 = p1*t150;
+            const double t152 = -k2 - k3;
+            const double t153 = (1.0/(t8*t8));
+            const double t154 = t153*t7;
+            const double t155 = t152*t154;
+            const double t156 = p2*t150;
+            const double t157 = t153*t6;
+            const double t158 = t152*t157;
+            const double t159 = p2*t158;
+            const double t160 = t156 + t159;
+            const double t161 = t14*t150;
+            const double x1_1_by_k1 = cos_omega1_tau*(-p1*t155 - t151 - t160) + cos_omega1_tau_by_k1*t95 + cos_omega2_tau*(t14*t155 + t160 + t161) + cos_omega2_tau_by_k1*t96 + omega1_by_k1*t120 + omega2_by_k1*t123 + p1_by_k1*t127 + p2_by_k1*t130 + sin_omega1_tau_by_k1*t99 + sin_omega2_tau_by_k1*t100 + t150 + t155;
+            const double t162 = p3*t150;
+            const double t163 = -p3*t155 - t162;
+            const double t164 = p1*t158;
+            const double x2_1_by_k1 = cos_omega1_tau*(t14*t158 + t161 + t163) + cos_omega1_tau_by_k1*t102 + cos_omega2_tau*(-t151 - t163 - t164) + cos_omega2_tau_by_k1*t103 + omega1_by_k1*t131 + omega2_by_k1*t132 + p1_by_k1*t134 + p3_by_k1*t127 + sin_omega1_tau_by_k1*t106 + sin_omega2_tau_by_k1*t108 + t150 + t158;
+            const double t165 = t150*t34;
+            const double v1_1_by_k1 = cos_omega1_tau_by_k1*t109 + cos_omega2_tau_by_k1*t110 + omega1_by_k1*t136 + omega2_by_k1*t138 + p1_by_k1*t139 + p2_by_k1*t144 + sin_omega1_tau*(omega1*t156 + omega1*t159 + t155*t34 + t165) + sin_omega1_tau_by_k1*t111 + sin_omega2_tau*(-k3*omega2*t14*t9 - omega2*t14*t152*t153*t7 - omega2*t156 - omega2*t159) + sin_omega2_tau_by_k1*t112;
+            const double t166 = t150*t40;
+            const double t167 = -omega1*t14;
+            const double t168 = t150*t43;
+            const double v2_1_by_k1 = cos_omega1_tau_by_k1*t113 + cos_omega2_tau_by_k1*t114 + omega1_by_k1*t146 + omega2_by_k1*t148 + p1_by_k1*t149 + p3_by_k1*t139 + sin_omega1_tau*(t150*t167 + t155*t40 + t158*t167 + t166) + sin_omega1_tau_by_k1*t115 + sin_omega2_tau*(omega2*t151 + omega2*t164 - t155*t43 - t168) + sin_omega2_tau_by_k1*t117;
+            /* d/dk2 of: contact for tau, until first-leaves-stop */
+            const double t170 = -t154*t74;
+            const double t171 = -t157*t74;
+            const double t172 = p2*t171;
+            const double x1_1_by_k2 = cos_omega1_tau*(-p1*t170 - t151 - t172) + cos_omega1_tau_by_k2*t95 + cos_omega2_tau*(t14*t170 + t161 + t172) + cos_omega2_tau_by_k2*t96 + omega1_by_k2*t120 + omega2_by_k2*t123 + p1_by_k2*t127 + p2_by_k2*t130 + sin_omega1_tau_by_k2*t99 + sin_omega2_tau_by_k2*t100 + t150 + t170;
+            const double t173 = p3*t170 + t162;
+            const double x2_1_by_k2 = cos_omega1_tau*(-k1*k3*t14*t153*t74 - t173) + cos_omega1_tau_by_k2*t102 + cos_omega2_tau*(-p1*t171 + t173) + cos_omega2_tau_by_k2*t103 + omega1_by_k2*t131 + omega2_by_k2*t132 + p1_by_k2*t134 + p3_by_k2*t127 + sin_omega1_tau_by_k2*t106 + sin_omega2_tau_by_k2*t108 + t171;
+            const double v1_1_by_k2 = cos_omega1_tau_by_k2*t109 + cos_omega2_tau_by_k2*t110 + omega1_by_k2*t136 + omega2_by_k2*t138 + p1_by_k2*t139 + p2_by_k2*t144 + sin_omega1_tau*(omega1*t172 + t165 + t170*t34) + sin_omega1_tau_by_k2*t111 + sin_omega2_tau*(-omega2*t172 + t150*t39 + t170*t39) + sin_omega2_tau_by_k2*t112;
+            const double v2_1_by_k2 = cos_omega1_tau_by_k2*t113 + cos_omega2_tau_by_k2*t114 + omega1_by_k2*t146 + omega2_by_k2*t148 + p1_by_k2*t149 + p3_by_k2*t139 + sin_omega1_tau*(t166 + t167*t171 + t170*t40) + sin_omega1_tau_by_k2*t115 + sin_omega2_tau*(-k1*k3*omega2*p1*t153*t74 - t168 - t170*t43) + sin_omega2_tau_by_k2*t117;
+            /* d/dk3 of: contact for tau, until first-leaves-stop */
+            const double t174 = t79*t9;
+            const double t176 = -t154*t79;
+            const double t177 = k1*t9;
+            const double t178 = p2*t177;
+            const double t179 = -t157*t79;
+            const double t180 = p2*t179;
+            const double t181 = t178 + t180;
+            const double x1_1_by_k3 = cos_omega1_tau*(-p1*t174 - p1*t176 - t181) + cos_omega1_tau_by_k3*t95 + cos_omega2_tau*(t14*t174 + t14*t176 + t181) + cos_omega2_tau_by_k3*t96 + omega1_by_k3*t120 + omega2_by_k3*t123 + p1_by_k3*t127 + p2_by_k3*t130 + sin_omega1_tau_by_k3*t99 + sin_omega2_tau_by_k3*t100 + t174 + t176;
+            const double t182 = -p3*t174 - p3*t176;
+            const double t183 = p1*t177;
+            const double t184 = p1*t179;
+            const double x2_1_by_k3 = cos_omega1_tau*(t14*t177 + t14*t179 + t182) + cos_omega1_tau_by_k3*t102 + cos_omega2_tau*(-t182 - t183 - t184) + cos_omega2_tau_by_k3*t103 + omega1_by_k3*t131 + omega2_by_k3*t132 + p1_by_k3*t134 + p3_by_k3*t127 + sin_omega1_tau_by_k3*t106 + sin_omega2_tau_by_k3*t108 + t177 + t179;
+            const double v1_1_by_k3 = cos_omega1_tau_by_k3*t109 + cos_omega2_tau_by_k3*t110 + omega1_by_k3*t136 + omega2_by_k3*t138 + p1_by_k3*t139 + p2_by_k3*t144 + sin_omega1_tau*(omega1*t178 + omega1*t180 + t174*t34 + t176*t34) + sin_omega1_tau_by_k3*t111 + sin_omega2_tau*(omega2*t14*t153*t7*t79 - omega2*t14*t79*t9 - omega2*t178 - omega2*t180) + sin_omega2_tau_by_k3*t112;
+            const double v2_1_by_k3 = cos_omega1_tau_by_k3*t113 + cos_omega2_tau_by_k3*t114 + omega1_by_k3*t146 + omega2_by_k3*t148 + p1_by_k3*t149 + p3_by_k3*t139 + sin_omega1_tau*(t167*t177 + t167*t179 + t174*t40 + t176*t40) + sin_omega1_tau_by_k3*t115 + sin_omega2_tau*(omega2*t183 + omega2*t184 - t174*t43 - t176*t43) + sin_omega2_tau_by_k3*t117;
+            /* d/dtau of: functions of tau1 in free */
+            const double cos_omega3_tau1_by_tau = omega3*sin_omega3_tau1;
+            const double t186 = cos_omega3_tau1*omega3;
+            const double sin_omega3_tau1_by_tau = -t186;
+            const double cos_omega4_tau1_by_tau = omega4*sin_omega4_tau1;
+            const double t188 = cos_omega4_tau1*omega4;
+            const double sin_omega4_tau1_by_tau = -t188;
+            /* d/dm1 of: functions of tau1 in free */
+            const double t189 = omega3_by_m1*tau1;
+            const double cos_omega3_tau1_by_m1 = -sin_omega3_tau1*t189;
+            const double sin_omega3_tau1_by_m1 = cos_omega3_tau1*t189;
+            const double t190 = omega4_by_m1*tau1;
+            const double cos_omega4_tau1_by_m1 = -sin_omega4_tau1*t190;
+            const double sin_omega4_tau1_by_m1 = cos_omega4_tau1*t190;
+            /* d/dm2 of: functions of tau1 in free */
+            const double t191 = omega3_by_m2*tau1;
+            const double cos_omega3_tau1_by_m2 = -sin_omega3_tau1*t191;
+            const double sin_omega3_tau1_by_m2 = cos_omega3_tau1*t191;
+            const double t192 = omega4_by_m2*tau1;
+            const double cos_omega4_tau1_by_m2 = -sin_omega4_tau1*t192;
+            const double sin_omega4_tau1_by_m2 = cos_omega4_tau1*t192;
+            /* d/dk1 of: functions of tau1 in free */
+            const double t193 = omega3_by_k1*tau1;
+            const double cos_omega3_tau1_by_k1 = -sin_omega3_tau1*t193;
+            const double sin_omega3_tau1_by_k1 = cos_omega3_tau1*t193;
+            const double t194 = omega4_by_k1*tau1;
+            const double cos_omega4_tau1_by_k1 = -sin_omega4_tau1*t194;
+            const double sin_omega4_tau1_by_k1 = cos_omega4_tau1*t194;
+            /* d/dk2 of: functions of tau1 in free */
+            const double t195 = omega3_by_k2*tau1;
+            const double cos_omega3_tau1_by_k2 = -sin_omega3_tau1*t195;
+            const double sin_omega3_tau1_by_k2 = cos_omega3_tau1*t195;
+            const double t196 = omega4_by_k2*tau1;
+            const double cos_omega4_tau1_by_k2 = -sin_omega4_tau1*t196;
+            const double sin_omega4_tau1_by_k2 = cos_omega4_tau1*t196;
+            /* d/dk3 of: functions of tau1 in free */
+            const double t197 = omega3_by_k3*tau1;
+            const double cos_omega3_tau1_by_k3 = -sin_omega3_tau1*t197;
+            const double sin_omega3_tau1_by_k3 = cos_omega3_tau1*t197;
+            const double t198 = omega4_by_k3*tau1;
+            const double cos_omega4_tau1_by_k3 = -sin_omega4_tau1*t198;
+            const double sin_omega4_tau1_by_k3 = cos_omega4_tau1*t198;
+            /* d/dT of: functions of tau1 in free */
+            const double cos_omega3_tau1_by_T = -cos_omega3_tau1_by_tau;
+            const double sin_omega3_tau1_by_T = t186;
+            const double cos_omega4_tau1_by_T = -cos_omega4_tau1_by_tau;
+            const double sin_omega4_tau1_by_T = t188;
+            /* d/dy of: free for tau1, until first-reaches-stop */
+            const double x1_2_by_y = t58*v1_1_by_y + t59*v2_1_by_y + t60*x1_1_by_y + t61*x2_1_by_y;
+            const double x2_2_by_y = t62*v1_1_by_y + t63*v2_1_by_y + t64*x1_1_by_y + t65*x2_1_by_y;
+            const double v1_2_by_y = t60*v1_1_by_y + t61*v2_1_by_y + t68*x1_1_by_y + t69*x2_1_by_y;
+            const double v2_2_by_y = t64*v1_1_by_y + t65*v2_1_by_y + t70*x1_1_by_y + t71*x2_1_by_y;
+            /* d/du of: free for tau1, until first-reaches-stop */
+            const double x1_2_by_u = t58*v1_1_by_u + t59*v2_1_by_u + t60*x1_1_by_u + t61*x2_1_by_u;
+            const double x2_2_by_u = t62*v1_1_by_u + t63*v2_1_by_u + t64*x1_1_by_u + t65*x2_1_by_u;
+            const double v1_2_by_u = t60*v1_1_by_u + t61*v2_1_by_u + t68*x1_1_by_u + t69*x2_1_by_u;
+            const double v2_2_by_u = t64*v1_1_by_u + t65*v2_1_by_u + t70*x1_1_by_u + t71*x2_1_by_u;
+            /* d/dw of: free for tau1, until first-reaches-stop */
+            const double x1_2_by_w = t58*v1_1_by_w + t59*v2_1_by_w + t60*x1_1_by_w + t61*x2_1_by_w;
+            const double x2_2_by_w = t62*v1_1_by_w + t63*v2_1_by_w + t64*x1_1_by_w + t65*x2_1_by_w;
+            const double v1_2_by_w = t60*v1_1_by_w + t61*v2_1_by_w + t68*x1_1_by_w + t69*x2_1_by_w;
+            const double v2_2_by_w = t64*v1_1_by_w + t65*v2_1_by_w + t70*x1_1_by_w + t71*x2_1_by_w;
+            /* d/dtau of: free for tau1, until first-reaches-stop */
+            const double t199 = p4*x1_1;
+            const double t200 = p5*x2_1;
+            const double t201 = t199 + t200;
+            const double t202 = -t200 + t55*x1_1;
+            const double t203 = p4*v1_1;
+            const double t204 = p5*v2_1;
+            const double t205 = t203*t53 + t204*t53;
+            const double t206 = -t204*t56 + t55*t56*v1_1;
+            const double x1_2_by_tau = cos_omega3_tau1_by_tau*t201 + cos_omega4_tau1_by_tau*t202 + sin_omega3_tau1_by_tau*t205 + sin_omega4_tau1_by_tau*t206 + t58*v1_1_by_tau + t59*v2_1_by_tau + t60*x1_1_by_tau + t61*x2_1_by_tau;
+            const double t207 = p6*x1_1;
+            const double t208 = t55*x2_1;
+            const double t209 = t207 + t208;
+            const double t210 = p4*x2_1;
+            const double t211 = -t207 + t210;
+            const double t212 = p6*v1_1;
+            const double t213 = t55*v2_1;
+            const double t214 = t212*t53 + t213*t53;
+            const double t215 = p4*v2_1;
+            const double t216 = -t212*t56 + t215*t56;
+            const double x2_2_by_tau = cos_omega3_tau1_by_tau*t209 + cos_omega4_tau1_by_tau*t211 + sin_omega3_tau1_by_tau*t214 + sin_omega4_tau1_by_tau*t216 + t62*v1_1_by_tau + t63*v2_1_by_tau + t64*x1_1_by_tau + t65*x2_1_by_tau;
+            const double t217 = t203 + t204;
+            const double t218 = -t204 + t55*v1_1;
+            const double t219 = -omega3*t199 - omega3*t200;
+            const double t220 = t55*x1_1;
+            const double t221 = omega4*t200 - omega4*t220;
+            const double v1_2_by_tau = cos_omega3_tau1_by_tau*t217 + cos_omega4_tau1_by_tau*t218 + sin_omega3_tau1_by_tau*t219 + sin_omega4_tau1_by_tau*t221 + t60*v1_1_by_tau + t61*v2_1_by_tau + t68*x1_1_by_tau + t69*x2_1_by_tau;
+            const double t222 = t212 + t213;
+            const double t223 = -t212 + t215;
+            const double t224 = -omega3*t207 - omega3*t208;
+            const double t225 = omega4*p6*x1_1 - omega4*t210;
+            const double v2_2_by_tau = cos_omega3_tau1_by_tau*t222 + cos_omega4_tau1_by_tau*t223 + sin_omega3_tau1_by_tau*t224 + sin_omega4_tau1_by_tau*t225 + t64*v1_1_by_tau + t65*v2_1_by_tau + t70*x1_1_by_tau + t71*x2_1_by_tau;
+            /* d/dm1 of: free for tau1, until first-reaches-stop */
+            const double t226 = sin_omega3_tau1/(omega3*omega3);
+            const double t227 = -t203*t226 - t204*t226;
+            const double t228 = (1.0/(omega4*omega4));
+            const double t229 = sin_omega4_tau1*t228;
+            const double t230 = t204*t229 - t229*t55*v1_1;
+            const double t231 = -sin_omega3_tau1*t53 + t57;
+            const double t233 = cos_omega3_tau1 - cos_omega4_tau1;
+            const double t234 = -t231*v1_1 + t233*x1_1;
+            const double t235 = -t231*v2_1 + t233*x2_1;
+            const double x1_2_by_m1 = cos_omega3_tau1_by_m1*t201 + cos_omega4_tau1_by_m1*t202 + omega3_by_m1*t227 + omega4_by_m1*t230 + p4_by_m1*t234 + p5_by_m1*t235 + sin_omega3_tau1_by_m1*t205 + sin_omega4_tau1_by_m1*t206 + t58*v1_1_by_m1 + t59*v2_1_by_m1 + t60*x1_1_by_m1 + t61*x2_1_by_m1;
+            const double t236 = -t212*t226 - t213*t226;
+            const double t237 = p6*sin_omega4_tau1*t228*v1_1 - t215*t229;
+            const double t239 = t231*v2_1 - t233*x2_1;
+            const double x2_2_by_m1 = cos_omega3_tau1_by_m1*t209 + cos_omega4_tau1_by_m1*t211 + omega3_by_m1*t236 + omega4_by_m1*t237 + p4_by_m1*t239 + p6_by_m1*t234 + sin_omega3_tau1_by_m1*t214 + sin_omega4_tau1_by_m1*t216 + t62*v1_1_by_m1 + t63*v2_1_by_m1 + t64*x1_1_by_m1 + t65*x2_1_by_m1;
+            const double t240 = -sin_omega3_tau1*t199 - sin_omega3_tau1*t200;
+            const double t241 = sin_omega4_tau1*t200 - sin_omega4_tau1*t220;
+            const double t242 = -omega4*sin_omega4_tau1 + t66;
+            const double t244 = t233*v1_1 - t242*x1_1;
+            const double t245 = t233*v2_1 - t242*x2_1;
+            const double v1_2_by_m1 = cos_omega3_tau1_by_m1*t217 + cos_omega4_tau1_by_m1*t218 + omega3_by_m1*t240 + omega4_by_m1*t241 + p4_by_m1*t244 + p5_by_m1*t245 + sin_omega3_tau1_by_m1*t219 + sin_omega4_tau1_by_m1*t221 + t60*v1_1_by_m1 + t61*v2_1_by_m1 + t68*x1_1_by_m1 + t69*x2_1_by_m1;
+            const double t246 = -sin_omega3_tau1*t207 - sin_omega3_tau1*t208;
+            const double t247 = p6*sin_omega4_tau1*x1_1 - sin_omega4_tau1*t210;
+            const double t248 = -t233*v2_1 + t242*x2_1;
+            const double v2_2_by_m1 = cos_omega3_tau1_by_m1*t222 + cos_omega4_tau1_by_m1*t223 + omega3_by_m1*t246 + omega4_by_m1*t247 + p4_by_m1*t248 + p6_by_m1*t244 + sin_omega3_tau1_by_m1*t224 + sin_omega4_tau1_by_m1*t225 + t64*v1_1_by_m1 + t65*v2_1_by_m1 + t70*x1_1_by_m1 + t71*x2_1_by_m1;
+            /* d/dm2 of: free for tau1, until first-reaches-stop */
+            const double x1_2_by_m2 = cos_omega3_tau1_by_m2*t201 + cos_omega4_tau1_by_m2*t202 + omega3_by_m2*t227 + omega4_by_m2*t230 + p4_by_m2*t234 + p5_by_m2*t235 + sin_omega3_tau1_by_m2*t205 + sin_omega4_tau1_by_m2*t206 + t58*v1_1_by_m2 + t59*v2_1_by_m2 + t60*x1_1_by_m2 + t61*x2_1_by_m2;
+            const double x2_2_by_m2 = cos_omega3_tau1_by_m2*t209 + cos_omega4_tau1_by_m2*t211 + omega3_by_m2*t236 + omega4_by_m2*t237 + p4_by_m2*t239 + p6_by_m2*t234 + sin_omega3_tau1_by_m2*t214 + sin_omega4_tau1_by_m2*t216 + t62*v1_1_by_m2 + t63*v2_1_by_m2 + t64*x1_1_by_m2 + t65*x2_1_by_m2;
+            const double v1_2_by_m2 = cos_omega3_tau1_by_m2*t217 + cos_omega4_tau1_by_m2*t218 + omega3_by_m2*t240 + omega4_by_m2*t241 + p4_by_m2*t244 + p5_by_m2*t245 + sin_omega3_tau1_by_m2*t219 + sin_omega4_tau1_by_m2*t221 + t60*v1_1_by_m2 + t61*v2_1_by_m2 + t68*x1_1_by_m2 + t69*x2_1_by_m2;
+            const double v2_2_by_m2 = cos_omega3_tau1_by_m2*t222 + cos_omega4_tau1_by_m2*t223 + omega3_by_m2*t246 + omega4_by_m2*t247 + p4_by_m2*t248 + p6_by_m2*t244 + sin_omega3_tau1_by_m2*t224 + sin_omega4_tau1_by_m2*t225 + t64*v1_1_by_m2 + t65*v2_1_by_m2 + t70*x1_1_by_m2 + t71*x2_1_by_m2;
+            /* d/dk1 of: free for tau1, until first-reaches-stop */
+            const double x1_2_by_k1 = cos_omega3_tau1_by_k1*t201 + cos_omega4_tau1_by_k1*t202 + omega3_by_k1*t227 + omega4_by_k1*t230 + p4_by_k1*t234 + p5_by_k1*t235 + sin_omega3_tau1_by_k1*t205 + sin_omega4_tau1_by_k1*t206 + t58*v1_1_by_k1 + t59*v2_1_by_k1 + t60*x1_1_by_k1 + t61*x2_1_by_k1;
+            const double x2_2_by_k1 = cos_omega3_tau1_by_k1*t209 + cos_omega4_tau1_by_k1*t211 + omega3_by_k1*t236 + omega4_by_k1*t237 + p4_by_k1*t239 + p6_by_k1*t234 + sin_omega3_tau1_by_k1*t214 + sin_omega4_tau1_by_k1*t216 + t62*v1_1_by_k1 + t63*v2_1_by_k1 + t64*x1_1_by_k1 + t65*x2_1_by_k1;
+            const double v1_2_by_k1 = cos_omega3_tau1_by_k1*t217 + cos_omega4_tau1_by_k1*t218 + omega3_by_k1*t240 + omega4_by_k1*t241 + p4_by_k1*t244 + p5_by_k1*t245 + sin_omega3_tau1_by_k1*t219 + sin_omega4_tau1_by_k1*t221 + t60*v1_1_by_k1 + t61*v2_1_by_k1 + t68*x1_1_by_k1 + t69*x2_1_by_k1;
+            const double v2_2_by_k1 = cos_omega3_tau1_by_k1*t222 + cos_omega4_tau1_by_k1*t223 + omega3_by_k1*t246 + omega4_by_k1*t247 + p4_by_k1*t248 + p6_by_k1*t244 + sin_omega3_tau1_by_k1*t224 + sin_omega4_tau1_by_k1*t225 + t64*v1_1_by_k1 + t65*v2_1_by_k1 + t70*x1_1_by_k1 + t71*x2_1_by_k1;
+            /* d/dk2 of: free for tau1, until first-reaches-stop */
+            const double x1_2_by_k2 = cos_omega3_tau1_by_k2*t201 + cos_omega4_tau1_by_k2*t202 + omega3_by_k2*t227 + omega4_by_k2*t230 + p4_by_k2*t234 + p5_by_k2*t235 + sin_omega3_tau1_by_k2*t205 + sin_omega4_tau1_by_k2*t206 + t58*v1_1_by_k2 + t59*v2_1_by_k2 + t60*x1_1_by_k2 + t61*x2_1_by_k2;
+            const double x2_2_by_k2 = cos_omega3_tau1_by_k2*t209 + cos_omega4_tau1_by_k2*t211 + omega3_by_k2*t236 + omega4_by_k2*t237 + p4_by_k2*t239 + p6_by_k2*t234 + sin_omega3_tau1_by_k2*t214 + sin_omega4_tau1_by_k2*t216 + t62*v1_1_by_k2 + t63*v2_1_by_k2 + t64*x1_1_by_k2 + t65*x2_1_by_k2;
+            const double v1_2_by_k2 = cos_omega3_tau1_by_k2*t217 + cos_omega4_tau1_by_k2*t218 + omega3_by_k2*t240 + omega4_by_k2*t241 + p4_by_k2*t244 + p5_by_k2*t245 + sin_omega3_tau1_by_k2*t219 + sin_omega4_tau1_by_k2*t221 + t60*v1_1_by_k2 + t61*v2_1_by_k2 + t68*x1_1_by_k2 + t69*x2_1_by_k2;
+            const double v2_2_by_k2 = cos_omega3_tau1_by_k2*t222 + cos_omega4_tau1_by_k2*t223 + omega3_by_k2*t246 + omega4_by_k2*t247 + p4_by_k2*t248 + p6_by_k2*t244 + sin_omega3_tau1_by_k2*t224 + sin_omega4_tau1_by_k2*t225 + t64*v1_1_by_k2 + t65*v2_1_by_k2 + t70*x1_1_by_k2 + t71*x2_1_by_k2;
+            /* d/dk3 of: free for tau1, until first-reaches-stop */
+            const double x1_2_by_k3 = cos_omega3_tau1_by_k3*t201 + cos_omega4_tau1_by_k3*t202 + omega3_by_k3*t227 + omega4_by_k3*t230 + p4_by_k3*t234 + p5_by_k3*t235 + sin_omega3_tau1_by_k3*t205 + sin_omega4_tau1_by_k3*t206 + t58*v1_1_by_k3 + t59*v2_1_by_k3 + t60*x1_1_by_k3 + t61*x2_1_by_k3;
+            const double x2_2_by_k3 = cos_omega3_tau1_by_k3*t209 + cos_omega4_tau1_by_k3*t211 + omega3_by_k3*t236 + omega4_by_k3*t237 + p4_by_k3*t239 + p6_by_k3*t234 + sin_omega3_tau1_by_k3*t214 + sin_omega4_tau1_by_k3*t216 + t62*v1_1_by_k3 + t63*v2_1_by_k3 + t64*x1_1_by_k3 + t65*x2_1_by_k3;
+            const double v1_2_by_k3 = cos_omega3_tau1_by_k3*t217 + cos_omega4_tau1_by_k3*t218 + omega3_by_k3*t240 + omega4_by_k3*t241 + p4_by_k3*t244 + p5_by_k3*t245 + sin_omega3_tau1_by_k3*t219 + sin_omega4_tau1_by_k3*t221 + t60*v1_1_by_k3 + t61*v2_1_by_k3 + t68*x1_1_by_k3 + t69*x2_1_by_k3;
+            const double v2_2_by_k3 = cos_omega3_tau1_by_k3*t222 + cos_omega4_tau1_by_k3*t223 + omega3_by_k3*t246 + omega4_by_k3*t247 + p4_by_k3*t248 + p6_by_k3*t244 + sin_omega3_tau1_by_k3*t224 + sin_omega4_tau1_by_k3*t225 + t64*v1_1_by_k3 + t65*v2_1_by_k3 + t70*x1_1_by_k3 + t71*x2_1_by_k3;
+            /* d/dT of: free for tau1, until first-reaches-stop */
+            const double x1_2_by_T = cos_omega3_tau1_by_T*t201 + cos_omega4_tau1_by_T*t202 + sin_omega3_tau1_by_T*t205 + sin_omega4_tau1_by_T*t206;
+            const double x2_2_by_T = cos_omega3_tau1_by_T*t209 + cos_omega4_tau1_by_T*t211 + sin_omega3_tau1_by_T*t214 + sin_omega4_tau1_by_T*t216;
+            const double v1_2_by_T = cos_omega3_tau1_by_T*t217 + cos_omega4_tau1_by_T*t218 + sin_omega3_tau1_by_T*t219 + sin_omega4_tau1_by_T*t221;
+            const double v2_2_by_T = cos_omega3_tau1_by_T*t222 + cos_omega4_tau1_by_T*t223 + sin_omega3_tau1_by_T*t224 + sin_omega4_tau1_by_T*t225;
+            /* d/dtau of: Phi along tau */
+            const double carried_x1_1_by_y_by_tau = cos_omega1_tau_by_tau*p2 - cos_omega2_tau_by_tau*p2;
+            const double t250 = sin_omega1_tau_by_tau*t16;
+            const double t251 = sin_omega2_tau_by_tau*t19;
+            const double carried_x1_1_by_u_by_tau = p1*t250 - t14*t251;
+            const double carried_x1_1_by_w_by_tau = p2*sin_omega1_tau_by_tau*t16 - p2*t251;
+            const double carried_x2_1_by_y_by_tau = -cos_omega1_tau_by_tau*t14 + cos_omega2_tau_by_tau*p1;
+            const double carried_x2_1_by_u_by_tau = p3*sin_omega1_tau_by_tau*t16 - p3*t251;
+            const double carried_x2_1_by_w_by_tau = p1*t251 - t14*t250;
+            const double t253 = omega1*sin_omega1_tau_by_tau;
+            const double carried_v1_1_by_y_by_tau = omega2*p2*sin_omega2_tau_by_tau - p2*t253;
+            const double carried_v1_1_by_u_by_tau = cos_omega1_tau_by_tau*p1 - cos_omega2_tau_by_tau*t14;
+            const double carried_v1_1_by_w_by_tau = carried_x1_1_by_y_by_tau;
+            const double carried_v2_1_by_y_by_tau = -omega2*p1*sin_omega2_tau_by_tau + t14*t253;
+            const double carried_v2_1_by_u_by_tau = cos_omega1_tau_by_tau*p3 - cos_omega2_tau_by_tau*p3;
+            const double carried_v2_1_by_w_by_tau = carried_x2_1_by_y_by_tau;
+            /* d/dm1 of: Phi along tau */
+            const double carried_x1_1_by_y_by_m1 = cos_omega1_tau_by_m1*p2 - cos_omega2_tau_by_m1*p2 + p2_by_m1*t126;
+            const double t255 = sin_omega1_tau_by_m1*t16;
+            const double t256 = sin_omega2_tau_by_m1*t19;
+            const double t257 = omega1_by_m1*t118;
+            const double t258 = omega2_by_m1*t121;
+            const double carried_x1_1_by_u_by_m1 = p1*t255 - p1_by_m1*t124 - t135*t257 - t137*t258 - t14*t256;
+            const double t259 = omega2_by_m1*sin_omega2_tau;
+            const double t260 = p2*t259;
+            const double t261 = omega1_by_m1*sin_omega1_tau;
+            const double t262 = p2*t261;
+            const double carried_x1_1_by_w_by_m1 = p2*t255 - p2*t256 - p2_by_m1*t124 - t118*t262 + t121*t260;
+            const double carried_x2_1_by_y_by_m1 = -cos_omega1_tau_by_m1*t14 + cos_omega2_tau_by_m1*p1 - p1_by_m1*t126;
+            const double carried_x2_1_by_u_by_m1 = p3*t255 - p3*t256 - p3_by_m1*t124 - t145*t257 + t147*t258;
+            const double t264 = -t14*t261;
+            const double t265 = p1*t259;
+            const double carried_x2_1_by_w_by_m1 = p1*t256 + p1_by_m1*t124 - t118*t264 - t121*t265 - t14*t255;
+            const double t266 = omega2*sin_omega2_tau_by_m1;
+            const double t267 = omega1*sin_omega1_tau_by_m1;
+            const double carried_v1_1_by_y_by_m1 = p2*t266 - p2*t267 - p2_by_m1*t140 + t260 - t262;
+            const double carried_v1_1_by_u_by_m1 = cos_omega1_tau_by_m1*p1 - cos_omega2_tau_by_m1*t14 + p1_by_m1*t126;
+            const double carried_v1_1_by_w_by_m1 = carried_x1_1_by_y_by_m1;
+            const double carried_v2_1_by_y_by_m1 = -p1*t266 + p1_by_m1*t140 + t14*t267 - t264 - t265;
+            const double carried_v2_1_by_u_by_m1 = cos_omega1_tau_by_m1*p3 - cos_omega2_tau_by_m1*p3 + p3_by_m1*t126;
+            const double carried_v2_1_by_w_by_m1 = carried_x2_1_by_y_by_m1;
+            /* d/dm2 of: Phi along tau */
+            const double carried_x1_1_by_y_by_m2 = cos_omega1_tau_by_m2*p2 - cos_omega2_tau_by_m2*p2 + p2_by_m2*t126;
+            const double t269 = sin_omega1_tau_by_m2*t16;
+            const double t270 = sin_omega2_tau_by_m2*t19;
+            const double t271 = omega1_by_m2*t118;
+            const double t272 = omega2_by_m2*t121;
+            const double carried_x1_1_by_u_by_m2 = p1*t269 - p1_by_m2*t124 - t135*t271 - t137*t272 - t14*t270;
+            const double t273 = omega2_by_m2*sin_omega2_tau;
+            const double t274 = p2*t273;
+            const double t275 = omega1_by_m2*sin_omega1_tau;
+            const double t276 = p2*t275;
+            const double carried_x1_1_by_w_by_m2 = p2*t269 - p2*t270 - p2_by_m2*t124 - t118*t276 + t121*t274;
+            const double carried_x2_1_by_y_by_m2 = -cos_omega1_tau_by_m2*t14 + cos_omega2_tau_by_m2*p1 - p1_by_m2*t126;
+            const double carried_x2_1_by_u_by_m2 = p3*t269 - p3*t270 - p3_by_m2*t124 - t145*t271 + t147*t272;
+            const double t278 = -t14*t275;
+            const double t279 = p1*t273;
+            const double carried_x2_1_by_w_by_m2 = p1*t270 + p1_by_m2*t124 - t118*t278 - t121*t279 - t14*t269;
+            const double t280 = omega2*sin_omega2_tau_by_m2;
+            const double t281 = omega1*sin_omega1_tau_by_m2;
+            const double carried_v1_1_by_y_by_m2 = p2*t280 - p2*t281 - p2_by_m2*t140 + t274 - t276;
+            const double carried_v1_1_by_u_by_m2 = cos_omega1_tau_by_m2*p1 - cos_omega2_tau_by_m2*t14 + p1_by_m2*t126;
+            const double carried_v1_1_by_w_by_m2 = carried_x1_1_by_y_by_m2;
+            const double carried_v2_1_by_y_by_m2 = -p1*t280 + p1_by_m2*t140 + t14*t281 - t278 - t279;
+            const double carried_v2_1_by_u_by_m2 = cos_omega1_tau_by_m2*p3 - cos_omega2_tau_by_m2*p3 + p3_by_m2*t126;
+            const double carried_v2_1_by_w_by_m2 = carried_x2_1_by_y_by_m2;
+            /* d/dk1 of: Phi along tau */
+            const double carried_x1_1_by_y_by_k1 = cos_omega1_tau_by_k1*p2 - cos_omega2_tau_by_k1*p2 + p2_by_k1*t126;
+            const double t283 = sin_omega1_tau_by_k1*t16;
+            const double t284 = sin_omega2_tau_by_k1*t19;
+            const double t285 = omega1_by_k1*t118;
+            const double t286 = omega2_by_k1*t121;
+            const double carried_x1_1_by_u_by_k1 = p1*t283 - p1_by_k1*t124 - t135*t285 - t137*t286 - t14*t284;
+            const double t287 = omega2_by_k1*sin_omega2_tau;
+            const double t288 = p2*t287;
+            const double t289 = omega1_by_k1*sin_omega1_tau;
+            const double t290 = p2*t289;
+            const double carried_x1_1_by_w_by_k1 = p2*t283 - p2*t284 - p2_by_k1*t124 - t118*t290 + t121*t288;
+            const double carried_x2_1_by_y_by_k1 = -cos_omega1_tau_by_k1*t14 + cos_omega2_tau_by_k1*p1 - p1_by_k1*t126;
+            const double carried_x2_1_by_u_by_k1 = p3*t283 - p3*t284 - p3_by_k1*t124 - t145*t285 + t147*t286;
+            const double t292 = -t14*t289;
+            const double t293 = p1*t287;
+            const double carried_x2_1_by_w_by_k1 = p1*t284 + p1_by_k1*t124 - t118*t292 - t121*t293 - t14*t283;
+            const double t294 = omega2*sin_omega2_tau_by_k1;
+            const double t295 = omega1*sin_omega1_tau_by_k1;
+            const double carried_v1_1_by_y_by_k1 = p2*t294 - p2*t295 - p2_by_k1*t140 + t288 - t290;
+            const double carried_v1_1_by_u_by_k1 = cos_omega1_tau_by_k1*p1 - cos_omega2_tau_by_k1*t14 + p1_by_k1*t126;
+            const double carried_v1_1_by_w_by_k1 = carried_x1_1_by_y_by_k1;
+            const double carried_v2_1_by_y_by_k1 = -p1*t294 + p1_by_k1*t140 + t14*t295 - t292 - t293;
+            const double carried_v2_1_by_u_by_k1 = cos_omega1_tau_by_k1*p3 - cos_omega2_tau_by_k1*p3 + p3_by_k1*t126;
+            const double carried_v2_1_by_w_by_k1 = carried_x2_1_by_y_by_k1;
+            /* d/dk2 of: Phi along tau */
+            const double carried_x1_1_by_y_by_k2 = cos_omega1_tau_by_k2*p2 - cos_omega2_tau_by_k2*p2 + p2_by_k2*t126;
+            const double t297 = sin_omega1_tau_by_k2*t16;
+            const double t298 = sin_omega2_tau_by_k2*t19;
+            const double t299 = omega1_by_k2*t118;
+            const double t300 = omega2_by_k2*t121;
+            const double carried_x1_1_by_u_by_k2 = p1*t297 - p1_by_k2*t124 - t135*t299 - t137*t300 - t14*t298;
+            const double t301 = omega2_by_k2*sin_omega2_tau;
+            const double t302 = p2*t301;
+            const double t303 = omega1_by_k2*sin_omega1_tau;
+            const double t304 = p2*t303;
+            const double carried_x1_1_by_w_by_k2 = p2*t297 - p2*t298 - p2_by_k2*t124 - t118*t304 + t121*t302;
+            const double carried_x2_1_by_y_by_k2 = -cos_omega1_tau_by_k2*t14 + cos_omega2_tau_by_k2*p1 - p1_by_k2*t126;
+            const double carried_x2_1_by_u_by_k2 = p3*t297 - p3*t298 - p3_by_k2*t124 - t145*t299 + t147*t300;
+            const double t306 = -t14*t303;
+            const double t307 = p1*t301;
+            const double carried_x2_1_by_w_by_k2 = p1*t298 + p1_by_k2*t124 - t118*t306 - t121*t307 - t14*t297;
+            const double t308 = omega2*sin_omega2_tau_by_k2;
+            const double t309 = omega1*sin_omega1_tau_by_k2;
+            const double carried_v1_1_by_y_by_k2 = p2*t308 - p2*t309 - p2_by_k2*t140 + t302 - t304;
+            const double carried_v1_1_by_u_by_k2 = cos_omega1_tau_by_k2*p1 - cos_omega2_tau_by_k2*t14 + p1_by_k2*t126;
+            const double carried_v1_1_by_w_by_k2 = carried_x1_1_by_y_by_k2;
+            const double carried_v2_1_by_y_by_k2 = -p1*t308 + p1_by_k2*t140 + t14*t309 - t306 - t307;
+            const double carried_v2_1_by_u_by_k2 = cos_omega1_tau_by_k2*p3 - cos_omega2_tau_by_k2*p3 + p3_by_k2*t126;
+            const double carried_v2_1_by_w_by_k2 = carried_x2_1_by_y_by_k2;
+            /* d/dk3 of: Phi along tau */
+            const double carried_x1_1_by_y_by_k3 = cos_omega1_tau_by_k3*p2 - cos_omega2_tau_by_k3*p2 + p2_by_k3*t126;
+            const double t311 = sin_omega1_tau_by_k3*t16;
+            const double t312 = sin_omega2_tau_by_k3*t19;
+            const double t313 = omega1_by_k3*t118;
+            const double t314 = omega2_by_k3*t121;
+            const double carried_x1_1_by_u_by_k3 = p1*t311 - p1_by_k3*t124 - t135*t313 - t137*t314 - t14*t312;
+            const double t315 = omega2_by_k3*sin_omega2_tau;
+            const double t316 = p2*t315;
+            const double t317 = omega1_by_k3*sin_omega1_tau;
+            const double t318 = p2*t317;
+            const double carried_x1_1_by_w_by_k3 = p2*t311 - p2*t312 - p2_by_k3*t124 - t118*t318 + t121*t316;
+            const double carried_x2_1_by_y_by_k3 = -cos_omega1_tau_by_k3*t14 + cos_omega2_tau_by_k3*p1 - p1_by_k3*t126;
+            const double carried_x2_1_by_u_by_k3 = p3*t311 - p3*t312 - p3_by_k3*t124 - t145*t313 + t147*t314;
+            const double t320 = -t14*t317;
+            const double t321 = p1*t315;
+            const double carried_x2_1_by_w_by_k3 = p1*t312 + p1_by_k3*t124 - t118*t320 - t121*t321 - t14*t311;
+            const double t322 = omega2*sin_omega2_tau_by_k3;
+            const double t323 = omega1*sin_omega1_tau_by_k3;
+            const double carried_v1_1_by_y_by_k3 = p2*t322 - p2*t323 - p2_by_k3*t140 + t316 - t318;
+            const double carried_v1_1_by_u_by_k3 = cos_omega1_tau_by_k3*p1 - cos_omega2_tau_by_k3*t14 + p1_by_k3*t126;
+            const double carried_v1_1_by_w_by_k3 = carried_x1_1_by_y_by_k3;
+            const double carried_v2_1_by_y_by_k3 = -p1*t322 + p1_by_k3*t140 + t14*t323 - t320 - t321;
+            const double carried_v2_1_by_u_by_k3 = cos_omega1_tau_by_k3*p3 - cos_omega2_tau_by_k3*p3 + p3_by_k3*t126;
+            const double carried_v2_1_by_w_by_k3 = carried_x2_1_by_y_by_k3;
+            /* d/dy of: rate of the exit boundary after tau */
+            const double rate_1_by_y = -v1_1_by_y;
+            /* d/du of: rate of the exit boundary after tau */
+            const double rate_1_by_u = -v1_1_by_u;
+            /* d/dw of: rate of the exit boundary after tau */
+            const double rate_1_by_w = -v1_1_by_w;
+            /* d/dtau of: rate of the exit boundary after tau */
+            const double rate_1_by_tau = -v1_1_by_tau;
+            /* d/dm1 of: rate of the exit boundary after tau */
+            const double rate_1_by_m1 = -v1_1_by_m1;
+            /* d/dm2 of: rate of the exit boundary after tau */
+            const double rate_1_by_m2 = -v1_1_by_m2;
+            /* d/dk1 of: rate of the exit boundary after tau */
+            const double rate_1_by_k1 = -v1_1_by_k1;
+            /* d/dk2 of: rate of the exit boundary after tau */
+            const double rate_1_by_k2 = -v1_1_by_k2;
+            /* d/dk3 of: rate of the exit boundary after tau */
+            const double rate_1_by_k3 = -v1_1_by_k3;
+            /* d/dy of: derivatives of the time to the boundary after tau */
+            const double t324 = (1.0/(rate_1*rate_1));
+            const double t325 = rate_1_by_y*t324;
+            const double delay_tau_by_y_by_y = -carried_x1_1_by_y*t325;
+            const double delay_tau_by_u_by_y = -carried_x1_1_by_u*t325;
+            const double delay_tau_by_w_by_y = -carried_x1_1_by_w*t325;
+            /* d/du of: derivatives of the time to the boundary after tau */
+            const double t326 = rate_1_by_u*t324;
+            const double delay_tau_by_y_by_u = -carried_x1_1_by_y*t326;
+            const double delay_tau_by_u_by_u = -carried_x1_1_by_u*t326;
+            const double delay_tau_by_w_by_u = -carried_x1_1_by_w*t326;
+            /* d/dw of: derivatives of the time to the boundary after tau */
+            const double t327 = rate_1_by_w*t324;
+            const double delay_tau_by_y_by_w = -carried_x1_1_by_y*t327;
+            const double delay_tau_by_u_by_w = -carried_x1_1_by_u*t327;
+            const double delay_tau_by_w_by_w = -carried_x1_1_by_w*t327;
+            /* d/dtau of: derivatives of the time to the boundary after tau */
+            const double t328 = rate_1_by_tau*t324;
+            const double delay_tau_by_y_by_tau = -carried_x1_1_by_y*t328 + carried_x1_1_by_y_by_tau*t72;
+            const double delay_tau_by_u_by_tau = -carried_x1_1_by_u*t328 + carried_x1_1_by_u_by_tau*t72;
+            const double delay_tau_by_w_by_tau = -carried_x1_1_by_w*t328 + carried_x1_1_by_w_by_tau*t72;
+            /* d/dm1 of: derivatives of the time to the boundary after tau */
+            const double t329 = rate_1_by_m1*t324;
+            const double delay_tau_by_y_by_m1 = -carried_x1_1_by_y*t329 + carried_x1_1_by_y_by_m1*t72;
+            const double delay_tau_by_u_by_m1 = -carried_x1_1_by_u*t329 + carried_x1_1_by_u_by_m1*t72;
+            const double delay_tau_by_w_by_m1 = -carried_x1_1_by_w*t329 + carried_x1_1_by_w_by_m1*t72;
+            /* d/dm2 of: derivatives of the time to the boundary after tau */
+            const double t330 = rate_1_by_m2*t324;
+            const double delay_tau_by_y_by_m2 = -carried_x1_1_by_y*t330 + carried_x1_1_by_y_by_m2*t72;
+            const double delay_tau_by_u_by_m2 = -carried_x1_1_by_u*t330 + carried_x1_1_by_u_by_m2*t72;
+            const double delay_tau_by_w_by_m2 = -carried_x1_1_by_w*t330 + carried_x1_1_by_w_by_m2*t72;
+            /* d/dk1 of: derivatives of the time to the boundary after tau */
+            const double t331 = rate_1_by_k1*t324;
+            const double delay_tau_by_y_by_k1 = -carried_x1_1_by_y*t331 + carried_x1_1_by_y_by_k1*t72;
+            const double delay_tau_by_u_by_k1 = -carried_x1_1_by_u*t331 + carried_x1_1_by_u_by_k1*t72;
+            const double delay_tau_by_w_by_k1 = -carried_x1_1_by_w*t331 + carried_x1_1_by_w_by_k1*t72;
+            /* d/dk2 of: derivatives of the time to the boundary after tau */
+            const double t332 = rate_1_by_k2*t324;
+            const double delay_tau_by_y_by_k2 = -carried_x1_1_by_y*t332 + carried_x1_1_by_y_by_k2*t72;
+            const double delay_tau_by_u_by_k2 = -carried_x1_1_by_u*t332 + carried_x1_1_by_u_by_k2*t72;
+            const double delay_tau_by_w_by_k2 = -carried_x1_1_by_w*t332 + carried_x1_1_by_w_by_k2*t72;
+            /* d/dk3 of: derivatives of the time to the boundary after tau */
+            const double t333 = rate_1_by_k3*t324;
+            const double delay_tau_by_y_by_k3 = -carried_x1_1_by_y*t333 + carried_x1_1_by_y_by_k3*t72;
+            const double delay_tau_by_u_by_k3 = -carried_x1_1_by_u*t333 + carried_x1_1_by_u_by_k3*t72;
+            const double delay_tau_by_w_by_k3 = -carried_x1_1_by_w*t333 + carried_x1_1_by_w_by_k3*t72;
+            /* d/dy of: perturbation on the boundary after tau */
+            const double x1_1_on_boundary_by_y_by_y = delay_tau_by_y*v1_1_by_y + delay_tau_by_y_by_y*v1_1;
+            const double x1_1_on_boundary_by_u_by_y = delay_tau_by_u*v1_1_by_y + delay_tau_by_u_by_y*v1_1;
+            const double x1_1_on_boundary_by_w_by_y = delay_tau_by_w*v1_1_by_y + delay_tau_by_w_by_y*v1_1;
+            const double x2_1_on_boundary_by_y_by_y = delay_tau_by_y*v2_1_by_y + delay_tau_by_y_by_y*v2_1;
+            const double x2_1_on_boundary_by_u_by_y = delay_tau_by_u*v2_1_by_y + delay_tau_by_u_by_y*v2_1;
+            const double x2_1_on_boundary_by_w_by_y = delay_tau_by_w*v2_1_by_y + delay_tau_by_w_by_y*v2_1;
+            const double t334 = delay_tau_by_y*t73;
+            const double t335 = k1*x2_1_by_y;
+            const double t336 = t74*x1_1_by_y;
+            const double v1_1_on_boundary_by_y_by_y = delay_tau_by_y_by_y*t76 + t334*t335 - t334*t336;
+            const double t337 = delay_tau_by_u*t73;
+            const double v1_1_on_boundary_by_u_by_y = delay_tau_by_u_by_y*t76 + t335*t337 - t336*t337;
+            const double t338 = delay_tau_by_w*t73;
+            const double v1_1_on_boundary_by_w_by_y = delay_tau_by_w_by_y*t76 + t335*t338 - t336*t338;
+            const double t339 = delay_tau_by_y*t77;
+            const double t340 = k1*x1_1_by_y;
+            const double t341 = t79*x2_1_by_y;
+            const double v2_1_on_boundary_by_y_by_y = delay_tau_by_y_by_y*t81 + t339*t340 - t339*t341;
+            const double t342 = delay_tau_by_u*t77;
+            const double v2_1_on_boundary_by_u_by_y = delay_tau_by_u_by_y*t81 + t340*t342 - t341*t342;
+            const double t343 = delay_tau_by_w*t77;
+            const double v2_1_on_boundary_by_w_by_y = delay_tau_by_w_by_y*t81 + t340*t343 - t341*t343;
+            /* d/du of: perturbation on the boundary after tau */
+            const double x1_1_on_boundary_by_y_by_u = delay_tau_by_y*v1_1_by_u + delay_tau_by_y_by_u*v1_1;
+            const double x1_1_on_boundary_by_u_by_u = delay_tau_by_u*v1_1_by_u + delay_tau_by_u_by_u*v1_1;
+            const double x1_1_on_boundary_by_w_by_u = delay_tau_by_w*v1_1_by_u + delay_tau_by_w_by_u*v1_1;
+            const double x2_1_on_boundary_by_y_by_u = delay_tau_by_y*v2_1_by_u + delay_tau_by_y_by_u*v2_1;
+            const double x2_1_on_boundary_by_u_by_u = delay_tau_by_u*v2_1_by_u + delay_tau_by_u_by_u*v2_1;
+            const double x2_1_on_boundary_by_w_by_u = delay_tau_by_w*v2_1_by_u + delay_tau_by_w_by_u*v2_1;
+            const double t344 = k1*x2_1_by_u;
+            const double t345 = t74*x1_1_by_u;
+            const double v1_1_on_boundary_by_y_by_u = delay_tau_by_y_by_u*t76 + t334*t344 - t334*t345;
+            const double v1_1_on_boundary_by_u_by_u = delay_tau_by_u_by_u*t76 + t337*t344 - t337*t345;
+            const double v1_1_on_boundary_by_w_by_u = delay_tau_by_w_by_u*t76 + t338*t344 - t338*t345;
+            const double t346 = k1*x1_1_by_u;
+            const double t347 = t79*x2_1_by_u;
+            const double v2_1_on_boundary_by_y_by_u = delay_tau_by_y_by_u*t81 + t339*t346 - t339*t347;
+            const double v2_1_on_boundary_by_u_by_u = delay_tau_by_u_by_u*t81 + t342*t346 - t342*t347;
+            const double v2_1_on_boundary_by_w_by_u = delay_tau_by_w_by_u*t81 + t343*t346 - t343*t347;
+            /* d/dw of: perturbation on the boundary after tau */
+            const double x1_1_on_boundary_by_y_by_w = delay_tau_by_y*v1_1_by_w + delay_tau_by_y_by_w*v1_1;
+            const double x1_1_on_boundary_by_u_by_w = delay_tau_by_u*v1_1_by_w + delay_tau_by_u_by_w*v1_1;
+            const double x1_1_on_boundary_by_w_by_w = delay_tau_by_w*v1_1_by_w + delay_tau_by_w_by_w*v1_1;
+            const double x2_1_on_boundary_by_y_by_w = delay_tau_by_y*v2_1_by_w + delay_tau_by_y_by_w*v2_1;
+            const double x2_1_on_boundary_by_u_by_w = delay_tau_by_u*v2_1_by_w + delay_tau_by_u_by_w*v2_1;
+            const double x2_1_on_boundary_by_w_by_w = delay_tau_by_w*v2_1_by_w + delay_tau_by_w_by_w*v2_1;
+            const double t348 = k1*x2_1_by_w;
+            const double t349 = t74*x1_1_by_w;
+            const double v1_1_on_boundary_by_y_by_w = delay_tau_by_y_by_w*t76 + t334*t348 - t334*t349;
+            const double v1_1_on_boundary_by_u_by_w = delay_tau_by_u_by_w*t76 + t337*t348 - t337*t349;
+            const double v1_1_on_boundary_by_w_by_w = delay_tau_by_w_by_w*t76 + t338*t348 - t338*t349;
+            const double t350 = k1*x1_1_by_w;
+            const double t351 = t79*x2_1_by_w;
+            const double v2_1_on_boundary_by_y_by_w = delay_tau_by_y_by_w*t81 + t339*t350 - t339*t351;
+            const double v2_1_on_boundary_by_u_by_w = delay_tau_by_u_by_w*t81 + t342*t350 - t342*t351;
+            const double v2_1_on_boundary_by_w_by_w = delay_tau_by_w_by_w*t81 + t343*t350 - t343*t351;
+            /* d/dtau of: perturbation on the boundary after tau */
+            const double x1_1_on_boundary_by_y_by_tau = carried_x1_1_by_y_by_tau + delay_tau_by_y*v1_1_by_tau + delay_tau_by_y_by_tau*v1_1;
+            const double x1_1_on_boundary_by_u_by_tau = carried_x1_1_by_u_by_tau + delay_tau_by_u*v1_1_by_tau + delay_tau_by_u_by_tau*v1_1;
+            const double x1_1_on_boundary_by_w_by_tau = carried_x1_1_by_w_by_tau + delay_tau_by_w*v1_1_by_tau + delay_tau_by_w_by_tau*v1_1;
+            const double x2_1_on_boundary_by_y_by_tau = carried_x2_1_by_y_by_tau + delay_tau_by_y*v2_1_by_tau + delay_tau_by_y_by_tau*v2_1;
+            const double x2_1_on_boundary_by_u_by_tau = carried_x2_1_by_u_by_tau + delay_tau_by_u*v2_1_by_tau + delay_tau_by_u_by_tau*v2_1;
+            const double x2_1_on_boundary_by_w_by_tau = carried_x2_1_by_w_by_tau + delay_tau_by_w*v2_1_by_tau + delay_tau_by_w_by_tau*v2_1;
+            const double t352 = k1*x2_1_by_tau;
+            const double t353 = t74*x1_1_by_tau;
+            const double v1_1_on_boundary_by_y_by_tau = carried_v1_1_by_y_by_tau + delay_tau_by_y_by_tau*t76 + t334*t352 - t334*t353;
+            const double v1_1_on_boundary_by_u_by_tau = carried_v1_1_by_u_by_tau + delay_tau_by_u_by_tau*t76 + t337*t352 - t337*t353;
+            const double v1_1_on_boundary_by_w_by_tau = carried_v1_1_by_w_by_tau + delay_tau_by_w_by_tau*t76 + t338*t352 - t338*t353;
+            const double t354 = k1*x1_1_by_tau;
+            const double t355 = t79*x2_1_by_tau;
+            const double v2_1_on_boundary_by_y_by_tau = carried_v2_1_by_y_by_tau + delay_tau_by_y_by_tau*t81 + t339*t354 - t339*t355;
+            const double v2_1_on_boundary_by_u_by_tau = carried_v2_1_by_u_by_tau + delay_tau_by_u_by_tau*t81 + t342*t354 - t342*t355;
+            const double v2_1_on_boundary_by_w_by_tau = carried_v2_1_by_w_by_tau + delay_tau_by_w_by_tau*t81 + t343*t354 - t343*t355;
+            /* d/dm1 of: perturbation on the boundary after tau */
+            const double x1_1_on_boundary_by_y_by_m1 = carried_x1_1_by_y_by_m1 + delay_tau_by_y*v1_1_by_m1 + delay_tau_by_y_by_m1*v1_1;
+            const double x1_1_on_boundary_by_u_by_m1 = carried_x1_1_by_u_by_m1 + delay_tau_by_u*v1_1_by_m1 + delay_tau_by_u_by_m1*v1_1;
+            const double x1_1_on_boundary_by_w_by_m1 = carried_x1_1_by_w_by_m1 + delay_tau_by_w*v1_1_by_m1 + delay_tau_by_w_by_m1*v1_1;
+            const double x2_1_on_boundary_by_y_by_m1 = carried_x2_1_by_y_by_m1 + delay_tau_by_y*v2_1_by_m1 + delay_tau_by_y_by_m1*v2_1;
+            const double x2_1_on_boundary_by_u_by_m1 = carried_x2_1_by_u_by_m1 + delay_tau_by_u*v2_1_by_m1 + delay_tau_by_u_by_m1*v2_1;
+            const double x2_1_on_boundary_by_w_by_m1 = carried_x2_1_by_w_by_m1 + delay_tau_by_w*v2_1_by_m1 + delay_tau_by_w_by_m1*v2_1;
+            const double t356 = (1.0/(m1*m1));
+            const double t357 = k1*t356;
+            const double t358 = -k3*t356 + t356*t74*x1_1 - t357*x2_1;
+            const double t359 = k1*x2_1_by_m1;
+            const double t360 = t74*x1_1_by_m1;
+            const double v1_1_on_boundary_by_y_by_m1 = carried_v1_1_by_y_by_m1 + delay_tau_by_y*t358 + delay_tau_by_y_by_m1*t76 + t334*t359 - t334*t360;
+            const double v1_1_on_boundary_by_u_by_m1 = carried_v1_1_by_u_by_m1 + delay_tau_by_u*t358 + delay_tau_by_u_by_m1*t76 + t337*t359 - t337*t360;
+            const double v1_1_on_boundary_by_w_by_m1 = carried_v1_1_by_w_by_m1 + delay_tau_by_w*t358 + delay_tau_by_w_by_m1*t76 + t338*t359 - t338*t360;
+            const double t361 = k1*x1_1_by_m1;
+            const double t362 = t79*x2_1_by_m1;
+            const double v2_1_on_boundary_by_y_by_m1 = carried_v2_1_by_y_by_m1 + delay_tau_by_y_by_m1*t81 + t339*t361 - t339*t362;
+            const double v2_1_on_boundary_by_u_by_m1 = carried_v2_1_by_u_by_m1 + delay_tau_by_u_by_m1*t81 + t342*t361 - t342*t362;
+            const double v2_1_on_boundary_by_w_by_m1 = carried_v2_1_by_w_by_m1 + delay_tau_by_w_by_m1*t81 + t343*t361 - t343*t362;
+            /* d/dm2 of: perturbation on the boundary after tau */
+            const double x1_1_on_boundary_by_y_by_m2 = carried_x1_1_by_y_by_m2 + delay_tau_by_y*v1_1_by_m2 + delay_tau_by_y_by_m2*v1_1;
+            const double x1_1_on_boundary_by_u_by_m2 = carried_x1_1_by_u_by_m2 + delay_tau_by_u*v1_1_by_m2 + delay_tau_by_u_by_m2*v1_1;
+            const double x1_1_on_boundary_by_w_by_m2 = carried_x1_1_by_w_by_m2 + delay_tau_by_w*v1_1_by_m2 + delay_tau_by_w_by_m2*v1_1;
+            const double x2_1_on_boundary_by_y_by_m2 = carried_x2_1_by_y_by_m2 + delay_tau_by_y*v2_1_by_m2 + delay_tau_by_y_by_m2*v2_1;
+            const double x2_1_on_boundary_by_u_by_m2 = carried_x2_1_by_u_by_m2 + delay_tau_by_u*v2_1_by_m2 + delay_tau_by_u_by_m2*v2_1;
+            const double x2_1_on_boundary_by_w_by_m2 = carried_x2_1_by_w_by_m2 + delay_tau_by_w*v2_1_by_m2 + delay_tau_by_w_by_m2*v2_1;
+            const double t363 = k1*x2_1_by_m2;
+            const double t364 = t74*x1_1_by_m2;
+            const double v1_1_on_boundary_by_y_by_m2 = carried_v1_1_by_y_by_m2 + delay_tau_by_y_by_m2*t76 + t334*t363 - t334*t364;
+            const double v1_1_on_boundary_by_u_by_m2 = carried_v1_1_by_u_by_m2 + delay_tau_by_u_by_m2*t76 + t337*t363 - t337*t364;
+            const double v1_1_on_boundary_by_w_by_m2 = carried_v1_1_by_w_by_m2 + delay_tau_by_w_by_m2*t76 + t338*t363 - t338*t364;
+            const double t365 = (1.0/(m2*m2));
+            const double t366 = k1*t365;
+            const double t367 = t365*t79*x2_1 - t366*x1_1;
+            const double t368 = k1*x1_1_by_m2;
+            const double t369 = t79*x2_1_by_m2;
+            const double v2_1_on_boundary_by_y_by_m2 = carried_v2_1_by_y_by_m2 + delay_tau_by_y*t367 + delay_tau_by_y_by_m2*t81 + t339*t368 - t339*t369;
+            const double v2_1_on_boundary_by_u_by_m2 = carried_v2_1_by_u_by_m2 + delay_tau_by_u*t367 + delay_tau_by_u_by_m2*t81 + t342*t368 - t342*t369;
+            const double v2_1_on_boundary_by_w_by_m2 = carried_v2_1_by_w_by_m2 + delay_tau_by_w*t367 + delay_tau_by_w_by_m2*t81 + t343*t368 - t343*t369;
+            /* d/dk1 of: perturbation on the boundary after tau */
+            const double x1_1_on_boundary_by_y_by_k1 = carried_x1_1_by_y_by_k1 + delay_tau_by_y*v1_1_by_k1 + delay_tau_by_y_by_k1*v1_1;
+            const double x1_1_on_boundary_by_u_by_k1 = carried_x1_1_by_u_by_k1 + delay_tau_by_u*v1_1_by_k1 + delay_tau_by_u_by_k1*v1_1;
+            const double x1_1_on_boundary_by_w_by_k1 = carried_x1_1_by_w_by_k1 + delay_tau_by_w*v1_1_by_k1 + delay_tau_by_w_by_k1*v1_1;
+            const double x2_1_on_boundary_by_y_by_k1 = carried_x2_1_by_y_by_k1 + delay_tau_by_y*v2_1_by_k1 + delay_tau_by_y_by_k1*v2_1;
+            const double x2_1_on_boundary_by_u_by_k1 = carried_x2_1_by_u_by_k1 + delay_tau_by_u*v2_1_by_k1 + delay_tau_by_u_by_k1*v2_1;
+            const double x2_1_on_boundary_by_w_by_k1 = carried_x2_1_by_w_by_k1 + delay_tau_by_w*v2_1_by_k1 + delay_tau_by_w_by_k1*v2_1;
+            const double t370 = t73*x2_1 - t75;
+            const double t371 = k1*x2_1_by_k1;
+            const double t372 = t74*x1_1_by_k1;
+            const double v1_1_on_boundary_by_y_by_k1 = carried_v1_1_by_y_by_k1 + delay_tau_by_y*t370 + delay_tau_by_y_by_k1*t76 + t334*t371 - t334*t372;
+            const double v1_1_on_boundary_by_u_by_k1 = carried_v1_1_by_u_by_k1 + delay_tau_by_u*t370 + delay_tau_by_u_by_k1*t76 + t337*t371 - t337*t372;
+            const double v1_1_on_boundary_by_w_by_k1 = carried_v1_1_by_w_by_k1 + delay_tau_by_w*t370 + delay_tau_by_w_by_k1*t76 + t338*t371 - t338*t372;
+            const double t373 = t78 - t80;
+            const double t374 = k1*x1_1_by_k1;
+            const double t375 = t79*x2_1_by_k1;
+            const double v2_1_on_boundary_by_y_by_k1 = carried_v2_1_by_y_by_k1 + delay_tau_by_y*t373 + delay_tau_by_y_by_k1*t81 + t339*t374 - t339*t375;
+            const double v2_1_on_boundary_by_u_by_k1 = carried_v2_1_by_u_by_k1 + delay_tau_by_u*t373 + delay_tau_by_u_by_k1*t81 + t342*t374 - t342*t375;
+            const double v2_1_on_boundary_by_w_by_k1 = carried_v2_1_by_w_by_k1 + delay_tau_by_w*t373 + delay_tau_by_w_by_k1*t81 + t343*t374 - t343*t375;
+            /* d/dk2 of: perturbation on the boundary after tau */
+            const double x1_1_on_boundary_by_y_by_k2 = carried_x1_1_by_y_by_k2 + delay_tau_by_y*v1_1_by_k2 + delay_tau_by_y_by_k2*v1_1;
+            const double x1_1_on_boundary_by_u_by_k2 = carried_x1_1_by_u_by_k2 + delay_tau_by_u*v1_1_by_k2 + delay_tau_by_u_by_k2*v1_1;
+            const double x1_1_on_boundary_by_w_by_k2 = carried_x1_1_by_w_by_k2 + delay_tau_by_w*v1_1_by_k2 + delay_tau_by_w_by_k2*v1_1;
+            const double x2_1_on_boundary_by_y_by_k2 = carried_x2_1_by_y_by_k2 + delay_tau_by_y*v2_1_by_k2 + delay_tau_by_y_by_k2*v2_1;
+            const double x2_1_on_boundary_by_u_by_k2 = carried_x2_1_by_u_by_k2 + delay_tau_by_u*v2_1_by_k2 + delay_tau_by_u_by_k2*v2_1;
+            const double x2_1_on_boundary_by_w_by_k2 = carried_x2_1_by_w_by_k2 + delay_tau_by_w*v2_1_by_k2 + delay_tau_by_w_by_k2*v2_1;
+            const double t376 = k1*x2_1_by_k2;
+            const double t377 = t74*x1_1_by_k2;
+            const double v1_1_on_boundary_by_y_by_k2 = carried_v1_1_by_y_by_k2 + delay_tau_by_y_by_k2*t76 + t334*t376 - t334*t377;
+            const double v1_1_on_boundary_by_u_by_k2 = carried_v1_1_by_u_by_k2 + delay_tau_by_u_by_k2*t76 + t337*t376 - t337*t377;
+            const double v1_1_on_boundary_by_w_by_k2 = carried_v1_1_by_w_by_k2 + delay_tau_by_w_by_k2*t76 + t338*t376 - t338*t377;
+            const double t378 = k1*x1_1_by_k2;
+            const double t379 = t79*x2_1_by_k2;
+            const double v2_1_on_boundary_by_y_by_k2 = carried_v2_1_by_y_by_k2 - delay_tau_by_y*t80 + delay_tau_by_y_by_k2*t81 + t339*t378 - t339*t379;
+            const double v2_1_on_boundary_by_u_by_k2 = carried_v2_1_by_u_by_k2 - delay_tau_by_u*t80 + delay_tau_by_u_by_k2*t81 + t342*t378 - t342*t379;
+            const double v2_1_on_boundary_by_w_by_k2 = carried_v2_1_by_w_by_k2 - delay_tau_by_w*t80 + delay_tau_by_w_by_k2*t81 + t343*t378 - t343*t379;
+            /* d/dk3 of: perturbation on the boundary after tau */
+            const double x1_1_on_boundary_by_y_by_k3 = carried_x1_1_by_y_by_k3 + delay_tau_by_y*v1_1_by_k3 + delay_tau_by_y_by_k3*v1_1;
+            const double x1_1_on_boundary_by_u_by_k3 = carried_x1_1_by_u_by_k3 + delay_tau_by_u*v1_1_by_k3 + delay_tau_by_u_by_k3*v1_1;
+            const double x1_1_on_boundary_by_w_by_k3 = carried_x1_1_by_w_by_k3 + delay_tau_by_w*v1_1_by_k3 + delay_tau_by_w_by_k3*v1_1;
+            const double x2_1_on_boundary_by_y_by_k3 = carried_x2_1_by_y_by_k3 + delay_tau_by_y*v2_1_by_k3 + delay_tau_by_y_by_k3*v2_1;
+            const double x2_1_on_boundary_by_u_by_k3 = carried_x2_1_by_u_by_k3 + delay_tau_by_u*v2_1_by_k3 + delay_tau_by_u_by_k3*v2_1;
+            const double x2_1_on_boundary_by_w_by_k3 = carried_x2_1_by_w_by_k3 + delay_tau_by_w*v2_1_by_k3 + delay_tau_by_w_by_k3*v2_1;
+            const double t380 = t73 - t75;
+            const double t381 = k1*x2_1_by_k3;
+            const double t382 = t74*x1_1_by_k3;
+            const double v1_1_on_boundary_by_y_by_k3 = carried_v1_1_by_y_by_k3 + delay_tau_by_y*t380 + delay_tau_by_y_by_k3*t76 + t334*t381 - t334*t382;
+            const double v1_1_on_boundary_by_u_by_k3 = carried_v1_1_by_u_by_k3 + delay_tau_by_u*t380 + delay_tau_by_u_by_k3*t76 + t337*t381 - t337*t382;
+            const double v1_1_on_boundary_by_w_by_k3 = carried_v1_1_by_w_by_k3 + delay_tau_by_w*t380 + delay_tau_by_w_by_k3*t76 + t338*t381 - t338*t382;
+            const double t383 = k1*x1_1_by_k3;
+            const double t384 = t79*x2_1_by_k3;
+            const double v2_1_on_boundary_by_y_by_k3 = carried_v2_1_by_y_by_k3 + delay_tau_by_y_by_k3*t81 + t339*t383 - t339*t384;
+            const double v2_1_on_boundary_by_u_by_k3 = carried_v2_1_by_u_by_k3 + delay_tau_by_u_by_k3*t81 + t342*t383 - t342*t384;
+            const double v2_1_on_boundary_by_w_by_k3 = carried_v2_1_by_w_by_k3 + delay_tau_by_w_by_k3*t81 + t343*t383 - t343*t384;
+            /* d/dy of: Phi along tau1 */
+            const double carried_x1_2_by_y_by_y = t58*v1_1_on_boundary_by_y_by_y + t59*v2_1_on_boundary_by_y_by_y + t60*x1_1_on_boundary_by_y_by_y + t61*x2_1_on_boundary_by_y_by_y;
+            const double carried_x1_2_by_u_by_y = t58*v1_1_on_boundary_by_u_by_y + t59*v2_1_on_boundary_by_u_by_y + t60*x1_1_on_boundary_by_u_by_y + t61*x2_1_on_boundary_by_u_by_y;
+            const double carried_x1_2_by_w_by_y = t58*v1_1_on_boundary_by_w_by_y + t59*v2_1_on_boundary_by_w_by_y + t60*x1_1_on_boundary_by_w_by_y + t61*x2_1_on_boundary_by_w_by_y;
+            const double carried_x2_2_by_y_by_y = t62*v1_1_on_boundary_by_y_by_y + t63*v2_1_on_boundary_by_y_by_y + t64*x1_1_on_boundary_by_y_by_y + t65*x2_1_on_boundary_by_y_by_y;
+            const double carried_v1_2_by_u_by_y = t60*v1_1_on_boundary_by_u_by_y + t61*v2_1_on_boundary_by_u_by_y + t68*x1_1_on_boundary_by_u_by_y + t69*x2_1_on_boundary_by_u_by_y;
+            const double carried_v2_2_by_w_by_y = t64*v1_1_on_boundary_by_w_by_y + t65*v2_1_on_boundary_by_w_by_y + t70*x1_1_on_boundary_by_w_by_y + t71*x2_1_on_boundary_by_w_by_y;
+            /* d/du of: Phi along tau1 */
+            const double carried_x1_2_by_y_by_u = t58*v1_1_on_boundary_by_y_by_u + t59*v2_1_on_boundary_by_y_by_u + t60*x1_1_on_boundary_by_y_by_u + t61*x2_1_on_boundary_by_y_by_u;
+            const double carried_x1_2_by_u_by_u = t58*v1_1_on_boundary_by_u_by_u + t59*v2_1_on_boundary_by_u_by_u + t60*x1_1_on_boundary_by_u_by_u + t61*x2_1_on_boundary_by_u_by_u;
+            const double carried_x1_2_by_w_by_u = t58*v1_1_on_boundary_by_w_by_u + t59*v2_1_on_boundary_by_w_by_u + t60*x1_1_on_boundary_by_w_by_u + t61*x2_1_on_boundary_by_w_by_u;
+            const double carried_x2_2_by_y_by_u = t62*v1_1_on_boundary_by_y_by_u + t63*v2_1_on_boundary_by_y_by_u + t64*x1_1_on_boundary_by_y_by_u + t65*x2_1_on_boundary_by_y_by_u;
+            const double carried_v1_2_by_u_by_u = t60*v1_1_on_boundary_by_u_by_u + t61*v2_1_on_boundary_by_u_by_u + t68*x1_1_on_boundary_by_u_by_u + t69*x2_1_on_boundary_by_u_by_u;
+            const double carried_v2_2_by_w_by_u = t64*v1_1_on_boundary_by_w_by_u + t65*v2_1_on_boundary_by_w_by_u + t70*x1_1_on_boundary_by_w_by_u + t71*x2_1_on_boundary_by_w_by_u;
+            /* d/dw of: Phi along tau1 */
+            const double carried_x1_2_by_y_by_w = t58*v1_1_on_boundary_by_y_by_w + t59*v2_1_on_boundary_by_y_by_w + t60*x1_1_on_boundary_by_y_by_w + t61*x2_1_on_boundary_by_y_by_w;
+            const double carried_x1_2_by_u_by_w = t58*v1_1_on_boundary_by_u_by_w + t59*v2_1_on_boundary_by_u_by_w + t60*x1_1_on_boundary_by_u_by_w + t61*x2_1_on_boundary_by_u_by_w;
+            const double carried_x1_2_by_w_by_w = t58*v1_1_on_boundary_by_w_by_w + t59*v2_1_on_boundary_by_w_by_w + t60*x1_1_on_boundary_by_w_by_w + t61*x2_1_on_boundary_by_w_by_w;
+            const double carried_x2_2_by_y_by_w = t62*v1_1_on_boundary_by_y_by_w + t63*v2_1_on_boundary_by_y_by_w + t64*x1_1_on_boundary_by_y_by_w + t65*x2_1_on_boundary_by_y_by_w;
+            const double carried_v1_2_by_u_by_w = t60*v1_1_on_boundary_by_u_by_w + t61*v2_1_on_boundary_by_u_by_w + t68*x1_1_on_boundary_by_u_by_w + t69*x2_1_on_boundary_by_u_by_w;
+            const double carried_v2_2_by_w_by_w = t64*v1_1_on_boundary_by_w_by_w + t65*v2_1_on_boundary_by_w_by_w + t70*x1_1_on_boundary_by_w_by_w + t71*x2_1_on_boundary_by_w_by_w;
+            /* d/dtau of: Phi along tau1 */
+            const double t385 = p5*x2_1_on_boundary_by_y;
+            const double t386 = p4*x1_1_on_boundary_by_y + t385;
+            const double t387 = -t385 + t55*x1_1_on_boundary_by_y;
+            const double t388 = p4*t53;
+            const double t389 = p5*v2_1_on_boundary_by_y;
+            const double t390 = t388*v1_1_on_boundary_by_y + t389*t53;
+            const double t391 = -t389*t56 + t55*t56*v1_1_on_boundary_by_y;
+            const double carried_x1_2_by_y_by_tau = cos_omega3_tau1_by_tau*t386 + cos_omega4_tau1_by_tau*t387 + sin_omega3_tau1_by_tau*t390 + sin_omega4_tau1_by_tau*t391 + t58*v1_1_on_boundary_by_y_by_tau + t59*v2_1_on_boundary_by_y_by_tau + t60*x1_1_on_boundary_by_y_by_tau + t61*x2_1_on_boundary_by_y_by_tau;
+            const double t392 = p4*x1_1_on_boundary_by_u;
+            const double t393 = p5*x2_1_on_boundary_by_u;
+            const double t394 = t392 + t393;
+            const double t395 = -t393 + t55*x1_1_on_boundary_by_u;
+            const double t396 = p4*v1_1_on_boundary_by_u;
+            const double t397 = p5*v2_1_on_boundary_by_u;
+            const double t398 = t396*t53 + t397*t53;
+            const double t399 = -t397*t56 + t55*t56*v1_1_on_boundary_by_u;
+            const double carried_x1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t394 + cos_omega4_tau1_by_tau*t395 + sin_omega3_tau1_by_tau*t398 + sin_omega4_tau1_by_tau*t399 + t58*v1_1_on_boundary_by_u_by_tau + t59*v2_1_on_boundary_by_u_by_tau + t60*x1_1_on_boundary_by_u_by_tau + t61*x2_1_on_boundary_by_u_by_tau;
+            const double t400 = p5*x2_1_on_boundary_by_w;
+            const double t401 = p4*x1_1_on_boundary_by_w + t400;
+            const double t402 = -t400 + t55*x1_1_on_boundary_by_w;
+            const double t403 = p5*v2_1_on_boundary_by_w;
+            const double t404 = t388*v1_1_on_boundary_by_w + t403*t53;
+            const double t405 = -t403*t56 + t55*t56*v1_1_on_boundary_by_w;
+            const double carried_x1_2_by_w_by_tau = cos_omega3_tau1_by_tau*t401 + cos_omega4_tau1_by_tau*t402 + sin_omega3_tau1_by_tau*t404 + sin_omega4_tau1_by_tau*t405 + t58*v1_1_on_boundary_by_w_by_tau + t59*v2_1_on_boundary_by_w_by_tau + t60*x1_1_on_boundary_by_w_by_tau + t61*x2_1_on_boundary_by_w_by_tau;
+            const double t406 = p6*x1_1_on_boundary_by_y;
+            const double t407 = t406 + t55*x2_1_on_boundary_by_y;
+            const double t408 = p4*x2_1_on_boundary_by_y - t406;
+            const double t409 = p6*v1_1_on_boundary_by_y;
+            const double t410 = t55*v2_1_on_boundary_by_y;
+            const double t411 = t409*t53 + t410*t53;
+            const double t412 = p4*v2_1_on_boundary_by_y;
+            const double t413 = -t409*t56 + t412*t56;
+            const double carried_x2_2_by_y_by_tau = cos_omega3_tau1_by_tau*t407 + cos_omega4_tau1_by_tau*t408 + sin_omega3_tau1_by_tau*t411 + sin_omega4_tau1_by_tau*t413 + t62*v1_1_on_boundary_by_y_by_tau + t63*v2_1_on_boundary_by_y_by_tau + t64*x1_1_on_boundary_by_y_by_tau + t65*x2_1_on_boundary_by_y_by_tau;
+            const double t414 = t396 + t397;
+            const double t415 = -t397 + t55*v1_1_on_boundary_by_u;
+            const double t416 = -omega3*t392 - omega3*t393;
+            const double t417 = t55*x1_1_on_boundary_by_u;
+            const double t418 = omega4*t393 - omega4*t417;
+            const double carried_v1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t414 + cos_omega4_tau1_by_tau*t415 + sin_omega3_tau1_by_tau*t416 + sin_omega4_tau1_by_tau*t418 + t60*v1_1_on_boundary_by_u_by_tau + t61*v2_1_on_boundary_by_u_by_tau + t68*x1_1_on_boundary_by_u_by_tau + t69*x2_1_on_boundary_by_u_by_tau;
+            const double t419 = p6*v1_1_on_boundary_by_w;
+            const double t420 = t419 + t55*v2_1_on_boundary_by_w;
+            const double t421 = p4*v2_1_on_boundary_by_w - t419;
+            const double t422 = p6*x1_1_on_boundary_by_w;
+            const double t423 = t55*x2_1_on_boundary_by_w;
+            const double t424 = -omega3*t422 - omega3*t423;
+            const double t425 = p4*x2_1_on_boundary_by_w;
+            const double t426 = omega4*p6*x1_1_on_boundary_by_w - omega4*t425;
+            const double carried_v2_2_by_w_by_tau = cos_omega3_tau1_by_tau*t420 + cos_omega4_tau1_by_tau*t421 + sin_omega3_tau1_by_tau*t424 + sin_omega4_tau1_by_tau*t426 + t64*v1_1_on_boundary_by_w_by_tau + t65*v2_1_on_boundary_by_w_by_tau + t70*x1_1_on_boundary_by_w_by_tau + t71*x2_1_on_boundary_by_w_by_tau;
+            /* d/dm1 of: Phi along tau1 */
+            const double t427 = p4*t226;
+            const double t428 = -t226*t389 - t427*v1_1_on_boundary_by_y;
+            const double t429 = t229*t55;
+            const double t430 = t229*t389 - t429*v1_1_on_boundary_by_y;
+            const double t431 = -t231*v1_1_on_boundary_by_y + t233*x1_1_on_boundary_by_y;
+            const double t432 = -t231*v2_1_on_boundary_by_y + t233*x2_1_on_boundary_by_y;
+            const double carried_x1_2_by_y_by_m1 = cos_omega3_tau1_by_m1*t386 + cos_omega4_tau1_by_m1*t387 + omega3_by_m1*t428 + omega4_by_m1*t430 + p4_by_m1*t431 + p5_by_m1*t432 + sin_omega3_tau1_by_m1*t390 + sin_omega4_tau1_by_m1*t391 + t58*v1_1_on_boundary_by_y_by_m1 + t59*v2_1_on_boundary_by_y_by_m1 + t60*x1_1_on_boundary_by_y_by_m1 + t61*x2_1_on_boundary_by_y_by_m1;
+            const double t433 = -t226*t396 - t226*t397;
+            const double t434 = t229*t397 - t229*t55*v1_1_on_boundary_by_u;
+            const double t435 = -t231*v1_1_on_boundary_by_u + t233*x1_1_on_boundary_by_u;
+            const double t436 = -t231*v2_1_on_boundary_by_u + t233*x2_1_on_boundary_by_u;
+            const double carried_x1_2_by_u_by_m1 = cos_omega3_tau1_by_m1*t394 + cos_omega4_tau1_by_m1*t395 + omega3_by_m1*t433 + omega4_by_m1*t434 + p4_by_m1*t435 + p5_by_m1*t436 + sin_omega3_tau1_by_m1*t398 + sin_omega4_tau1_by_m1*t399 + t58*v1_1_on_boundary_by_u_by_m1 + t59*v2_1_on_boundary_by_u_by_m1 + t60*x1_1_on_boundary_by_u_by_m1 + t61*x2_1_on_boundary_by_u_by_m1;
+            const double t437 = -t226*t403 - t427*v1_1_on_boundary_by_w;
+            const double t438 = t229*t403 - t429*v1_1_on_boundary_by_w;
+            const double t439 = -t231*v1_1_on_boundary_by_w + t233*x1_1_on_boundary_by_w;
+            const double t440 = -t231*v2_1_on_boundary_by_w + t233*x2_1_on_boundary_by_w;
+            const double carried_x1_2_by_w_by_m1 = cos_omega3_tau1_by_m1*t401 + cos_omega4_tau1_by_m1*t402 + omega3_by_m1*t437 + omega4_by_m1*t438 + p4_by_m1*t439 + p5_by_m1*t440 + sin_omega3_tau1_by_m1*t404 + sin_omega4_tau1_by_m1*t405 + t58*v1_1_on_boundary_by_w_by_m1 + t59*v2_1_on_boundary_by_w_by_m1 + t60*x1_1_on_boundary_by_w_by_m1 + t61*x2_1_on_boundary_by_w_by_m1;
+            const double t441 = -t226*t409 - t226*t410;
+            const double t442 = p6*sin_omega4_tau1*t228*v1_1_on_boundary_by_y - t229*t412;
+            const double t443 = t231*v2_1_on_boundary_by_y - t233*x2_1_on_boundary_by_y;
+            const double carried_x2_2_by_y_by_m1 = cos_omega3_tau1_by_m1*t407 + cos_omega4_tau1_by_m1*t408 + omega3_by_m1*t441 + omega4_by_m1*t442 + p4_by_m1*t443 + p6_by_m1*t431 + sin_omega3_tau1_by_m1*t411 + sin_omega4_tau1_by_m1*t413 + t62*v1_1_on_boundary_by_y_by_m1 + t63*v2_1_on_boundary_by_y_by_m1 + t64*x1_1_on_boundary_by_y_by_m1 + t65*x2_1_on_boundary_by_y_by_m1;
+            const double t444 = -sin_omega3_tau1*t392 - sin_omega3_tau1*t393;
+            const double t445 = sin_omega4_tau1*t393 - sin_omega4_tau1*t417;
+            const double t446 = t233*v1_1_on_boundary_by_u - t242*x1_1_on_boundary_by_u;
+            const double t447 = t233*v2_1_on_boundary_by_u - t242*x2_1_on_boundary_by_u;
+            const double carried_v1_2_by_u_by_m1 = cos_omega3_tau1_by_m1*t414 + cos_omega4_tau1_by_m1*t415 + omega3_by_m1*t444 + omega4_by_m1*t445 + p4_by_m1*t446 + p5_by_m1*t447 + sin_omega3_tau1_by_m1*t416 + sin_omega4_tau1_by_m1*t418 + t60*v1_1_on_boundary_by_u_by_m1 + t61*v2_1_on_boundary_by_u_by_m1 + t68*x1_1_on_boundary_by_u_by_m1 + t69*x2_1_on_boundary_by_u_by_m1;
+            const double t448 = -sin_omega3_tau1*t422 - sin_omega3_tau1*t423;
+            const double t449 = p6*sin_omega4_tau1*x1_1_on_boundary_by_w - sin_omega4_tau1*t425;
+            const double t450 = -t233*v2_1_on_boundary_by_w + t242*x2_1_on_boundary_by_w;
+            const double t451 = t233*v1_1_on_boundary_by_w - t242*x1_1_on_boundary_by_w;
+            const double carried_v2_2_by_w_by_m1 = cos_omega3_tau1_by_m1*t420 + cos_omega4_tau1_by_m1*t421 + omega3_by_m1*t448 + omega4_by_m1*t449 + p4_by_m1*t450 + p6_by_m1*t451 + sin_omega3_tau1_by_m1*t424 + sin_omega4_tau1_by_m1*t426 + t64*v1_1_on_boundary_by_w_by_m1 + t65*v2_1_on_boundary_by_w_by_m1 + t70*x1_1_on_boundary_by_w_by_m1 + t71*x2_1_on_boundary_by_w_by_m1;
+            /* d/dm2 of: Phi along tau1 */
+            const double carried_x1_2_by_y_by_m2 = cos_omega3_tau1_by_m2*t386 + cos_omega4_tau1_by_m2*t387 + omega3_by_m2*t428 + omega4_by_m2*t430 + p4_by_m2*t431 + p5_by_m2*t432 + sin_omega3_tau1_by_m2*t390 + sin_omega4_tau1_by_m2*t391 + t58*v1_1_on_boundary_by_y_by_m2 + t59*v2_1_on_boundary_by_y_by_m2 + t60*x1_1_on_boundary_by_y_by_m2 + t61*x2_1_on_boundary_by_y_by_m2;
+            const double carried_x1_2_by_u_by_m2 = cos_omega3_tau1_by_m2*t394 + cos_omega4_tau1_by_m2*t395 + omega3_by_m2*t433 + omega4_by_m2*t434 + p4_by_m2*t435 + p5_by_m2*t436 + sin_omega3_tau1_by_m2*t398 + sin_omega4_tau1_by_m2*t399 + t58*v1_1_on_boundary_by_u_by_m2 + t59*v2_1_on_boundary_by_u_by_m2 + t60*x1_1_on_boundary_by_u_by_m2 + t61*x2_1_on_boundary_by_u_by_m2;
+            const double carried_x1_2_by_w_by_m2 = cos_omega3_tau1_by_m2*t401 + cos_omega4_tau1_by_m2*t402 + omega3_by_m2*t437 + omega4_by_m2*t438 + p4_by_m2*t439 + p5_by_m2*t440 + sin_omega3_tau1_by_m2*t404 + sin_omega4_tau1_by_m2*t405 + t58*v1_1_on_boundary_by_w_by_m2 + t59*v2_1_on_boundary_by_w_by_m2 + t60*x1_1_on_boundary_by_w_by_m2 + t61*x2_1_on_boundary_by_w_by_m2;
+            const double carried_x2_2_by_y_by_m2 = cos_omega3_tau1_by_m2*t407 + cos_omega4_tau1_by_m2*t408 + omega3_by_m2*t441 + omega4_by_m2*t442 + p4_by_m2*t443 + p6_by_m2*t431 + sin_omega3_tau1_by_m2*t411 + sin_omega4_tau1_by_m2*t413 + t62*v1_1_on_boundary_by_y_by_m2 + t63*v2_1_on_boundary_by_y_by_m2 + t64*x1_1_on_boundary_by_y_by_m2 + t65*x2_1_on_boundary_by_y_by_m2;
+            const double carried_v1_2_by_u_by_m2 = cos_omega3_tau1_by_m2*t414 + cos_omega4_tau1_by_m2*t415 + omega3_by_m2*t444 + omega4_by_m2*t445 + p4_by_m2*t446 + p5_by_m2*t447 + sin_omega3_tau1_by_m2*t416 + sin_omega4_tau1_by_m2*t418 + t60*v1_1_on_boundary_by_u_by_m2 + t61*v2_1_on_boundary_by_u_by_m2 + t68*x1_1_on_boundary_by_u_by_m2 + t69*x2_1_on_boundary_by_u_by_m2;
+            const double carried_v2_2_by_w_by_m2 = cos_omega3_tau1_by_m2*t420 + cos_omega4_tau1_by_m2*t421 + omega3_by_m2*t448 + omega4_by_m2*t449 + p4_by_m2*t450 + p6_by_m2*t451 + sin_omega3_tau1_by_m2*t424 + sin_omega4_tau1_by_m2*t426 + t64*v1_1_on_boundary_by_w_by_m2 + t65*v2_1_on_boundary_by_w_by_m2 + t70*x1_1_on_boundary_by_w_by_m2 + t71*x2_1_on_boundary_by_w_by_m2;
+            /* d/dk1 of: Phi along tau1 */
+            const double carried_x1_2_by_y_by_k1 = cos_omega3_tau1_by_k1*t386 + cos_omega4_tau1_by_k1*t387 + omega3_by_k1*t428 + omega4_by_k1*t430 + p4_by_k1*t431 + p5_by_k1*t432 + sin_omega3_tau1_by_k1*t390 + sin_omega4_tau1_by_k1*t391 + t58*v1_1_on_boundary_by_y_by_k1 + t59*v2_1_on_boundary_by_y_by_k1 + t60*x1_1_on_boundary_by_y_by_k1 + t61*x2_1_on_boundary_by_y_by_k1;
+            const double carried_x1_2_by_u_by_k1 = cos_omega3_tau1_by_k1*t394 + cos_omega4_tau1_by_k1*t395 + omega3_by_k1*t433 + omega4_by_k1*t434 + p4_by_k1*t435 + p5_by_k1*t436 + sin_omega3_tau1_by_k1*t398 + sin_omega4_tau1_by_k1*t399 + t58*v1_1_on_boundary_by_u_by_k1 + t59*v2_1_on_boundary_by_u_by_k1 + t60*x1_1_on_boundary_by_u_by_k1 + t61*x2_1_on_boundary_by_u_by_k1;
+            const double carried_x1_2_by_w_by_k1 = cos_omega3_tau1_by_k1*t401 + cos_omega4_tau1_by_k1*t402 + omega3_by_k1*t437 + omega4_by_k1*t438 + p4_by_k1*t439 + p5_by_k1*t440 + sin_omega3_tau1_by_k1*t404 + sin_omega4_tau1_by_k1*t405 + t58*v1_1_on_boundary_by_w_by_k1 + t59*v2_1_on_boundary_by_w_by_k1 + t60*x1_1_on_boundary_by_w_by_k1 + t61*x2_1_on_boundary_by_w_by_k1;
+            const double carried_x2_2_by_y_by_k1 = cos_omega3_tau1_by_k1*t407 + cos_omega4_tau1_by_k1*t408 + omega3_by_k1*t441 + omega4_by_k1*t442 + p4_by_k1*t443 + p6_by_k1*t431 + sin_omega3_tau1_by_k1*t411 + sin_omega4_tau1_by_k1*t413 + t62*v1_1_on_boundary_by_y_by_k1 + t63*v2_1_on_boundary_by_y_by_k1 + t64*x1_1_on_boundary_by_y_by_k1 + t65*x2_1_on_boundary_by_y_by_k1;
+            const double carried_v1_2_by_u_by_k1 = cos_omega3_tau1_by_k1*t414 + cos_omega4_tau1_by_k1*t415 + omega3_by_k1*t444 + omega4_by_k1*t445 + p4_by_k1*t446 + p5_by_k1*t447 + sin_omega3_tau1_by_k1*t416 + sin_omega4_tau1_by_k1*t418 + t60*v1_1_on_boundary_by_u_by_k1 + t61*v2_1_on_boundary_by_u_by_k1 + t68*x1_1_on_boundary_by_u_by_k1 + t69*x2_1_on_boundary_by_u_by_k1;
+            const double carried_v2_2_by_w_by_k1 = cos_omega3_tau1_by_k1*t420 + cos_omega4_tau1_by_k1*t421 + omega3_by_k1*t448 + omega4_by_k1*t449 + p4_by_k1*t450 + p6_by_k1*t451 + sin_omega3_tau1_by_k1*t424 + sin_omega4_tau1_by_k1*t426 + t64*v1_1_on_boundary_by_w_by_k1 + t65*v2_1_on_boundary_by_w_by_k1 + t70*x1_1_on_boundary_by_w_by_k1 + t71*x2_1_on_boundary_by_w_by_k1;
+            /* d/dk2 of: Phi along tau1 */
+            const double carried_x1_2_by_y_by_k2 = cos_omega3_tau1_by_k2*t386 + cos_omega4_tau1_by_k2*t387 + omega3_by_k2*t428 + omega4_by_k2*t430 + p4_by_k2*t431 + p5_by_k2*t432 + sin_omega3_tau1_by_k2*t390 + sin_omega4_tau1_by_k2*t391 + t58*v1_1_on_boundary_by_y_by_k2 + t59*v2_1_on_boundary_by_y_by_k2 + t60*x1_1_on_boundary_by_y_by_k2 + t61*x2_1_on_boundary_by_y_by_k2;
+            const double carried_x1_2_by_u_by_k2 = cos_omega3_tau1_by_k2*t394 + cos_omega4_tau1_by_k2*t395 + omega3_by_k2*t433 + omega4_by_k2*t434 + p4_by_k2*t435 + p5_by_k2*t436 + sin_omega3_tau1_by_k2*t398 + sin_omega4_tau1_by_k2*t399 + t58*v1_1_on_boundary_by_u_by_k2 + t59*v2_1_on_boundary_by_u_by_k2 + t60*x1_1_on_boundary_by_u_by_k2 + t61*x2_1_on_boundary_by_u_by_k2;
+            const double carried_x1_2_by_w_by_k2 = cos_omega3_tau1_by_k2*t401 + cos_omega4_tau1_by_k2*t402 + omega3_by_k2*t437 + omega4_by_k2*t438 + p4_by_k2*t439 + p5_by_k2*t440 + sin_omega3_tau1_by_k2*t404 + sin_omega4_tau1_by_k2*t405 + t58*v1_1_on_boundary_by_w_by_k2 + t59*v2_1_on_boundary_by_w_by_k2 + t60*x1_1_on_boundary_by_w_by_k2 + t61*x2_1_on_boundary_by_w_by_k2;
+            const double carried_x2_2_by_y_by_k2 = cos_omega3_tau1_by_k2*t407 + cos_omega4_tau1_by_k2*t408 + omega3_by_k2*t441 + omega4_by_k2*t442 + p4_by_k2*t443 + p6_by_k2*t431 + sin_omega3_tau1_by_k2*t411 + sin_omega4_tau1_by_k2*t413 + t62*v1_1_on_boundary_by_y_by_k2 + t63*v2_1_on_boundary_by_y_by_k2 + t64*x1_1_on_boundary_by_y_by_k2 + t65*x2_1_on_boundary_by_y_by_k2;
+            const double carried_v1_2_by_u_by_k2 = cos_omega3_tau1_by_k2*t414 + cos_omega4_tau1_by_k2*t415 + omega3_by_k2*t444 + omega4_by_k2*t445 + p4_by_k2*t446 + p5_by_k2*t447 + sin_omega3_tau1_by_k2*t416 + sin_omega4_tau1_by_k2*t418 + t60*v1_1_on_boundary_by_u_by_k2 + t61*v2_1_on_boundary_by_u_by_k2 + t68*x1_1_on_boundary_by_u_by_k2 + t69*x2_1_on_boundary_by_u_by_k2;
+            const double carried_v2_2_by_w_by_k2 = cos_omega3_tau1_by_k2*t420 + cos_omega4_tau1_by_k2*t421 + omega3_by_k2*t448 + omega4_by_k2*t449 + p4_by_k2*t450 + p6_by_k2*t451 + sin_omega3_tau1_by_k2*t424 + sin_omega4_tau1_by_k2*t426 + t64*v1_1_on_boundary_by_w_by_k2 + t65*v2_1_on_boundary_by_w_by_k2 + t70*x1_1_on_boundary_by_w_by_k2 + t71*x2_1_on_boundary_by_w_by_k2;
+            /* d/dk3 of: Phi along tau1 */
+            const double carried_x1_2_by_y_by_k3 = cos_omega3_tau1_by_k3*t386 + cos_omega4_tau1_by_k3*t387 + omega3_by_k3*t428 + omega4_by_k3*t430 + p4_by_k3*t431 + p5_by_k3*t432 + sin_omega3_tau1_by_k3*t390 + sin_omega4_tau1_by_k3*t391 + t58*v1_1_on_boundary_by_y_by_k3 + t59*v2_1_on_boundary_by_y_by_k3 + t60*x1_1_on_boundary_by_y_by_k3 + t61*x2_1_on_boundary_by_y_by_k3;
+            const double carried_x1_2_by_u_by_k3 = cos_omega3_tau1_by_k3*t394 + cos_omega4_tau1_by_k3*t395 + omega3_by_k3*t433 + omega4_by_k3*t434 + p4_by_k3*t435 + p5_by_k3*t436 + sin_omega3_tau1_by_k3*t398 + sin_omega4_tau1_by_k3*t399 + t58*v1_1_on_boundary_by_u_by_k3 + t59*v2_1_on_boundary_by_u_by_k3 + t60*x1_1_on_boundary_by_u_by_k3 + t61*x2_1_on_boundary_by_u_by_k3;
+            const double carried_x1_2_by_w_by_k3 = cos_omega3_tau1_by_k3*t401 + cos_omega4_tau1_by_k3*t402 + omega3_by_k3*t437 + omega4_by_k3*t438 + p4_by_k3*t439 + p5_by_k3*t440 + sin_omega3_tau1_by_k3*t404 + sin_omega4_tau1_by_k3*t405 + t58*v1_1_on_boundary_by_w_by_k3 + t59*v2_1_on_boundary_by_w_by_k3 + t60*x1_1_on_boundary_by_w_by_k3 + t61*x2_1_on_boundary_by_w_by_k3;
+            const double carried_x2_2_by_y_by_k3 = cos_omega3_tau1_by_k3*t407 + cos_omega4_tau1_by_k3*t408 + omega3_by_k3*t441 + omega4_by_k3*t442 + p4_by_k3*t443 + p6_by_k3*t431 + sin_omega3_tau1_by_k3*t411 + sin_omega4_tau1_by_k3*t413 + t62*v1_1_on_boundary_by_y_by_k3 + t63*v2_1_on_boundary_by_y_by_k3 + t64*x1_1_on_boundary_by_y_by_k3 + t65*x2_1_on_boundary_by_y_by_k3;
+            const double carried_v1_2_by_u_by_k3 = cos_omega3_tau1_by_k3*t414 + cos_omega4_tau1_by_k3*t415 + omega3_by_k3*t444 + omega4_by_k3*t445 + p4_by_k3*t446 + p5_by_k3*t447 + sin_omega3_tau1_by_k3*t416 + sin_omega4_tau1_by_k3*t418 + t60*v1_1_on_boundary_by_u_by_k3 + t61*v2_1_on_boundary_by_u_by_k3 + t68*x1_1_on_boundary_by_u_by_k3 + t69*x2_1_on_boundary_by_u_by_k3;
+            const double carried_v2_2_by_w_by_k3 = cos_omega3_tau1_by_k3*t420 + cos_omega4_tau1_by_k3*t421 + omega3_by_k3*t448 + omega4_by_k3*t449 + p4_by_k3*t450 + p6_by_k3*t451 + sin_omega3_tau1_by_k3*t424 + sin_omega4_tau1_by_k3*t426 + t64*v1_1_on_boundary_by_w_by_k3 + t65*v2_1_on_boundary_by_w_by_k3 + t70*x1_1_on_boundary_by_w_by_k3 + t71*x2_1_on_boundary_by_w_by_k3;
+            /* d/dT of: Phi along tau1 */
+            const double carried_x1_2_by_y_by_T = cos_omega3_tau1_by_T*t386 + cos_omega4_tau1_by_T*t387 + sin_omega3_tau1_by_T*t390 + sin_omega4_tau1_by_T*t391;
+            const double carried_x1_2_by_u_by_T = cos_omega3_tau1_by_T*t394 + cos_omega4_tau1_by_T*t395 + sin_omega3_tau1_by_T*t398 + sin_omega4_tau1_by_T*t399;
+            const double carried_x1_2_by_w_by_T = cos_omega3_tau1_by_T*t401 + cos_omega4_tau1_by_T*t402 + sin_omega3_tau1_by_T*t404 + sin_omega4_tau1_by_T*t405;
+            const double carried_x2_2_by_y_by_T = cos_omega3_tau1_by_T*t407 + cos_omega4_tau1_by_T*t408 + sin_omega3_tau1_by_T*t411 + sin_omega4_tau1_by_T*t413;
+            const double carried_v1_2_by_u_by_T = cos_omega3_tau1_by_T*t414 + cos_omega4_tau1_by_T*t415 + sin_omega3_tau1_by_T*t416 + sin_omega4_tau1_by_T*t418;
+            const double carried_v2_2_by_w_by_T = cos_omega3_tau1_by_T*t420 + cos_omega4_tau1_by_T*t421 + sin_omega3_tau1_by_T*t424 + sin_omega4_tau1_by_T*t426;
+            /* d/dy of: derivatives of the time to the boundary after tau1 */
+            const double t452 = (1.0/(v1_2*v1_2));
+            const double t453 = t452*v1_2_by_y;
+            const double delay_tau1_by_y_by_y = carried_x1_2_by_y*t453 - carried_x1_2_by_y_by_y*t82;
+            const double delay_tau1_by_u_by_y = carried_x1_2_by_u*t453 - carried_x1_2_by_u_by_y*t82;
+            const double delay_tau1_by_w_by_y = carried_x1_2_by_w*t453 - carried_x1_2_by_w_by_y*t82;
+            /* d/du of: derivatives of the time to the boundary after tau1 */
+            const double t454 = t452*v1_2_by_u;
+            const double delay_tau1_by_y_by_u = carried_x1_2_by_y*t454 - carried_x1_2_by_y_by_u*t82;
+            const double delay_tau1_by_u_by_u = carried_x1_2_by_u*t454 - carried_x1_2_by_u_by_u*t82;
+            const double delay_tau1_by_w_by_u = carried_x1_2_by_w*t454 - carried_x1_2_by_w_by_u*t82;
+            /* d/dw of: derivatives of the time to the boundary after tau1 */
+            const double t455 = t452*v1_2_by_w;
+            const double delay_tau1_by_y_by_w = carried_x1_2_by_y*t455 - carried_x1_2_by_y_by_w*t82;
+            const double delay_tau1_by_u_by_w = carried_x1_2_by_u*t455 - carried_x1_2_by_u_by_w*t82;
+            const double delay_tau1_by_w_by_w = carried_x1_2_by_w*t455 - carried_x1_2_by_w_by_w*t82;
+            /* d/dtau of: derivatives of the time to the boundary after tau1 */
+            const double t456 = t452*v1_2_by_tau;
+            const double delay_tau1_by_y_by_tau = carried_x1_2_by_y*t456 - carried_x1_2_by_y_by_tau*t82;
+            const double delay_tau1_by_u_by_tau = carried_x1_2_by_u*t456 - carried_x1_2_by_u_by_tau*t82;
+            const double delay_tau1_by_w_by_tau = carried_x1_2_by_w*t456 - carried_x1_2_by_w_by_tau*t82;
+            /* d/dm1 of: derivatives of the time to the boundary after tau1 */
+            const double t457 = t452*v1_2_by_m1;
+            const double delay_tau1_by_y_by_m1 = carried_x1_2_by_y*t457 - carried_x1_2_by_y_by_m1*t82;
+            const double delay_tau1_by_u_by_m1 = carried_x1_2_by_u*t457 - carried_x1_2_by_u_by_m1*t82;
+            const double delay_tau1_by_w_by_m1 = carried_x1_2_by_w*t457 - carried_x1_2_by_w_by_m1*t82;
+            /* d/dm2 of: derivatives of the time to the boundary after tau1 */
+            const double t458 = t452*v1_2_by_m2;
+            const double delay_tau1_by_y_by_m2 = carried_x1_2_by_y*t458 - carried_x1_2_by_y_by_m2*t82;
+            const double delay_tau1_by_u_by_m2 = carried_x1_2_by_u*t458 - carried_x1_2_by_u_by_m2*t82;
+            const double delay_tau1_by_w_by_m2 = carried_x1_2_by_w*t458 - carried_x1_2_by_w_by_m2*t82;
+            /* d/dk1 of: derivatives of the time to the boundary after tau1 */
+            const double t459 = t452*v1_2_by_k1;
+            const double delay_tau1_by_y_by_k1 = carried_x1_2_by_y*t459 - carried_x1_2_by_y_by_k1*t82;
+            const double delay_tau1_by_u_by_k1 = carried_x1_2_by_u*t459 - carried_x1_2_by_u_by_k1*t82;
+            const double delay_tau1_by_w_by_k1 = carried_x1_2_by_w*t459 - carried_x1_2_by_w_by_k1*t82;
+            /* d/dk2 of: derivatives of the time to the boundary after tau1 */
+            const double t460 = t452*v1_2_by_k2;
+            const double delay_tau1_by_y_by_k2 = carried_x1_2_by_y*t460 - carried_x1_2_by_y_by_k2*t82;
+            const double delay_tau1_by_u_by_k2 = carried_x1_2_by_u*t460 - carried_x1_2_by_u_by_k2*t82;
+            const double delay_tau1_by_w_by_k2 = carried_x1_2_by_w*t460 - carried_x1_2_by_w_by_k2*t82;
+            /* d/dk3 of: derivatives of the time to the boundary after tau1 */
+            const double t461 = t452*v1_2_by_k3;
+            const double delay_tau1_by_y_by_k3 = carried_x1_2_by_y*t461 - carried_x1_2_by_y_by_k3*t82;
+            const double delay_tau1_by_u_by_k3 = carried_x1_2_by_u*t461 - carried_x1_2_by_u_by_k3*t82;
+            const double delay_tau1_by_w_by_k3 = carried_x1_2_by_w*t461 - carried_x1_2_by_w_by_k3*t82;
+            /* d/dT of: derivatives of the time to the boundary after tau1 */
+            const double t462 = t452*v1_2_by_T;
+            const double delay_tau1_by_y_by_T = carried_x1_2_by_y*t462 - carried_x1_2_by_y_by_T*t82;
+            const double delay_tau1_by_u_by_T = carried_x1_2_by_u*t462 - carried_x1_2_by_u_by_T*t82;
+            const double delay_tau1_by_w_by_T = carried_x1_2_by_w*t462 - carried_x1_2_by_w_by_T*t82;
+            /* d/dy of: perturbation on the boundary after tau1 */
+            const double x2_2_on_boundary_by_y_by_y = carried_x2_2_by_y_by_y + delay_tau1_by_y*v2_2_by_y + delay_tau1_by_y_by_y*v2_2;
+            const double t463 = t73*x1_2;
+            const double t464 = -k1*t463 + k1*t73*x2_2;
+            const double t465 = delay_tau1_by_u*k1*t73;
+            const double v1_2_on_boundary_by_u_by_y = carried_v1_2_by_u_by_y + delay_tau1_by_u_by_y*t464 - t465*x1_2_by_y + t465*x2_2_by_y;
+            const double t466 = t77*x1_2;
+            const double t467 = t77*x2_2;
+            const double t468 = k1*t466 - t467*t79;
+            const double t469 = delay_tau1_by_w*t77;
+            const double t470 = k1*t469;
+            const double t471 = t469*t79;
+            const double v2_2_on_boundary_by_w_by_y = carried_v2_2_by_w_by_y + delay_tau1_by_w_by_y*t468 + t470*x1_2_by_y - t471*x2_2_by_y;
+            /* d/du of: perturbation on the boundary after tau1 */
+            const double x2_2_on_boundary_by_y_by_u = carried_x2_2_by_y_by_u + delay_tau1_by_y*v2_2_by_u + delay_tau1_by_y_by_u*v2_2;
+            const double v1_2_on_boundary_by_u_by_u = carried_v1_2_by_u_by_u + delay_tau1_by_u_by_u*t464 - t465*x1_2_by_u + t465*x2_2_by_u;
+            const double v2_2_on_boundary_by_w_by_u = carried_v2_2_by_w_by_u + delay_tau1_by_w_by_u*t468 + t470*x1_2_by_u - t471*x2_2_by_u;
+            /* d/dw of: perturbation on the boundary after tau1 */
+            const double x2_2_on_boundary_by_y_by_w = carried_x2_2_by_y_by_w + delay_tau1_by_y*v2_2_by_w + delay_tau1_by_y_by_w*v2_2;
+            const double v1_2_on_boundary_by_u_by_w = carried_v1_2_by_u_by_w + delay_tau1_by_u_by_w*t464 - t465*x1_2_by_w + t465*x2_2_by_w;
+            const double v2_2_on_boundary_by_w_by_w = carried_v2_2_by_w_by_w + delay_tau1_by_w_by_w*t468 + t470*x1_2_by_w - t471*x2_2_by_w;
+            /* d/dtau of: perturbation on the boundary after tau1 */
+            const double x2_2_on_boundary_by_y_by_tau = carried_x2_2_by_y_by_tau + delay_tau1_by_y*v2_2_by_tau + delay_tau1_by_y_by_tau*v2_2;
+            const double v1_2_on_boundary_by_u_by_tau = carried_v1_2_by_u_by_tau + delay_tau1_by_u_by_tau*t464 - t465*x1_2_by_tau + t465*x2_2_by_tau;
+            const double v2_2_on_boundary_by_w_by_tau = carried_v2_2_by_w_by_tau + delay_tau1_by_w_by_tau*t468 + t470*x1_2_by_tau - t471*x2_2_by_tau;
+            /* d/dm1 of: perturbation on the boundary after tau1 */
+            const double x2_2_on_boundary_by_y_by_m1 = carried_x2_2_by_y_by_m1 + delay_tau1_by_y*v2_2_by_m1 + delay_tau1_by_y_by_m1*v2_2;
+            const double v1_2_on_boundary_by_u_by_m1 = carried_v1_2_by_u_by_m1 + delay_tau1_by_u*(t357*x1_2 - t357*x2_2) + delay_tau1_by_u_by_m1*t464 - t465*x1_2_by_m1 + t465*x2_2_by_m1;
+            const double v2_2_on_boundary_by_w_by_m1 = carried_v2_2_by_w_by_m1 + delay_tau1_by_w_by_m1*t468 + t470*x1_2_by_m1 - t471*x2_2_by_m1;
+            /* d/dm2 of: perturbation on the boundary after tau1 */
+            const double x2_2_on_boundary_by_y_by_m2 = carried_x2_2_by_y_by_m2 + delay_tau1_by_y*v2_2_by_m2 + delay_tau1_by_y_by_m2*v2_2;
+            const double v1_2_on_boundary_by_u_by_m2 = carried_v1_2_by_u_by_m2 + delay_tau1_by_u_by_m2*t464 - t465*x1_2_by_m2 + t465*x2_2_by_m2;
+            const double v2_2_on_boundary_by_w_by_m2 = carried_v2_2_by_w_by_m2 + delay_tau1_by_w*(t365*t79*x2_2 - t366*x1_2) + delay_tau1_by_w_by_m2*t468 + t470*x1_2_by_m2 - t471*x2_2_by_m2;
+            /* d/dk1 of: perturbation on the boundary after tau1 */
+            const double x2_2_on_boundary_by_y_by_k1 = carried_x2_2_by_y_by_k1 + delay_tau1_by_y*v2_2_by_k1 + delay_tau1_by_y_by_k1*v2_2;
+            const double v1_2_on_boundary_by_u_by_k1 = carried_v1_2_by_u_by_k1 + delay_tau1_by_u*(-t463 + t73*x2_2) + delay_tau1_by_u_by_k1*t464 - t465*x1_2_by_k1 + t465*x2_2_by_k1;
+            const double v2_2_on_boundary_by_w_by_k1 = carried_v2_2_by_w_by_k1 + delay_tau1_by_w*(t466 - t467) + delay_tau1_by_w_by_k1*t468 + t470*x1_2_by_k1 - t471*x2_2_by_k1;
+            /* d/dk2 of: perturbation on the boundary after tau1 */
+            const double x2_2_on_boundary_by_y_by_k2 = carried_x2_2_by_y_by_k2 + delay_tau1_by_y*v2_2_by_k2 + delay_tau1_by_y_by_k2*v2_2;
+            const double v1_2_on_boundary_by_u_by_k2 = carried_v1_2_by_u_by_k2 + delay_tau1_by_u_by_k2*t464 - t465*x1_2_by_k2 + t465*x2_2_by_k2;
+            const double v2_2_on_boundary_by_w_by_k2 = carried_v2_2_by_w_by_k2 - delay_tau1_by_w*t467 + delay_tau1_by_w_by_k2*t468 + t470*x1_2_by_k2 - t471*x2_2_by_k2;
+            /* d/dk3 of: perturbation on the boundary after tau1 */
+            const double x2_2_on_boundary_by_y_by_k3 = carried_x2_2_by_y_by_k3 + delay_tau1_by_y*v2_2_by_k3 + delay_tau1_by_y_by_k3*v2_2;
+            const double v1_2_on_boundary_by_u_by_k3 = carried_v1_2_by_u_by_k3 + delay_tau1_by_u_by_k3*t464 - t465*x1_2_by_k3 + t465*x2_2_by_k3;
+            const double v2_2_on_boundary_by_w_by_k3 = carried_v2_2_by_w_by_k3 + delay_tau1_by_w_by_k3*t468 + t470*x1_2_by_k3 - t471*x2_2_by_k3;
+            /* d/dT of: perturbation on the boundary after tau1 */
+            const double x2_2_on_boundary_by_y_by_T = carried_x2_2_by_y_by_T + delay_tau1_by_y*v2_2_by_T + delay_tau1_by_y_by_T*v2_2;
+            const double v1_2_on_boundary_by_u_by_T = carried_v1_2_by_u_by_T + delay_tau1_by_u_by_T*t464 - t465*x1_2_by_T + t465*x2_2_by_T;
+            const double v2_2_on_boundary_by_w_by_T = carried_v2_2_by_w_by_T + delay_tau1_by_w_by_T*t468 + t470*x1_2_by_T - t471*x2_2_by_T;
+            slope[0][lane] = v1_2_on_boundary_by_u_by_y + v2_2_on_boundary_by_w_by_y + x2_2_on_boundary_by_y_by_y;
+            slope[1][lane] = v1_2_on_boundary_by_u_by_u + v2_2_on_boundary_by_w_by_u + x2_2_on_boundary_by_y_by_u;
+            slope[2][lane] = v1_2_on_boundary_by_u_by_w + v2_2_on_boundary_by_w_by_w + x2_2_on_boundary_by_y_by_w;
+            slope[3][lane] = v1_2_on_boundary_by_u_by_tau + v2_2_on_boundary_by_w_by_tau + x2_2_on_boundary_by_y_by_tau;
+            slope[4][lane] = v1_2_on_boundary_by_u_by_m1 + v2_2_on_boundary_by_w_by_m1 + x2_2_on_boundary_by_y_by_m1;
+            slope[5][lane] = v1_2_on_boundary_by_u_by_m2 + v2_2_on_boundary_by_w_by_m2 + x2_2_on_boundary_by_y_by_m2;
+            slope[6][lane] = v1_2_on_boundary_by_u_by_k1 + v2_2_on_boundary_by_w_by_k1 + x2_2_on_boundary_by_y_by_k1;
+            slope[7][lane] = v1_2_on_boundary_by_u_by_k2 + v2_2_on_boundary_by_w_by_k2 + x2_2_on_boundary_by_y_by_k2;
+            slope[8][lane] = v1_2_on_boundary_by_u_by_k3 + v2_2_on_boundary_by_w_by_k3 + x2_2_on_boundary_by_y_by_k3;
+            slope[9][lane] = v1_2_on_boundary_by_u_by_T + v2_2_on_boundary_by_w_by_T + x2_2_on_boundary_by_y_by_T;
+        }
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j)
+#pragma omp simd
+                for (int lane = 0; lane < lanes; ++lane)
+                    size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
+        for (int k = 0; k < n; ++k) {
+            for (int i = k + 1; i < n; ++i) {
+                double other[lanes];
+                for (int lane = 0; lane < lanes; ++lane)
+                    other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
+                for (int j = k; j < width; ++j)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane) {
+                        const double above = matrix[k][j][lane], below = matrix[i][j][lane];
+                        matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
+                        matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
+                    }
+            }
+#pragma omp simd
+            for (int lane = 0; lane < lanes; ++lane) {
+                const double pivot = fabs(matrix[k][k][lane]);
+                least[lane] = pivot < least[lane] ? pivot : least[lane];
+                matrix[k][k][lane] = 1.0 / matrix[k][k][lane];
+            }
+            for (int i = k + 1; i < n; ++i) {
+                double factor[lanes];
+                for (int lane = 0; lane < lanes; ++lane)
+                    factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
+                for (int j = k + 1; j < width; ++j)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane)
+                        matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
+            }
+        }
+        for (int k = n - 1; k >= 0; --k)
+            for (int j = n; j < width; ++j) {
+                for (int l = k + 1; l < n; ++l)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane)
+                        matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
+#pragma omp simd
+                for (int lane = 0; lane < lanes; ++lane) {
+                    matrix[k][j][lane] *= matrix[k][k][lane];
+                    slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
+                }
+            }
+        for (int lane = 0; lane < here; ++lane) {
+            const double lost = least[lane] > 1e-10 * sqrt(size[lane]) ? 0.0 : (double)NAN;
+            for (int j = 0; j < p; ++j) {
+                for (int i = 0; i < n; ++i)
+                    directions[(i * p + j) * count + start + lane] = matrix[i][n + j][lane] + lost;
+                directions[(n * p + j) * count + start + lane] = slope[n + j][lane] + lost;
+            }
+        }
     }
 }

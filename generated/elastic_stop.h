@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation d79c593841bc45a0 */
+ * SymPy 1.14.0, derivation 113e2b5e94516a32 */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 
@@ -62,6 +62,8 @@ void elastic_stop_one_contact_solve(
 void elastic_stop_one_contact_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns,
     int32_t *boundary, double *excess, double *instant);
+void elastic_stop_one_contact_directions(
+    ptrdiff_t count, const double *parameters, const double *unknowns, double *directions);
 
 #ifdef __cplusplus
 }

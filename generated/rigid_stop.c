@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation f4c73a498b4d0c70 */
+ * SymPy 1.14.0, derivation 55586efa21b91602 */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -1860,5 +1860,651 @@ void rigid_stop_one_impact_admissible(
         boundary[point] = found;
         excess[point] = most;
         instant[point] = when;
+    }
+}
+
+/* Derivatives of the unknowns (2) and the trace by the parameters (5), at solutions of the
+ * equations, for `count` points. Arrays hold columns: entry i of a point stands at
+ * [i * count + point], and of the derivatives those by one parameter follow another.
+ * NaN where the equations are singular: a pivot is below 1e-10 times the matrix. */
+NONSMOOTH_MULTIVERSION
+void rigid_stop_one_impact_directions(
+    ptrdiff_t count, const double *parameters, const double *unknowns, double *directions)
+{
+    enum { lanes = 16, n = 2, p = 5, width = 2 + 5 };
+    for (ptrdiff_t start = 0; start < count; start += lanes) {
+        const ptrdiff_t here = count - start < lanes ? count - start : lanes;
+        double parameter[p][lanes], unknown[n][lanes], fixed[25][lanes];
+        double matrix[n][width][lanes], slope[width][lanes], size[lanes], least[lanes];
+        for (int lane = 0; lane < lanes; ++lane) {
+            const ptrdiff_t point = start + (lane < here ? lane : here - 1);
+            for (int i = 0; i < p; ++i)
+                parameter[i][lane] = parameters[i * count + point];
+            for (int i = 0; i < n; ++i)
+                unknown[i][lane] = unknowns[i * count + point];
+            size[lane] = 0.0;
+            least[lane] = INFINITY;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double m1 = parameter[0][lane];
+            const double m2 = parameter[1][lane];
+            const double k1 = parameter[2][lane];
+            const double k2 = parameter[3][lane];
+            /* spectrum */
+            const double t0 = (1.0/(m1));
+            const double t1 = k1*t0;
+            const double t2 = (1.0/(m2));
+            const double t3 = k1 + k2;
+            const double t4 = t2*t3;
+            const double t5 = t1 - t4;
+            const double t6 = (k1*k1);
+            const double t7 = 4*t2*t6;
+            const double gap1 = sqrt(t0*t7 + (t5*t5));
+            const double omega1 = sqrt((1.0/2.0)*gap1 + (1.0/2.0)*t1 + (1.0/2.0)*t4);
+            const double t8 = (1.0/(omega1));
+            const double t9 = sqrt(k1);
+            const double t10 = (1.0/sqrt(m2));
+            const double t11 = sqrt(k2);
+            const double t12 = (1.0/sqrt(m1));
+            const double t13 = t10*t11*t12*t9;
+            const double omega2 = t13*t8;
+            const double t14 = (1.0/(gap1));
+            const double t15 = (1.0/2.0)*t14;
+            const double p1 = t15*t5 + 1.0/2.0;
+            const double p2 = -t1*t14;
+            const double t16 = t14*t2;
+            const double p3 = -k1*t16;
+            /* d/dk1 of: spectrum */
+            const double gap1_by_k1 = t15*(8*t1*t2 + t5*(2*t0 - 2*t2));
+            const double t18 = (1.0/2.0)*gap1_by_k1;
+            const double t19 = (1.0/2.0)*t2;
+            const double t20 = (1.0/2.0)*t8;
+            const double omega1_by_k1 = t20*((1.0/2.0)*t0 + t18 + t19);
+            const double t21 = t13/(omega1*omega1);
+            const double omega2_by_k1 = -omega1_by_k1*t21 + (1.0/2.0)*t10*t11*t12*t8/t9;
+            const double t22 = (1.0/(gap1*gap1));
+            const double t23 = t22*t5;
+            const double p1_by_k1 = t15*(t0 - t2) - t18*t23;
+            const double p2_by_k1 = gap1_by_k1*k1*t0*t22 - t0*t14;
+            const double p3_by_k1 = gap1_by_k1*k1*t2*t22 - t16;
+            /* d/dk2 of: spectrum */
+            const double gap1_by_k2 = -t16*t5;
+            const double t25 = (1.0/2.0)*gap1_by_k2;
+            const double omega1_by_k2 = t20*(t19 + t25);
+            const double omega2_by_k2 = -omega1_by_k2*t21 + (1.0/2.0)*t10*t12*t8*t9/t11;
+            const double p1_by_k2 = -t14*t19 - t23*t25;
+            const double t26 = gap1_by_k2*t22;
+            const double p2_by_k2 = t1*t26;
+            const double t27 = k1*t2;
+            const double p3_by_k2 = t26*t27;
+            /* d/dm1 of: spectrum */
+            const double t28 = (1.0/(m1*m1));
+            const double t29 = k1*t28;
+            const double gap1_by_m1 = t15*(-t28*t7 - 2*t29*t5);
+            const double t30 = (1.0/2.0)*gap1_by_m1;
+            const double omega1_by_m1 = t20*(-1.0/2.0*t29 + t30);
+            const double omega2_by_m1 = -omega1_by_m1*t21 - t10*t11*t20*t9/(sqrt(m1)*sqrt(m1)*sqrt(m1));
+            const double p1_by_m1 = -t15*t29 - t23*t30;
+            const double t31 = gap1_by_m1*t22;
+            const double p2_by_m1 = t1*t31 + t14*t29;
+            const double p3_by_m1 = t27*t31;
+            /* d/dm2 of: spectrum */
+            const double t32 = (1.0/(m2*m2));
+            const double gap1_by_m2 = t15*(-4*t0*t32*t6 + 2*t3*t32*t5);
+            const double t33 = (1.0/2.0)*gap1_by_m2;
+            const double t34 = t3*t32;
+            const double omega1_by_m2 = t20*(t33 - 1.0/2.0*t34);
+            const double t35 = (1.0/(sqrt(m2)*sqrt(m2)*sqrt(m2)));
+            const double omega2_by_m2 = -omega1_by_m2*t21 - t11*t12*t20*t35*t9;
+            const double p1_by_m2 = t15*t34 - t23*t33;
+            const double t36 = gap1_by_m2*t22;
+            const double p2_by_m2 = t1*t36;
+            const double p3_by_m2 = k1*t14*t32 + t27*t36;
+            fixed[0][lane] = omega1;
+            fixed[1][lane] = omega2;
+            fixed[2][lane] = p1;
+            fixed[3][lane] = p2;
+            fixed[4][lane] = p3;
+            fixed[5][lane] = omega1_by_k1;
+            fixed[6][lane] = omega1_by_k2;
+            fixed[7][lane] = omega1_by_m1;
+            fixed[8][lane] = omega1_by_m2;
+            fixed[9][lane] = omega2_by_k1;
+            fixed[10][lane] = omega2_by_k2;
+            fixed[11][lane] = omega2_by_m1;
+            fixed[12][lane] = omega2_by_m2;
+            fixed[13][lane] = p1_by_k1;
+            fixed[14][lane] = p1_by_k2;
+            fixed[15][lane] = p1_by_m1;
+            fixed[16][lane] = p1_by_m2;
+            fixed[17][lane] = p2_by_k1;
+            fixed[18][lane] = p2_by_k2;
+            fixed[19][lane] = p2_by_m1;
+            fixed[20][lane] = p2_by_m2;
+            fixed[21][lane] = p3_by_k1;
+            fixed[22][lane] = p3_by_k2;
+            fixed[23][lane] = p3_by_m1;
+            fixed[24][lane] = p3_by_m2;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double T = parameter[4][lane];
+            const double y = unknown[0][lane];
+            const double u = unknown[1][lane];
+            const double omega1 = fixed[0][lane];
+            const double omega2 = fixed[1][lane];
+            const double p1 = fixed[2][lane];
+            const double p2 = fixed[3][lane];
+            const double p3 = fixed[4][lane];
+            const double omega1_by_k1 = fixed[5][lane];
+            const double omega1_by_k2 = fixed[6][lane];
+            const double omega1_by_m1 = fixed[7][lane];
+            const double omega1_by_m2 = fixed[8][lane];
+            const double omega2_by_k1 = fixed[9][lane];
+            const double omega2_by_k2 = fixed[10][lane];
+            const double omega2_by_m1 = fixed[11][lane];
+            const double omega2_by_m2 = fixed[12][lane];
+            const double p1_by_k1 = fixed[13][lane];
+            const double p1_by_k2 = fixed[14][lane];
+            const double p1_by_m1 = fixed[15][lane];
+            const double p1_by_m2 = fixed[16][lane];
+            const double p2_by_k1 = fixed[17][lane];
+            const double p2_by_k2 = fixed[18][lane];
+            const double p2_by_m1 = fixed[19][lane];
+            const double p2_by_m2 = fixed[20][lane];
+            const double p3_by_k1 = fixed[21][lane];
+            const double p3_by_k2 = fixed[22][lane];
+            const double p3_by_m1 = fixed[23][lane];
+            const double p3_by_m2 = fixed[24][lane];
+            /* half of T */
+            const double half_T = (1.0/2.0)*T;
+            /* functions of half_T in free */
+            const double t0 = half_T*omega1;
+            double sine_0, cosine_0;
+            nonsmooth_sincos(t0, &sine_0, &cosine_0);
+            const double cos_omega1_half_T = cosine_0;
+            const double sin_omega1_half_T = sine_0;
+            const double t3 = half_T*omega2;
+            double sine_1, cosine_1;
+            nonsmooth_sincos(t3, &sine_1, &cosine_1);
+            const double cos_omega2_half_T = cosine_1;
+            const double sin_omega2_half_T = sine_1;
+            /* d/dm1 of: functions of half_T in free */
+            const double t6 = half_T*omega1_by_m1;
+            const double cos_omega1_half_T_by_m1 = -sin_omega1_half_T*t6;
+            const double sin_omega1_half_T_by_m1 = cos_omega1_half_T*t6;
+            const double t7 = half_T*omega2_by_m1;
+            const double cos_omega2_half_T_by_m1 = -sin_omega2_half_T*t7;
+            const double sin_omega2_half_T_by_m1 = cos_omega2_half_T*t7;
+            /* d/dm2 of: functions of half_T in free */
+            const double t8 = half_T*omega1_by_m2;
+            const double cos_omega1_half_T_by_m2 = -sin_omega1_half_T*t8;
+            const double sin_omega1_half_T_by_m2 = cos_omega1_half_T*t8;
+            const double t9 = half_T*omega2_by_m2;
+            const double cos_omega2_half_T_by_m2 = -sin_omega2_half_T*t9;
+            const double sin_omega2_half_T_by_m2 = cos_omega2_half_T*t9;
+            /* d/dk1 of: functions of half_T in free */
+            const double t10 = half_T*omega1_by_k1;
+            const double cos_omega1_half_T_by_k1 = -sin_omega1_half_T*t10;
+            const double sin_omega1_half_T_by_k1 = cos_omega1_half_T*t10;
+            const double t11 = half_T*omega2_by_k1;
+            const double cos_omega2_half_T_by_k1 = -sin_omega2_half_T*t11;
+            const double sin_omega2_half_T_by_k1 = cos_omega2_half_T*t11;
+            /* d/dk2 of: functions of half_T in free */
+            const double t12 = half_T*omega1_by_k2;
+            const double cos_omega1_half_T_by_k2 = -sin_omega1_half_T*t12;
+            const double sin_omega1_half_T_by_k2 = cos_omega1_half_T*t12;
+            const double t13 = half_T*omega2_by_k2;
+            const double cos_omega2_half_T_by_k2 = -sin_omega2_half_T*t13;
+            const double sin_omega2_half_T_by_k2 = cos_omega2_half_T*t13;
+            /* d/dT of: functions of half_T in free */
+            const double t14 = (1.0/2.0)*omega1;
+            const double cos_omega1_half_T_by_T = -sin_omega1_half_T*t14;
+            const double sin_omega1_half_T_by_T = cos_omega1_half_T*t14;
+            const double t15 = (1.0/2.0)*omega2;
+            const double cos_omega2_half_T_by_T = -sin_omega2_half_T*t15;
+            const double sin_omega2_half_T_by_T = cos_omega2_half_T*t15;
+            /* outputs */
+            const double t16 = omega1*sin_omega1_half_T;
+            const double t17 = p1 - 1;
+            const double t18 = omega2*sin_omega2_half_T;
+            const double t19 = cos_omega1_half_T*u - cos_omega2_half_T*u - t16 + t18;
+            const double t20 = -omega2*sin_omega2_half_T*y + t16*y;
+            const double t22 = p1*u;
+            const double t23 = p2*y;
+            const double t24 = t17 + t23;
+            const double t25 = sin_omega2_half_T*t24;
+            const double t26 = omega2*t24;
+            const double t27 = t17*u;
+            const double t28 = p1 + t23;
+            const double t29 = sin_omega1_half_T*t28;
+            const double t30 = omega1*t28;
+            const double t31 = p3*u;
+            const double t32 = p1*y - p3 - y;
+            const double t33 = sin_omega1_half_T*t32;
+            const double t34 = omega1*t32;
+            const double t35 = p1*y - p3;
+            const double t36 = sin_omega2_half_T*t35;
+            const double t37 = omega2*t35;
+            matrix[0][0][lane] = omega2*p2*sin_omega2_half_T - p2*t16;
+            matrix[0][1][lane] = cos_omega1_half_T*p1 - cos_omega2_half_T*t17;
+            matrix[1][0][lane] = -p1*t18 + t16*t17;
+            matrix[1][1][lane] = cos_omega1_half_T*p3 - cos_omega2_half_T*p3;
+            matrix[0][2][lane] = -cos_omega1_half_T_by_m1*t22 + cos_omega2_half_T_by_m1*t27 + omega1_by_m1*t29 - omega2_by_m1*t25 - p1_by_m1*t19 + p2_by_m1*t20 + sin_omega1_half_T_by_m1*t30 - sin_omega2_half_T_by_m1*t26;
+            matrix[0][3][lane] = -cos_omega1_half_T_by_m2*t22 + cos_omega2_half_T_by_m2*t27 + omega1_by_m2*t29 - omega2_by_m2*t25 - p1_by_m2*t19 + p2_by_m2*t20 + sin_omega1_half_T_by_m2*t30 - sin_omega2_half_T_by_m2*t26;
+            matrix[0][4][lane] = -cos_omega1_half_T_by_k1*t22 + cos_omega2_half_T_by_k1*t27 + omega1_by_k1*t29 - omega2_by_k1*t25 - p1_by_k1*t19 + p2_by_k1*t20 + sin_omega1_half_T_by_k1*t30 - sin_omega2_half_T_by_k1*t26;
+            matrix[0][5][lane] = -cos_omega1_half_T_by_k2*t22 + cos_omega2_half_T_by_k2*t27 + omega1_by_k2*t29 - omega2_by_k2*t25 - p1_by_k2*t19 + p2_by_k2*t20 + sin_omega1_half_T_by_k2*t30 - sin_omega2_half_T_by_k2*t26;
+            matrix[0][6][lane] = -cos_omega1_half_T_by_T*t22 + cos_omega2_half_T_by_T*t27 + sin_omega1_half_T_by_T*t30 - sin_omega2_half_T_by_T*t26;
+            matrix[1][2][lane] = -cos_omega1_half_T_by_m1*t31 + cos_omega2_half_T_by_m1*t31 - omega1_by_m1*t33 + omega2_by_m1*t36 - p1_by_m1*t20 - p3_by_m1*t19 - sin_omega1_half_T_by_m1*t34 + sin_omega2_half_T_by_m1*t37;
+            matrix[1][3][lane] = -cos_omega1_half_T_by_m2*t31 + cos_omega2_half_T_by_m2*t31 - omega1_by_m2*t33 + omega2_by_m2*t36 - p1_by_m2*t20 - p3_by_m2*t19 - sin_omega1_half_T_by_m2*t34 + sin_omega2_half_T_by_m2*t37;
+            matrix[1][4][lane] = -cos_omega1_half_T_by_k1*t31 + cos_omega2_half_T_by_k1*t31 - omega1_by_k1*t33 + omega2_by_k1*t36 - p1_by_k1*t20 - p3_by_k1*t19 - sin_omega1_half_T_by_k1*t34 + sin_omega2_half_T_by_k1*t37;
+            matrix[1][5][lane] = -cos_omega1_half_T_by_k2*t31 + cos_omega2_half_T_by_k2*t31 - omega1_by_k2*t33 + omega2_by_k2*t36 - p1_by_k2*t20 - p3_by_k2*t19 - sin_omega1_half_T_by_k2*t34 + sin_omega2_half_T_by_k2*t37;
+            matrix[1][6][lane] = -cos_omega1_half_T_by_T*t31 + cos_omega2_half_T_by_T*t31 - sin_omega1_half_T_by_T*t34 + sin_omega2_half_T_by_T*t37;
+        }
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double m1 = parameter[0][lane];
+            const double m2 = parameter[1][lane];
+            const double k1 = parameter[2][lane];
+            const double k2 = parameter[3][lane];
+            const double T = parameter[4][lane];
+            const double y = unknown[0][lane];
+            const double u = unknown[1][lane];
+            const double omega1 = fixed[0][lane];
+            const double omega2 = fixed[1][lane];
+            const double p1 = fixed[2][lane];
+            const double p2 = fixed[3][lane];
+            const double p3 = fixed[4][lane];
+            const double omega1_by_k1 = fixed[5][lane];
+            const double omega1_by_k2 = fixed[6][lane];
+            const double omega1_by_m1 = fixed[7][lane];
+            const double omega1_by_m2 = fixed[8][lane];
+            const double omega2_by_k1 = fixed[9][lane];
+            const double omega2_by_k2 = fixed[10][lane];
+            const double omega2_by_m1 = fixed[11][lane];
+            const double omega2_by_m2 = fixed[12][lane];
+            const double p1_by_k1 = fixed[13][lane];
+            const double p1_by_k2 = fixed[14][lane];
+            const double p1_by_m1 = fixed[15][lane];
+            const double p1_by_m2 = fixed[16][lane];
+            const double p2_by_k1 = fixed[17][lane];
+            const double p2_by_k2 = fixed[18][lane];
+            const double p2_by_m1 = fixed[19][lane];
+            const double p2_by_m2 = fixed[20][lane];
+            const double p3_by_k1 = fixed[21][lane];
+            const double p3_by_k2 = fixed[22][lane];
+            const double p3_by_m1 = fixed[23][lane];
+            const double p3_by_m2 = fixed[24][lane];
+            /* functions of T in free */
+            const double t0 = T*omega1;
+            double sine_0, cosine_0;
+            nonsmooth_sincos(t0, &sine_0, &cosine_0);
+            const double cos_omega1_T = cosine_0;
+            const double sin_omega1_T = sine_0;
+            const double t3 = T*omega2;
+            double sine_1, cosine_1;
+            nonsmooth_sincos(t3, &sine_1, &cosine_1);
+            const double cos_omega2_T = cosine_1;
+            const double sin_omega2_T = sine_1;
+            /* free for T, until first-reaches-stop */
+            const double t6 = (1.0/(omega1));
+            const double t7 = p1 - 1;
+            const double t9 = (1.0/(omega2));
+            const double t10 = sin_omega2_T*t9;
+            const double t11 = p1*sin_omega1_T*t6 - t10*t7;
+            const double t12 = cos_omega1_T*p2 - cos_omega2_T*p2;
+            const double t13 = cos_omega1_T*p1 - cos_omega2_T*t7;
+            const double x1_1 = t11*u + t12*y + t13;
+            const double t14 = p3*sin_omega1_T*t6 - p3*t10;
+            const double t15 = -cos_omega1_T*t7 + cos_omega2_T*p1;
+            const double t16 = cos_omega1_T*p3 - cos_omega2_T*p3;
+            const double x2_1 = t14*u + t15*y + t16;
+            const double t17 = omega1*sin_omega1_T;
+            const double t18 = omega2*p2*sin_omega2_T - p2*t17;
+            const double t19 = p1*sin_omega1_T;
+            const double t20 = -sin_omega2_T*t7;
+            const double v1_1 = -omega1*t19 - omega2*t20 + t13*u + t18*y;
+            const double t21 = omega2*sin_omega2_T;
+            const double t22 = -p1*t21 + t17*t7;
+            const double v2_1 = -p3*t17 + p3*t21 + t16*u + t22*y;
+            /* Phi along T */
+            const double carried_x1_1_by_y = t12;
+            const double carried_x1_1_by_u = t11;
+            const double carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t10;
+            /* derivatives of the time to the boundary after T */
+            const double t23 = (1.0/(v1_1));
+            const double delay_T_by_y = -carried_x1_1_by_y*t23;
+            const double delay_T_by_u = -carried_x1_1_by_u*t23;
+            const double delay_T_by_w = -carried_x1_1_by_w*t23;
+            /* d/dm1 of: functions of T in free */
+            const double t24 = T*omega1_by_m1;
+            const double cos_omega1_T_by_m1 = -sin_omega1_T*t24;
+            const double sin_omega1_T_by_m1 = cos_omega1_T*t24;
+            const double t25 = T*omega2_by_m1;
+            const double cos_omega2_T_by_m1 = -sin_omega2_T*t25;
+            const double sin_omega2_T_by_m1 = cos_omega2_T*t25;
+            /* d/dm2 of: functions of T in free */
+            const double t26 = T*omega1_by_m2;
+            const double cos_omega1_T_by_m2 = -sin_omega1_T*t26;
+            const double sin_omega1_T_by_m2 = cos_omega1_T*t26;
+            const double t27 = T*omega2_by_m2;
+            const double cos_omega2_T_by_m2 = -sin_omega2_T*t27;
+            const double sin_omega2_T_by_m2 = cos_omega2_T*t27;
+            /* d/dk1 of: functions of T in free */
+            const double t28 = T*omega1_by_k1;
+            const double cos_omega1_T_by_k1 = -sin_omega1_T*t28;
+            const double sin_omega1_T_by_k1 = cos_omega1_T*t28;
+            const double t29 = T*omega2_by_k1;
+            const double cos_omega2_T_by_k1 = -sin_omega2_T*t29;
+            const double sin_omega2_T_by_k1 = cos_omega2_T*t29;
+            /* d/dk2 of: functions of T in free */
+            const double t30 = T*omega1_by_k2;
+            const double cos_omega1_T_by_k2 = -sin_omega1_T*t30;
+            const double sin_omega1_T_by_k2 = cos_omega1_T*t30;
+            const double t31 = T*omega2_by_k2;
+            const double cos_omega2_T_by_k2 = -sin_omega2_T*t31;
+            const double sin_omega2_T_by_k2 = cos_omega2_T*t31;
+            /* d/dT of: functions of T in free */
+            const double cos_omega1_T_by_T = -omega1*sin_omega1_T;
+            const double sin_omega1_T_by_T = cos_omega1_T*omega1;
+            const double cos_omega2_T_by_T = -omega2*sin_omega2_T;
+            const double sin_omega2_T_by_T = cos_omega2_T*omega2;
+            /* d/dy of: free for T, until first-reaches-stop */
+            const double x1_1_by_y = t12;
+            const double x2_1_by_y = t15;
+            const double v1_1_by_y = t18;
+            const double v2_1_by_y = t22;
+            /* d/du of: free for T, until first-reaches-stop */
+            const double x1_1_by_u = t11;
+            const double x2_1_by_u = t14;
+            const double v1_1_by_u = t13;
+            const double v2_1_by_u = t16;
+            /* d/dm1 of: free for T, until first-reaches-stop */
+            const double t32 = p2*y;
+            const double t33 = p1 + t32;
+            const double t34 = -t32 - t7;
+            const double t35 = sin_omega1_T*t6 - t10;
+            const double t36 = cos_omega1_T - cos_omega2_T;
+            const double t37 = t35*u + t36;
+            const double t38 = p2_by_m1*t36;
+            const double t39 = sin_omega1_T_by_m1*t6;
+            const double t40 = p1*t39;
+            const double t41 = sin_omega2_T_by_m1*t9;
+            const double t42 = -t41*t7;
+            const double t43 = (1.0/(omega1*omega1));
+            const double t44 = omega1_by_m1*t43;
+            const double t45 = t19*t44;
+            const double t46 = (1.0/(omega2*omega2));
+            const double t47 = omega2_by_m1*t46;
+            const double t48 = t20*t47;
+            const double x1_1_by_m1 = cos_omega1_T_by_m1*t33 + cos_omega2_T_by_m1*t34 + p1_by_m1*t37 + t38*y + t40*u + t42*u - t45*u - t48*u;
+            const double t49 = -t7*y;
+            const double t50 = p3 + t49;
+            const double t51 = p1*y;
+            const double t52 = -p3 + t51;
+            const double t54 = -p1_by_m1*t36;
+            const double t55 = p3*u;
+            const double t56 = p3*sin_omega2_T*u;
+            const double t57 = p3*sin_omega1_T;
+            const double t58 = t57*u;
+            const double x2_1_by_m1 = cos_omega1_T_by_m1*t50 + cos_omega2_T_by_m1*t52 + p3_by_m1*t37 + t39*t55 - t41*t55 - t44*t58 + t47*t56 + t54*y;
+            const double t59 = -sin_omega1_T*t32 - t19;
+            const double t60 = sin_omega2_T*t32 - t20;
+            const double t61 = -t17 + t21 + t36*u;
+            const double t62 = -omega1*p1 - omega1*t32;
+            const double t63 = omega2*t32 + omega2*t7;
+            const double t64 = cos_omega1_T_by_m1*p1;
+            const double t65 = -cos_omega2_T_by_m1*t7;
+            const double t66 = -omega2*sin_omega2_T + t17;
+            const double t67 = -t66*y;
+            const double v1_1_by_m1 = omega1_by_m1*t59 + omega2_by_m1*t60 + p1_by_m1*t61 + p2_by_m1*t67 + sin_omega1_T_by_m1*t62 + sin_omega2_T_by_m1*t63 + t64*u + t65*u;
+            const double t68 = -sin_omega1_T*t49 - t57;
+            const double t69 = p3*sin_omega2_T - sin_omega2_T*t51;
+            const double t70 = -omega1*p3 - omega1*t49;
+            const double t71 = omega2*p3 - omega2*t51;
+            const double t72 = t66*y;
+            const double v2_1_by_m1 = cos_omega1_T_by_m1*t55 - cos_omega2_T_by_m1*t55 + omega1_by_m1*t68 + omega2_by_m1*t69 + p1_by_m1*t72 + p3_by_m1*t61 + sin_omega1_T_by_m1*t70 + sin_omega2_T_by_m1*t71;
+            /* d/dm2 of: free for T, until first-reaches-stop */
+            const double t73 = p2_by_m2*t36;
+            const double t74 = sin_omega1_T_by_m2*t6;
+            const double t75 = p1*t74;
+            const double t76 = sin_omega2_T_by_m2*t9;
+            const double t77 = -t7*t76;
+            const double t78 = omega1_by_m2*t43;
+            const double t79 = t19*t78;
+            const double t80 = omega2_by_m2*t46;
+            const double t81 = t20*t80;
+            const double x1_1_by_m2 = cos_omega1_T_by_m2*t33 + cos_omega2_T_by_m2*t34 + p1_by_m2*t37 + t73*y + t75*u + t77*u - t79*u - t81*u;
+            const double t82 = -p1_by_m2*t36;
+            const double x2_1_by_m2 = cos_omega1_T_by_m2*t50 + cos_omega2_T_by_m2*t52 + p3_by_m2*t37 + t55*t74 - t55*t76 + t56*t80 - t58*t78 + t82*y;
+            const double t83 = cos_omega1_T_by_m2*p1;
+            const double t84 = -cos_omega2_T_by_m2*t7;
+            const double v1_1_by_m2 = omega1_by_m2*t59 + omega2_by_m2*t60 + p1_by_m2*t61 + p2_by_m2*t67 + sin_omega1_T_by_m2*t62 + sin_omega2_T_by_m2*t63 + t83*u + t84*u;
+            const double v2_1_by_m2 = cos_omega1_T_by_m2*t55 - cos_omega2_T_by_m2*t55 + omega1_by_m2*t68 + omega2_by_m2*t69 + p1_by_m2*t72 + p3_by_m2*t61 + sin_omega1_T_by_m2*t70 + sin_omega2_T_by_m2*t71;
+            /* d/dk1 of: free for T, until first-reaches-stop */
+            const double t85 = p2_by_k1*t36;
+            const double t86 = sin_omega1_T_by_k1*t6;
+            const double t87 = p1*t86;
+            const double t88 = sin_omega2_T_by_k1*t9;
+            const double t89 = -t7*t88;
+            const double t90 = omega1_by_k1*t43;
+            const double t91 = t19*t90;
+            const double t92 = omega2_by_k1*t46;
+            const double t93 = t20*t92;
+            const double x1_1_by_k1 = cos_omega1_T_by_k1*t33 + cos_omega2_T_by_k1*t34 + p1_by_k1*t37 + t85*y + t87*u + t89*u - t91*u - t93*u;
+            const double t94 = -p1_by_k1*t36;
+            const double x2_1_by_k1 = cos_omega1_T_by_k1*t50 + cos_omega2_T_by_k1*t52 + p3_by_k1*t37 + t55*t86 - t55*t88 + t56*t92 - t58*t90 + t94*y;
+            const double t95 = cos_omega1_T_by_k1*p1;
+            const double t96 = -cos_omega2_T_by_k1*t7;
+            const double v1_1_by_k1 = omega1_by_k1*t59 + omega2_by_k1*t60 + p1_by_k1*t61 + p2_by_k1*t67 + sin_omega1_T_by_k1*t62 + sin_omega2_T_by_k1*t63 + t95*u + t96*u;
+            const double v2_1_by_k1 = cos_omega1_T_by_k1*t55 - cos_omega2_T_by_k1*t55 + omega1_by_k1*t68 + omega2_by_k1*t69 + p1_by_k1*t72 + p3_by_k1*t61 + sin_omega1_T_by_k1*t70 + sin_omega2_T_by_k1*t71;
+            /* d/dk2 of: free for T, until first-reaches-stop */
+            const double t97 = p2_by_k2*t36;
+            const double t98 = sin_omega1_T_by_k2*t6;
+            const double t99 = p1*t98;
+            const double t100 = sin_omega2_T_by_k2*t9;
+            const double t101 = -t100*t7;
+            const double t102 = omega1_by_k2*t43;
+            const double t103 = t102*t19;
+            const double t104 = omega2_by_k2*t46;
+            const double t105 = t104*t20;
+            const double x1_1_by_k2 = cos_omega1_T_by_k2*t33 + cos_omega2_T_by_k2*t34 + p1_by_k2*t37 + t101*u - t103*u - t105*u + t97*y + t99*u;
+            const double t106 = -p1_by_k2*t36;
+            const double x2_1_by_k2 = cos_omega1_T_by_k2*t50 + cos_omega2_T_by_k2*t52 + p3_by_k2*t37 - t100*t55 - t102*t58 + t104*t56 + t106*y + t55*t98;
+            const double t107 = cos_omega1_T_by_k2*p1;
+            const double t108 = -cos_omega2_T_by_k2*t7;
+            const double v1_1_by_k2 = omega1_by_k2*t59 + omega2_by_k2*t60 + p1_by_k2*t61 + p2_by_k2*t67 + sin_omega1_T_by_k2*t62 + sin_omega2_T_by_k2*t63 + t107*u + t108*u;
+            const double v2_1_by_k2 = cos_omega1_T_by_k2*t55 - cos_omega2_T_by_k2*t55 + omega1_by_k2*t68 + omega2_by_k2*t69 + p1_by_k2*t72 + p3_by_k2*t61 + sin_omega1_T_by_k2*t70 + sin_omega2_T_by_k2*t71;
+            /* d/dT of: free for T, until first-reaches-stop */
+            const double t109 = sin_omega1_T_by_T*t6;
+            const double t110 = p1*t109;
+            const double t111 = sin_omega2_T_by_T*t9;
+            const double t112 = -t111*t7;
+            const double x1_1_by_T = cos_omega1_T_by_T*t33 + cos_omega2_T_by_T*t34 + t110*u + t112*u;
+            const double x2_1_by_T = cos_omega1_T_by_T*t50 + cos_omega2_T_by_T*t52 + t109*t55 - t111*t55;
+            const double t113 = cos_omega1_T_by_T*p1;
+            const double t114 = -cos_omega2_T_by_T*t7;
+            const double v1_1_by_T = sin_omega1_T_by_T*t62 + sin_omega2_T_by_T*t63 + t113*u + t114*u;
+            const double v2_1_by_T = cos_omega1_T_by_T*t55 - cos_omega2_T_by_T*t55 + sin_omega1_T_by_T*t70 + sin_omega2_T_by_T*t71;
+            /* d/dm1 of: Phi along T */
+            const double carried_x1_1_by_y_by_m1 = cos_omega1_T_by_m1*p2 - cos_omega2_T_by_m1*p2 + t38;
+            const double carried_x1_1_by_u_by_m1 = p1_by_m1*t35 + t40 + t42 - t45 - t48;
+            const double t115 = p2*sin_omega2_T;
+            const double t116 = p2*sin_omega1_T;
+            const double carried_x1_1_by_w_by_m1 = p2*t39 - p2*t41 + p2_by_m1*t35 + t115*t47 - t116*t44;
+            const double carried_x2_1_by_y_by_m1 = -cos_omega1_T_by_m1*t7 + cos_omega2_T_by_m1*p1 + t54;
+            const double carried_v1_1_by_u_by_m1 = p1_by_m1*t36 + t64 + t65;
+            const double carried_v2_1_by_w_by_m1 = carried_x2_1_by_y_by_m1;
+            /* d/dm2 of: Phi along T */
+            const double carried_x1_1_by_y_by_m2 = cos_omega1_T_by_m2*p2 - cos_omega2_T_by_m2*p2 + t73;
+            const double carried_x1_1_by_u_by_m2 = p1_by_m2*t35 + t75 + t77 - t79 - t81;
+            const double carried_x1_1_by_w_by_m2 = p2*t74 - p2*t76 + p2_by_m2*t35 + t115*t80 - t116*t78;
+            const double carried_x2_1_by_y_by_m2 = -cos_omega1_T_by_m2*t7 + cos_omega2_T_by_m2*p1 + t82;
+            const double carried_v1_1_by_u_by_m2 = p1_by_m2*t36 + t83 + t84;
+            const double carried_v2_1_by_w_by_m2 = carried_x2_1_by_y_by_m2;
+            /* d/dk1 of: Phi along T */
+            const double carried_x1_1_by_y_by_k1 = cos_omega1_T_by_k1*p2 - cos_omega2_T_by_k1*p2 + t85;
+            const double carried_x1_1_by_u_by_k1 = p1_by_k1*t35 + t87 + t89 - t91 - t93;
+            const double carried_x1_1_by_w_by_k1 = p2*t86 - p2*t88 + p2_by_k1*t35 + t115*t92 - t116*t90;
+            const double carried_x2_1_by_y_by_k1 = -cos_omega1_T_by_k1*t7 + cos_omega2_T_by_k1*p1 + t94;
+            const double carried_v1_1_by_u_by_k1 = p1_by_k1*t36 + t95 + t96;
+            const double carried_v2_1_by_w_by_k1 = carried_x2_1_by_y_by_k1;
+            /* d/dk2 of: Phi along T */
+            const double carried_x1_1_by_y_by_k2 = cos_omega1_T_by_k2*p2 - cos_omega2_T_by_k2*p2 + t97;
+            const double carried_x1_1_by_u_by_k2 = p1_by_k2*t35 + t101 - t103 - t105 + t99;
+            const double carried_x1_1_by_w_by_k2 = -p2*t100 + p2*t98 + p2_by_k2*t35 - t102*t116 + t104*t115;
+            const double carried_x2_1_by_y_by_k2 = -cos_omega1_T_by_k2*t7 + cos_omega2_T_by_k2*p1 + t106;
+            const double carried_v1_1_by_u_by_k2 = p1_by_k2*t36 + t107 + t108;
+            const double carried_v2_1_by_w_by_k2 = carried_x2_1_by_y_by_k2;
+            /* d/dT of: Phi along T */
+            const double carried_x1_1_by_y_by_T = cos_omega1_T_by_T*p2 - cos_omega2_T_by_T*p2;
+            const double carried_x1_1_by_u_by_T = t110 + t112;
+            const double carried_x1_1_by_w_by_T = p2*sin_omega1_T_by_T*t6 - p2*t111;
+            const double carried_x2_1_by_y_by_T = -cos_omega1_T_by_T*t7 + cos_omega2_T_by_T*p1;
+            const double carried_v1_1_by_u_by_T = t113 + t114;
+            const double carried_v2_1_by_w_by_T = carried_x2_1_by_y_by_T;
+            /* d/dy of: derivatives of the time to the boundary after T */
+            const double t122 = (1.0/(v1_1*v1_1));
+            const double t123 = t122*v1_1_by_y;
+            const double delay_T_by_y_by_y = carried_x1_1_by_y*t123;
+            const double delay_T_by_u_by_y = carried_x1_1_by_u*t123;
+            const double delay_T_by_w_by_y = carried_x1_1_by_w*t123;
+            /* d/du of: derivatives of the time to the boundary after T */
+            const double t124 = t122*v1_1_by_u;
+            const double delay_T_by_y_by_u = carried_x1_1_by_y*t124;
+            const double delay_T_by_u_by_u = carried_x1_1_by_u*t124;
+            const double delay_T_by_w_by_u = carried_x1_1_by_w*t124;
+            /* d/dm1 of: derivatives of the time to the boundary after T */
+            const double t125 = t122*v1_1_by_m1;
+            const double delay_T_by_y_by_m1 = carried_x1_1_by_y*t125 - carried_x1_1_by_y_by_m1*t23;
+            const double delay_T_by_u_by_m1 = carried_x1_1_by_u*t125 - carried_x1_1_by_u_by_m1*t23;
+            const double delay_T_by_w_by_m1 = carried_x1_1_by_w*t125 - carried_x1_1_by_w_by_m1*t23;
+            /* d/dm2 of: derivatives of the time to the boundary after T */
+            const double t126 = t122*v1_1_by_m2;
+            const double delay_T_by_y_by_m2 = carried_x1_1_by_y*t126 - carried_x1_1_by_y_by_m2*t23;
+            const double delay_T_by_u_by_m2 = carried_x1_1_by_u*t126 - carried_x1_1_by_u_by_m2*t23;
+            const double delay_T_by_w_by_m2 = carried_x1_1_by_w*t126 - carried_x1_1_by_w_by_m2*t23;
+            /* d/dk1 of: derivatives of the time to the boundary after T */
+            const double t127 = t122*v1_1_by_k1;
+            const double delay_T_by_y_by_k1 = carried_x1_1_by_y*t127 - carried_x1_1_by_y_by_k1*t23;
+            const double delay_T_by_u_by_k1 = carried_x1_1_by_u*t127 - carried_x1_1_by_u_by_k1*t23;
+            const double delay_T_by_w_by_k1 = carried_x1_1_by_w*t127 - carried_x1_1_by_w_by_k1*t23;
+            /* d/dk2 of: derivatives of the time to the boundary after T */
+            const double t128 = t122*v1_1_by_k2;
+            const double delay_T_by_y_by_k2 = carried_x1_1_by_y*t128 - carried_x1_1_by_y_by_k2*t23;
+            const double delay_T_by_u_by_k2 = carried_x1_1_by_u*t128 - carried_x1_1_by_u_by_k2*t23;
+            const double delay_T_by_w_by_k2 = carried_x1_1_by_w*t128 - carried_x1_1_by_w_by_k2*t23;
+            /* d/dT of: derivatives of the time to the boundary after T */
+            const double t129 = t122*v1_1_by_T;
+            const double delay_T_by_y_by_T = carried_x1_1_by_y*t129 - carried_x1_1_by_y_by_T*t23;
+            const double delay_T_by_u_by_T = carried_x1_1_by_u*t129 - carried_x1_1_by_u_by_T*t23;
+            const double delay_T_by_w_by_T = carried_x1_1_by_w*t129 - carried_x1_1_by_w_by_T*t23;
+            /* d/dy of: perturbation on the boundary after T */
+            const double x2_1_on_boundary_by_y_by_y = delay_T_by_y*v2_1_by_y + delay_T_by_y_by_y*v2_1;
+            const double t130 = (1.0/(m1));
+            const double t131 = t130*x1_1;
+            const double t132 = -k1*t130*x2_1 + k1*t131;
+            const double t133 = k1*x1_1_by_y;
+            const double t134 = delay_T_by_u*t130;
+            const double t135 = k1*t134;
+            const double v1_1_on_boundary_by_u_by_y = delay_T_by_u_by_y*t132 + t133*t134 - t135*x2_1_by_y;
+            const double t136 = (1.0/(m2));
+            const double t137 = t136*x1_1;
+            const double t138 = k1 + k2;
+            const double t139 = t136*x2_1;
+            const double t140 = k1*t137 - t138*t139;
+            const double t141 = delay_T_by_w*t136;
+            const double t142 = t138*t141;
+            const double v2_1_on_boundary_by_w_by_y = delay_T_by_w_by_y*t140 + t133*t141 - t142*x2_1_by_y;
+            /* d/du of: perturbation on the boundary after T */
+            const double x2_1_on_boundary_by_y_by_u = delay_T_by_y*v2_1_by_u + delay_T_by_y_by_u*v2_1;
+            const double v1_1_on_boundary_by_u_by_u = delay_T_by_u_by_u*t132 + t135*x1_1_by_u - t135*x2_1_by_u;
+            const double t143 = k1*t141;
+            const double v2_1_on_boundary_by_w_by_u = delay_T_by_w_by_u*t140 - t142*x2_1_by_u + t143*x1_1_by_u;
+            /* d/dm1 of: perturbation on the boundary after T */
+            const double x2_1_on_boundary_by_y_by_m1 = carried_x2_1_by_y_by_m1 + delay_T_by_y*v2_1_by_m1 + delay_T_by_y_by_m1*v2_1;
+            const double t144 = k1/(m1*m1);
+            const double v1_1_on_boundary_by_u_by_m1 = -carried_v1_1_by_u_by_m1 + delay_T_by_u*k1*t130*x1_1_by_m1 - delay_T_by_u*(t144*x1_1 - t144*x2_1) + delay_T_by_u_by_m1*t132 - t135*x2_1_by_m1;
+            const double v2_1_on_boundary_by_w_by_m1 = carried_v2_1_by_w_by_m1 + delay_T_by_w_by_m1*t140 - t142*x2_1_by_m1 + t143*x1_1_by_m1;
+            /* d/dm2 of: perturbation on the boundary after T */
+            const double x2_1_on_boundary_by_y_by_m2 = carried_x2_1_by_y_by_m2 + delay_T_by_y*v2_1_by_m2 + delay_T_by_y_by_m2*v2_1;
+            const double v1_1_on_boundary_by_u_by_m2 = -carried_v1_1_by_u_by_m2 + delay_T_by_u*k1*t130*x1_1_by_m2 + delay_T_by_u_by_m2*t132 - t135*x2_1_by_m2;
+            const double t145 = (1.0/(m2*m2));
+            const double v2_1_on_boundary_by_w_by_m2 = carried_v2_1_by_w_by_m2 + delay_T_by_w*(-k1*t145*x1_1 + t138*t145*x2_1) + delay_T_by_w_by_m2*t140 - t142*x2_1_by_m2 + t143*x1_1_by_m2;
+            /* d/dk1 of: perturbation on the boundary after T */
+            const double x2_1_on_boundary_by_y_by_k1 = carried_x2_1_by_y_by_k1 + delay_T_by_y*v2_1_by_k1 + delay_T_by_y_by_k1*v2_1;
+            const double v1_1_on_boundary_by_u_by_k1 = -carried_v1_1_by_u_by_k1 + delay_T_by_u*k1*t130*x1_1_by_k1 - delay_T_by_u*(t130*x2_1 - t131) + delay_T_by_u_by_k1*t132 - t135*x2_1_by_k1;
+            const double v2_1_on_boundary_by_w_by_k1 = carried_v2_1_by_w_by_k1 + delay_T_by_w*(t137 - t139) + delay_T_by_w_by_k1*t140 - t142*x2_1_by_k1 + t143*x1_1_by_k1;
+            /* d/dk2 of: perturbation on the boundary after T */
+            const double x2_1_on_boundary_by_y_by_k2 = carried_x2_1_by_y_by_k2 + delay_T_by_y*v2_1_by_k2 + delay_T_by_y_by_k2*v2_1;
+            const double v1_1_on_boundary_by_u_by_k2 = -carried_v1_1_by_u_by_k2 + delay_T_by_u*k1*t130*x1_1_by_k2 + delay_T_by_u_by_k2*t132 - t135*x2_1_by_k2;
+            const double v2_1_on_boundary_by_w_by_k2 = carried_v2_1_by_w_by_k2 - delay_T_by_w*t139 + delay_T_by_w_by_k2*t140 - t142*x2_1_by_k2 + t143*x1_1_by_k2;
+            /* d/dT of: perturbation on the boundary after T */
+            const double x2_1_on_boundary_by_y_by_T = carried_x2_1_by_y_by_T + delay_T_by_y*v2_1_by_T + delay_T_by_y_by_T*v2_1;
+            const double v1_1_on_boundary_by_u_by_T = -carried_v1_1_by_u_by_T + delay_T_by_u*k1*t130*x1_1_by_T + delay_T_by_u_by_T*t132 - t135*x2_1_by_T;
+            const double v2_1_on_boundary_by_w_by_T = carried_v2_1_by_w_by_T + delay_T_by_w_by_T*t140 - t142*x2_1_by_T + t143*x1_1_by_T;
+            slope[0][lane] = v1_1_on_boundary_by_u_by_y + v2_1_on_boundary_by_w_by_y + x2_1_on_boundary_by_y_by_y;
+            slope[1][lane] = v1_1_on_boundary_by_u_by_u + v2_1_on_boundary_by_w_by_u + x2_1_on_boundary_by_y_by_u;
+            slope[2][lane] = v1_1_on_boundary_by_u_by_m1 + v2_1_on_boundary_by_w_by_m1 + x2_1_on_boundary_by_y_by_m1;
+            slope[3][lane] = v1_1_on_boundary_by_u_by_m2 + v2_1_on_boundary_by_w_by_m2 + x2_1_on_boundary_by_y_by_m2;
+            slope[4][lane] = v1_1_on_boundary_by_u_by_k1 + v2_1_on_boundary_by_w_by_k1 + x2_1_on_boundary_by_y_by_k1;
+            slope[5][lane] = v1_1_on_boundary_by_u_by_k2 + v2_1_on_boundary_by_w_by_k2 + x2_1_on_boundary_by_y_by_k2;
+            slope[6][lane] = v1_1_on_boundary_by_u_by_T + v2_1_on_boundary_by_w_by_T + x2_1_on_boundary_by_y_by_T;
+        }
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j)
+#pragma omp simd
+                for (int lane = 0; lane < lanes; ++lane)
+                    size[lane] += matrix[i][j][lane] * matrix[i][j][lane];
+        for (int k = 0; k < n; ++k) {
+            for (int i = k + 1; i < n; ++i) {
+                double other[lanes];
+                for (int lane = 0; lane < lanes; ++lane)
+                    other[lane] = fabs(matrix[i][k][lane]) - fabs(matrix[k][k][lane]);
+                for (int j = k; j < width; ++j)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane) {
+                        const double above = matrix[k][j][lane], below = matrix[i][j][lane];
+                        matrix[k][j][lane] = other[lane] > 0.0 ? below : above;
+                        matrix[i][j][lane] = other[lane] > 0.0 ? above : below;
+                    }
+            }
+#pragma omp simd
+            for (int lane = 0; lane < lanes; ++lane) {
+                const double pivot = fabs(matrix[k][k][lane]);
+                least[lane] = pivot < least[lane] ? pivot : least[lane];
+                matrix[k][k][lane] = 1.0 / matrix[k][k][lane];
+            }
+            for (int i = k + 1; i < n; ++i) {
+                double factor[lanes];
+                for (int lane = 0; lane < lanes; ++lane)
+                    factor[lane] = matrix[i][k][lane] * matrix[k][k][lane];
+                for (int j = k + 1; j < width; ++j)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane)
+                        matrix[i][j][lane] -= factor[lane] * matrix[k][j][lane];
+            }
+        }
+        for (int k = n - 1; k >= 0; --k)
+            for (int j = n; j < width; ++j) {
+                for (int l = k + 1; l < n; ++l)
+#pragma omp simd
+                    for (int lane = 0; lane < lanes; ++lane)
+                        matrix[k][j][lane] -= matrix[k][l][lane] * matrix[l][j][lane];
+#pragma omp simd
+                for (int lane = 0; lane < lanes; ++lane) {
+                    matrix[k][j][lane] *= matrix[k][k][lane];
+                    slope[j][lane] += slope[k][lane] * matrix[k][j][lane];
+                }
+            }
+        for (int lane = 0; lane < here; ++lane) {
+            const double lost = least[lane] > 1e-10 * sqrt(size[lane]) ? 0.0 : (double)NAN;
+            for (int j = 0; j < p; ++j) {
+                for (int i = 0; i < n; ++i)
+                    directions[(i * p + j) * count + start + lane] = matrix[i][n + j][lane] + lost;
+                directions[(n * p + j) * count + start + lane] = slope[n + j][lane] + lost;
+            }
+        }
     }
 }

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation f4c73a498b4d0c70 */
+ * SymPy 1.14.0, derivation 55586efa21b91602 */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 
@@ -58,6 +58,8 @@ void rigid_stop_one_impact_solve(
 void rigid_stop_one_impact_admissible(
     ptrdiff_t count, const double *parameters, const double *unknowns,
     int32_t *boundary, double *excess, double *instant);
+void rigid_stop_one_impact_directions(
+    ptrdiff_t count, const double *parameters, const double *unknowns, double *directions);
 
 #ifdef __cplusplus
 }

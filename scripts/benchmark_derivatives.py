@@ -1,10 +1,11 @@
-"""Time of the gradient of a motion over all parameters, in units of the simulation's own."""
+"""Time of gradients over all parameters: of a motion, and of batches of orbits."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -12,10 +13,12 @@ from measuring import Row
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
 
-__all__ = ["GradientTime", "derivatives", "gradient_times"]
+__all__ = ["BatchTime", "GradientTime", "batch_times", "derivatives", "gradient_times"]
 
 _TURNS = 30
+_BATCHES = 9
 
 
 @dataclass(frozen=True)
@@ -92,6 +95,79 @@ def _time(masses: int, transitions: int) -> GradientTime:
     return GradientTime(masses, transitions, len(parameters), *np.median(taken, axis=0).tolist())
 
 
+@dataclass(frozen=True)
+class BatchTime:
+    """Seconds of a batch of orbits, without admissibility, and of its derivatives behind it."""
+
+    name: str
+    points: int
+    parameters: int
+    solve: float
+    derivatives: float
+
+
+def batch_times(points: int) -> list[BatchTime]:
+    """Batches by kernels, by tables of the same systems, and of a forced chain.
+
+    Parameters
+    ----------
+    points : int
+        Of each batch, near its reference point; one thread takes them.
+
+    Returns
+    -------
+    list of BatchTime
+        Each the best of several runs.
+    """
+    return [_batch(name, points, *given) for name, given in _batches()]
+
+
+def _batches() -> Iterator[tuple[str, tuple[Any, dict[str, float], Any]]]:
+    """Names, then what is solved, its parameters, and how it is told to."""
+    names = (
+        "rigid-stop/one-impact",
+        "elastic-stop/one-contact",
+        "dry-friction/symmetric",
+        "dry-friction/global-stick",
+    )
+    for name in names:
+        orbit = ns.solve(name)
+        yield name, (name, {key: float(value) for key, value in orbit.given.items()}, {})
+    for name in (names[1], names[3]):
+        orbit = ns.solve(name)
+        tables = orbit.problem.by_tables(orbit)
+        given = {"period": float(tables.period)} if tables.evaluation.family else None
+        data = {key: float(value) for key, value in tables.parameters.items()}
+        yield f"{name} by tables", (orbit.system.name, data, _along(tables, given))
+    for masses in (1, 2, 3):
+        system, data = _chain(masses)
+        found = ns.find_orbits(system, data, 40, seed=1).orbits
+        orbit = min(found, key=lambda one: len(one.itinerary)).orbit
+        yield f"forced chain of {masses}", (system, data, _along(orbit, None))
+
+
+def _along(orbit: ns.Orbit, given: dict[str, float] | None) -> dict[str, Any]:
+    guess = [*orbit.dwell_times, *orbit.states[0]]
+    return {"guess": guess, "itinerary": orbit.itinerary, "given": given}
+
+
+def _batch(name: str, points: int, system: Any, data: dict[str, float], told: Any) -> BatchTime:
+    random = np.random.default_rng(0)
+    values = {key: x * (1 - 1e-4 * random.uniform(0, 1, points)) for key, x in data.items()}
+    options = {**told, "admissibility": False, "threads": 1}
+    found = ns.solve_many(system, values, **options)
+    assert found.converged.mean() > 0.9, name
+
+    def solve() -> None:
+        ns.solve_many(system, values, **options)
+
+    def differentiate() -> None:
+        derivatives_of_many(found, list(data), 1)
+
+    taken = [[_seconds(work) for work in (solve, differentiate)] for _ in range(_BATCHES)]
+    return BatchTime(name, points, len(data), *np.min(taken, axis=0).tolist())
+
+
 def _seconds(work: Callable[[], object]) -> float:
     begin = time.perf_counter()
     work()
@@ -99,10 +175,14 @@ def _seconds(work: Callable[[], object]) -> float:
 
 
 def derivatives(quick: bool) -> Iterator[Row]:
-    """Gradients of motions over all parameters, in seconds; at most five simulations each."""
+    """Gradients over all parameters, in seconds: at most five simulations, or five solves."""
     for found in gradient_times()[:: 4 if quick else 1]:
         label = f"{found.masses} masses, {found.transitions} transitions"
         yield Row(f"{label}: simulation", [found.simulation])
         told = f"{found.parameters} parameters"
         yield Row(f"{label}: forward", [found.forward], 5 * found.simulation, found=told)
         yield Row(f"{label}: reverse", [found.reverse], 5 * found.simulation, found=told)
+    for batch in batch_times(2000 if quick else 10_000):
+        label, told = f"{batch.points:,} orbits, {batch.name}", f"{batch.parameters} parameters"
+        yield Row(f"{label}: solve", [batch.solve])
+        yield Row(f"{label}: derivatives", [batch.derivatives], 5 * batch.solve, found=told)

@@ -164,7 +164,7 @@ EMITTERS = (
              'power if exponent > 0 else f"1/{power}"', "power", PRINTING),
     Mutation("derive/codegen/any_arithmetic.py", "_Printer._print_Rational",
              'f"lib.rational({expr.p}, {expr.q})"', 'f"{expr.p} / {expr.q}"', PRINTING),
-    Mutation("derive/codegen/solver.py", "_lane_sources",
+    Mutation("derive/codegen/solver.py", "lane_sources",
              '"sine" if isinstance(line.expression, sp.sin) else "cosine"',
              '"cosine" if isinstance(line.expression, sp.sin) else "sine"',
              SOLVER_IN_C),
@@ -423,14 +423,27 @@ CHECKS = (
 )  # fmt: skip
 
 _SHOOTING = ("tests/shooting/test_derivatives.py",)
+_BATCHES = ("tests/orbits/test_many_derivatives.py",)
 _DRIVEN = ("tests/model/test_driven_modes.py",)
 BRANCHES = (
     Mutation("runtime/engine/shooting.c", "shoot", "ends[i * unknowns + p] += velocity[i]", "",
              _SHOOTING),
     Mutation("runtime/engine/shooting.c", "carry", "after[unknowns - 1] += applied",
              "after[unknowns - 1] += 0.0 * applied", _SHOOTING),
-    Mutation("runtime/engine/exponential.c", "multiply",
-             "result.change[i * columns + n] += left.change[i * columns + n]", "", _SHOOTING),
+    Mutation("runtime/engine/exponential.c", "multiply_moved",
+             "result[i * columns + n] += left_moved[i * columns + n]", "", _SHOOTING),
+    Mutation("runtime/engine/directions.c", "pass", "a->velocity[i] * rate[k]",
+             "0.0 * a->velocity[i] * rate[k]", _BATCHES),
+    Mutation("runtime/engine/directions.c", "pass_map", "section[i] = a->slid[i] * wait",
+             "section[i] = 0.0 * wait", _BATCHES),
+    Mutation("runtime/engine/directions.c", "at_fixed_times", "turn[k] * growth", "0.0", _BATCHES),
+    Mutation("runtime/orbits/table_directions_many.py", "_turn", "abs(sums) > _SAME * scales",
+             "abs(sums) > scales", _BATCHES),
+    Mutation("runtime/orbits/table_directions_many.py", "_moving", "inside += size", "None",
+             _BATCHES),
+    Mutation("runtime/shooting/multiplier_derivatives.py", "_reduced_of_many",
+             "changed[:, :, :rank, :rank] + beside[:, None] @ across",
+             "changed[:, :, :rank, :rank]", _BATCHES),
     Mutation("runtime/shooting/derivatives.py", "dependent_variational",
              "slopes[:, later] += found.slopes[:, later, place, None] * rate", "None", _SHOOTING),
     Mutation("runtime/model/driven_modes.py", "driven_modes", "(k + 1) * following",

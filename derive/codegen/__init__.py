@@ -5,6 +5,7 @@ body            common subexpressions, eliminated once
 any_arithmetic  Python over any arithmetic, and the tables of a system
 c               C99 functions and their header
 solver          Newton's method on the reduced equations, compiled over lanes of points
+directions      derivatives of an orbit by its parameters, compiled over the same lanes
 gufunc          NumPy generalized ufuncs around the C functions
 admissibility   the compiled admissibility test
 tables          names and domains as literals beside the kernels

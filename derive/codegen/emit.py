@@ -14,9 +14,11 @@ import sympy as sp
 from nonsmooth.derive.codegen.admissibility import admissible_prototype, admissible_source
 from nonsmooth.derive.codegen.c import c_kernel, c_prototype
 from nonsmooth.derive.codegen.derived import DerivedSystem, Use, derive_system
+from nonsmooth.derive.codegen.directions import directions_prototype, directions_source
 from nonsmooth.derive.codegen.gufunc import (
     Wrapped,
     extension_source,
+    wrapped_directions,
     wrapped_functions,
     wrapped_solvers,
 )
@@ -168,7 +170,7 @@ def emit_system(
 
 
 def _c_functions(derived: DerivedSystem) -> list[_Function]:
-    """Everything that C can hold: kernels, then solvers and admissibility tests."""
+    """All that C can hold: kernels, then solvers, admissibility tests and derivatives."""
     name = derived.system.name
     found = []
     for kernel, orbit in derived.kernels:
@@ -184,6 +186,9 @@ def _c_functions(derived: DerivedSystem) -> list[_Function]:
         with suppress(*_NOT_IN_C):
             definition = admissible_source(equations)
             found.append(_Function(admissible_prototype(equations), definition, test))
+        with suppress(*_NOT_IN_C):
+            definition, moved = directions_source(equations), wrapped_directions(equations)
+            found.append(_Function(directions_prototype(equations), definition, moved))
     return found
 
 

@@ -16,7 +16,7 @@ from nonsmooth.derive.codegen.naming import c_function, module_file
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.program import Kernel
 
-__all__ = ["Array", "Wrapped", "extension_source", "wrapped_functions"]
+__all__ = ["Array", "Wrapped", "extension_source", "wrapped_directions", "wrapped_functions"]
 
 
 @dataclass(frozen=True)
@@ -105,6 +105,17 @@ def wrapped_solvers(orbit: EquationSystem) -> list[Wrapped]:
             long=True,
         ),
     ]
+
+
+def wrapped_directions(orbit: EquationSystem) -> Wrapped:
+    """Wrapper of the compiled derivatives of an orbit."""
+    parameters, unknowns = len(orbit.parameters), len(orbit.unknowns)
+    return Wrapped(
+        c_function(orbit.system.name, "directions", orbit.itinerary.name),
+        (Array((parameters,)), Array((unknowns,))),
+        (Array((unknowns + 1, parameters)),),
+        many=True,
+    )
 
 
 _MODULE = Template("""\

@@ -22,6 +22,7 @@ from nonsmooth.derive.equations.saltation import monodromy, saltation_matrices
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 
 __all__ = [
+    "direction_kernels",
     "flow_kernels",
     "orbit_kernels",
     "reduced_equations",
@@ -299,6 +300,31 @@ def reduced_equations(orbit: EquationSystem) -> Kernel:
             determinants,
         ),
         prune(everything, [*equations, *jacobian, *values, trace, *determinants.expressions]),
+    )
+
+
+def direction_kernels(orbit: EquationSystem) -> tuple[Kernel, Kernel, Kernel]:
+    """All that the derivatives of an orbit by its parameters need.
+
+    The spectrum with its derivatives; those of the equations, by the unknowns and by the
+    parameters; and those of the trace, whose stages may mean other functions of the unknowns.
+    """
+    jacobian_stages, jacobian = orbit.jacobian
+    moved_stages, parameter_jacobian = orbit.parameter_jacobian
+    trace_stages, gradient = orbit.trace_gradient
+    stages = merged(merged(orbit.stages, jacobian_stages), moved_stages)
+    tables = _table("jacobian", jacobian), _table("parameter_jacobian", parameter_jacobian)
+    slopes = _flat("trace_gradient", gradient)
+    return (
+        spectrum_kernel(orbit.spectrum),
+        Kernel(
+            "equations",
+            "Derivatives of the equations.",
+            (),
+            tables,
+            prune(stages, [*jacobian, *parameter_jacobian]),
+        ),
+        Kernel("slopes", "Derivatives of the trace.", (), (slopes,), prune(trace_stages, gradient)),
     )
 
 

@@ -19,7 +19,7 @@ from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.errors import DerivationError
 
-__all__ = ["MOST_REDUCED", "solve_prototype", "solve_source"]
+__all__ = ["MOST_REDUCED", "inputs_of", "lane_sources", "solve_prototype", "solve_source"]
 
 MOST_REDUCED = 3  # beyond, Cramer's rule is no way to solve a linear system
 TOLERANCE = "1e-9"  # of the last step: Newton's method squares it
@@ -134,12 +134,12 @@ def solve_source(orbit: EquationSystem) -> str:
     step = needed(moving, (*residual, *jacobian))
     results = (*residual, *values, trace, *determinants)
     finish = needed(moving, results)
-    used = _inputs(step, (*residual, *jacobian)) | _inputs(finish, results)
+    used = inputs_of(step, (*residual, *jacobian)) | inputs_of(finish, results)
     prelude = needed((*spectrum, *fixed), used)
     carried = [line.symbol for line in prelude if line.symbol in used]
 
     def load(lines: Sequence[Line], results: Iterable[sp.Expr], indent: str) -> list[str]:
-        wanted = _inputs(lines, results)
+        wanted = inputs_of(lines, results)
         arrays = (("parameter", orbit.parameters), ("fixed", carried), ("x", unknowns))
         return [
             f"{indent}const double {print_c(symbol)} = {array}[{i}][lane];"
@@ -151,7 +151,7 @@ def solve_source(orbit: EquationSystem) -> str:
     outer, inner = " " * 12, " " * 16
     newton = [
         *load(step, (*residual, *jacobian), inner),
-        *_lane_sources(step, scope := Scope(inner)),
+        *lane_sources(step, scope := Scope(inner)),
         *_newton(orbit, residual, jacobian, scope),
     ]
     last = Scope(outer)
@@ -182,7 +182,7 @@ def solve_source(orbit: EquationSystem) -> str:
         finish="\n".join(
             [
                 *load(finish, results, outer),
-                *_lane_sources(finish, last),
+                *lane_sources(finish, last),
                 *(
                     source
                     for i, v in enumerate(values)
@@ -223,7 +223,7 @@ def _status(orbit: EquationSystem, determinants: Sequence[sp.Expr], indent: str)
     return [indent + line for line in lines]
 
 
-def _inputs(lines: Sequence[Line], results: Iterable[sp.Expr]) -> set[sp.Symbol]:
+def inputs_of(lines: Sequence[Line], results: Iterable[sp.Expr]) -> set[sp.Symbol]:
     """Symbols that lines and results use without assigning them."""
     used: set[sp.Symbol] = set().union(
         *(e.free_symbols for e in results), *(line.expression.free_symbols for line in lines)
@@ -231,7 +231,7 @@ def _inputs(lines: Sequence[Line], results: Iterable[sp.Expr]) -> set[sp.Symbol]
     return used - {line.symbol for line in lines}
 
 
-def _lane_sources(lines: Sequence[Line], scope: Scope) -> list[str]:
+def lane_sources(lines: Sequence[Line], scope: Scope) -> list[str]:
     """Assignments with sines and cosines from the support header, which vectorise."""
     sources: list[str] = []
     pairs: dict[sp.Expr, int] = {}

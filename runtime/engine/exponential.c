@@ -12,7 +12,15 @@
 #include "support.h"
 #include "tables.h"
 
-enum { BLOCK = 4, POWERS = BLOCK, ARRAYS = POWERS + 2, SWEEPS = 20 };
+enum {
+    BLOCK = 4,
+    POWERS = BLOCK,
+    SUMS = 4,         /* of 16 / BLOCK blocks */
+    MOST_HALVINGS = 21, /* of FARTHEST to REACH */
+    KEPT = POWERS + SUMS + MOST_HALVINGS,
+    ARRAYS = KEPT + POWERS + 2,
+    SWEEPS = 20
+};
 static const double REACH = 0.8;    /* 0.8^17 / 17! < 2^-53 */
 static const double FARTHEST = 1e6; /* norm of G t */
 /* 1 / k! */
@@ -36,18 +44,12 @@ static const double INVERSE[17] = {1.0,
 
 size_t exponential_room(size_t states)
 {
-    const size_t each = size_product(states, states + 1);
-    return size_sum(size_product(2 * ARRAYS, each), states);
+    return size_sum(size_product(ARRAYS, size_product(states, states + 1)), states);
 }
 
-/* A matrix (n, n + 1) and its derivative, which is NULL or as large. */
-typedef struct {
-    double *value, *change;
-} pair;
-
-/* sum (n, n + 1) += the first n columns of `left` times `right`. */
-static void add_product(const ptrdiff_t n, const double *left, const double *right,
-                        double *restrict sum)
+/* sum (n, n + 1) += the first n columns of `left` times the columns of `right` from `first` on. */
+INLINED void add_product(const ptrdiff_t n, const ptrdiff_t first, const double *left,
+                         const double *right, double *restrict sum)
 {
     const ptrdiff_t columns = n + 1;
     for (ptrdiff_t i = 0; i < n; ++i, left += columns, sum += columns) {
@@ -56,43 +58,43 @@ static void add_product(const ptrdiff_t n, const double *left, const double *rig
             const double factor = left[j];
             if (factor == 0.0) /* forcings depend on little */
                 continue;
-            for (ptrdiff_t k = 0; k < columns; ++k)
+            for (ptrdiff_t k = first; k < columns; ++k)
                 sum[k] += factor * from[k];
         }
     }
 }
 
 /* result = left right of generators; of maps the constant of `left` is added. */
-static void multiply(const ptrdiff_t n, const pair left, const pair right, const int maps,
-                     const pair result)
+INLINED void multiply(const ptrdiff_t n, const double *left, const double *right, const int maps,
+                      double *result)
 {
     const ptrdiff_t columns = n + 1;
-    const size_t bytes = (size_t)(n * columns) * sizeof(double);
-    memset(result.value, 0, bytes);
-    add_product(n, left.value, right.value, result.value);
-    if (result.change) {
-        memset(result.change, 0, bytes);
-        add_product(n, left.change, right.value, result.change);
-        add_product(n, left.value, right.change, result.change);
-    }
-    for (ptrdiff_t i = 0; maps && i < n; ++i) {
-        result.value[i * columns + n] += left.value[i * columns + n];
-        if (result.change)
-            result.change[i * columns + n] += left.change[i * columns + n];
-    }
+    memset(result, 0, (size_t)(n * columns) * sizeof(double));
+    add_product(n, 0, left, right, result);
+    for (ptrdiff_t i = 0; maps && i < n; ++i)
+        result[i * columns + n] += left[i * columns + n];
 }
 
-/* sum += c0 + c1 X + c2 X^2 + c3 X^3 */
-static void add_block(const ptrdiff_t n, const pair *power, const double *c, const pair sum)
+/* The derivative of that product, where the derivatives of both are zero in front of a column. */
+INLINED void multiply_moved(const ptrdiff_t n, const ptrdiff_t first, const double *left,
+                            const double *left_moved, const double *right,
+                            const double *right_moved, const int maps, double *result)
 {
     const ptrdiff_t columns = n + 1;
-    for (ptrdiff_t i = 0; i < n * columns; ++i)
-        sum.value[i] += c[3] * power[2].value[i] + (c[2] * power[1].value[i] + c[1] * power[0].value[i]);
-    for (ptrdiff_t i = 0; i < n; ++i)
-        sum.value[i * columns + i] += c[0];
-    for (ptrdiff_t i = 0; sum.change && i < n * columns; ++i)
-        sum.change[i] +=
-            c[3] * power[2].change[i] + (c[2] * power[1].change[i] + c[1] * power[0].change[i]);
+    memset(result, 0, (size_t)(n * columns) * sizeof(double));
+    if (first < n)
+        add_product(n, 0, left_moved, right, result);
+    add_product(n, first, left, right_moved, result);
+    for (ptrdiff_t i = 0; maps && i < n; ++i)
+        result[i * columns + n] += left_moved[i * columns + n];
+}
+
+/* sum += c1 X + c2 X^2 + c3 X^3 of n (n + 1) entries */
+INLINED void add_block(const ptrdiff_t size, const double *power, const double *c, double *sum)
+{
+    const double *square = power + size, *cube = square + size;
+    for (ptrdiff_t i = 0; i < size; ++i)
+        sum[i] += c[3] * cube[i] + (c[2] * square[i] + c[1] * power[i]);
 }
 
 /* Units, powers of two, in which rows and columns are of like size; the 1 of constants has its own. */
@@ -141,67 +143,121 @@ static double norm(const ptrdiff_t n, const double *matrix)
     return largest;
 }
 
-void exponential(const ptrdiff_t n, const double *field, const double *change, const double time,
-                 double *flow, double *moved, double *room)
+INLINED void expand(const ptrdiff_t n, const double *field, const double time, double *flow,
+                    expansion *e)
 {
     const ptrdiff_t columns = n + 1, size = n * columns;
-    double *const unit = room;
-    pair power[POWERS], sum, next;
-    room += n;
-    for (int k = 0; k < POWERS; ++k, room += 2 * size)
-        power[k] = (pair){room, change ? room + size : NULL};
-    sum = (pair){room, change ? room + size : NULL};
-    next = (pair){room + 2 * size, change ? room + 3 * size : NULL};
-    memcpy(power[0].value, field, (size_t)size * sizeof(double));
-    balance(n, power[0].value, unit);
-    const double angle = fabs(time) * norm(n, power[0].value);
-    if (!(angle <= FARTHEST)) {
-        for (ptrdiff_t i = 0; i < size; ++i) {
+    double *const unit = e->unit, *const power = e->kept, *const fourth = power + 3 * size;
+    memcpy(power, field, (size_t)size * sizeof(double));
+    balance(n, power, unit);
+    const double angle = fabs(time) * norm(n, power);
+    e->halvings = angle <= FARTHEST ? 0 : -1;
+    if (e->halvings < 0) {
+        for (ptrdiff_t i = 0; i < size; ++i)
             flow[i] = NAN;
-            if (change)
-                moved[i] = NAN;
-        }
         return;
     }
-    int halvings = 0;
-    double step = time;
-    for (double left = angle; left > REACH; left *= 0.5, ++halvings)
-        step *= 0.5;
-    for (ptrdiff_t i = 0; i < n; ++i)
-        for (ptrdiff_t k = 0; k < columns; ++k) {
-            const ptrdiff_t at = i * columns + k;
-            power[0].value[at] *= step;
-            if (change)
-                power[0].change[at] = change[at] * ((k < n ? unit[k] : 1.0) / unit[i]) * step;
-        }
+    e->step = time;
+    for (double left = angle; left > REACH; left *= 0.5, ++e->halvings)
+        e->step *= 0.5;
+    for (ptrdiff_t i = 0; i < size; ++i)
+        power[i] *= e->step;
     for (int k = 1; k < POWERS; ++k) /* X^2, X^3, X^4 */
-        multiply(n, power[k == 1 ? 0 : 1], power[k == 3 ? 1 : 0], 0, power[k]);
-    for (ptrdiff_t i = 0; i < size; ++i) {
-        sum.value[i] = INVERSE[16] * power[3].value[i];
-        if (change)
-            sum.change[i] = INVERSE[16] * power[3].change[i];
-    }
+        multiply(n, k == 1 ? power : power + size, k == 3 ? power + size : power, 0,
+                 power + k * size);
+    double *sum = power + POWERS * size;
+    for (ptrdiff_t i = 0; i < size; ++i)
+        sum[i] = INVERSE[16] * fourth[i];
     for (int first = 12;; first -= BLOCK) {
-        add_block(n, power, INVERSE + first, sum);
+        add_block(size, power, INVERSE + first, sum);
+        for (ptrdiff_t i = 0; i < n; ++i)
+            sum[i * columns + i] += INVERSE[first];
         if (first == 0)
             break;
-        multiply(n, sum, power[3], 0, next);
-        const pair swapped = sum;
-        sum = next;
-        next = swapped;
+        multiply(n, sum, fourth, 0, sum + size);
+        sum += size;
     }
-    for (; halvings > 0; --halvings) {
-        multiply(n, sum, sum, 1, next);
-        const pair swapped = sum;
-        sum = next;
+    for (int k = 0; k < e->halvings; ++k, sum += size)
+        multiply(n, sum, sum, 1, sum + size);
+    for (ptrdiff_t i = 0; i < n; ++i)
+        for (ptrdiff_t k = 0; k < columns; ++k)
+            flow[i * columns + k] = sum[i * columns + k] * (unit[i] / (k < n ? unit[k] : 1.0));
+}
+
+INLINED void expand_moved(const ptrdiff_t n, const double *change, const ptrdiff_t first,
+                          double *moved, const expansion *e)
+{
+    const ptrdiff_t columns = n + 1, size = n * columns;
+    if (e->halvings < 0) {
+        for (ptrdiff_t i = 0; i < size; ++i)
+            moved[i] = NAN;
+        return;
+    }
+    const double *const unit = e->unit, *const power = e->kept, *const fourth = power + 3 * size;
+    double *const own = e->kept + KEPT * size, *const own_fourth = own + 3 * size;
+    double *sum_moved = own + POWERS * size, *next = sum_moved + size;
+    for (ptrdiff_t i = 0; i < n; ++i)
+        for (ptrdiff_t k = 0; k < columns; ++k)
+            own[i * columns + k] =
+                change[i * columns + k] * ((k < n ? unit[k] : 1.0) / unit[i]) * e->step;
+    for (int k = 1; k < POWERS; ++k) {
+        const ptrdiff_t left = k == 1 ? 0 : size, right = k == 3 ? size : 0;
+        multiply_moved(n, first, power + left, own + left, power + right, own + right, 0,
+                       own + k * size);
+    }
+    for (ptrdiff_t i = 0; i < size; ++i)
+        sum_moved[i] = INVERSE[16] * own_fourth[i];
+    const double *sum = power + POWERS * size;
+    for (int block = 12;; block -= BLOCK) {
+        add_block(size, own, INVERSE + block, sum_moved);
+        if (block == 0)
+            break;
+        multiply_moved(n, first, sum, sum_moved, fourth, own_fourth, 0, next);
+        double *const swapped = sum_moved;
+        sum_moved = next;
+        next = swapped;
+        sum += size;
+    }
+    for (int k = 0; k < e->halvings; ++k, sum += size) {
+        multiply_moved(n, first, sum, sum_moved, sum, sum_moved, 1, next);
+        double *const swapped = sum_moved;
+        sum_moved = next;
         next = swapped;
     }
     for (ptrdiff_t i = 0; i < n; ++i)
-        for (ptrdiff_t k = 0; k < columns; ++k) {
-            const ptrdiff_t at = i * columns + k;
-            const double back = unit[i] / (k < n ? unit[k] : 1.0);
-            flow[at] = sum.value[at] * back;
-            if (change)
-                moved[at] = sum.change[at] * back;
-        }
+        for (ptrdiff_t k = 0; k < columns; ++k)
+            moved[i * columns + k] =
+                sum_moved[i * columns + k] * (unit[i] / (k < n ? unit[k] : 1.0));
+}
+
+expansion exponential(const ptrdiff_t n, const double *field, const double time, double *flow,
+                      double *room)
+{
+    expansion found = {.unit = room, .kept = room + n};
+    switch (n) {
+    case 2:
+        expand(2, field, time, flow, &found);
+        break;
+    case 4:
+        expand(4, field, time, flow, &found);
+        break;
+    default:
+        expand(n, field, time, flow, &found);
+    }
+    return found;
+}
+
+void exponential_moved(const ptrdiff_t n, const double *change, const ptrdiff_t first,
+                       double *moved, const expansion *e)
+{
+    switch (n) {
+    case 2:
+        expand_moved(2, change, first, moved, e);
+        break;
+    case 4:
+        expand_moved(4, change, first, moved, e);
+        break;
+    default:
+        expand_moved(n, change, first, moved, e);
+    }
 }

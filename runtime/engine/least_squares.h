@@ -27,11 +27,11 @@ typedef struct {
     double *pivot, *unit;
 } least_squares_room;
 
-/* Solution of m >= n equations in the sense of least squares, by Householder reflections with
- * column pivoting; what is not determined stays 0. The smallest relative pivot; NaN where
- * something is not finite. */
-INLINED double least_squares(ptrdiff_t m, ptrdiff_t n, double *a, double *b, double *x,
-                             const least_squares_room *room)
+/* Solutions x (n, sides) of m >= n equations in the sense of least squares for right-hand sides
+ * b (m, sides), by Householder reflections with column pivoting; what is not determined stays 0.
+ * The smallest relative pivot; NaN where something is not finite. */
+INLINED double least_squares_of(ptrdiff_t m, ptrdiff_t n, ptrdiff_t sides, double *a, double *b,
+                                double *x, const least_squares_room *room)
 {
     int *const order = room->order;
     double *const pivot = room->pivot, first = 0.0, least = 1.0;
@@ -81,26 +81,33 @@ INLINED double least_squares(ptrdiff_t m, ptrdiff_t n, double *a, double *b, dou
             for (ptrdiff_t i = k; i < m; ++i)
                 a[i * n + j] += sum * a[i * n + k];
         }
-        double sum = 0.0;
-        for (ptrdiff_t i = k; i < m; ++i)
-            sum += a[i * n + k] * b[i];
-        sum *= scale;
-        for (ptrdiff_t i = k; i < m; ++i)
-            b[i] += sum * a[i * n + k];
+        for (ptrdiff_t s = 0; s < sides; ++s) {
+            double sum = 0.0;
+            for (ptrdiff_t i = k; i < m; ++i)
+                sum += a[i * n + k] * b[i * sides + s];
+            sum *= scale;
+            for (ptrdiff_t i = k; i < m; ++i)
+                b[i * sides + s] += sum * a[i * n + k];
+        }
         pivot[k] = alpha;
         ++rank;
     }
     for (ptrdiff_t k = n - 1; k >= 0; --k) {
-        if (k >= rank) {
-            x[order[k]] = 0.0;
-            continue;
+        for (ptrdiff_t s = 0; s < sides; ++s) {
+            double sum = k < rank ? b[k * sides + s] : 0.0;
+            for (ptrdiff_t j = k + 1; j < rank; ++j)
+                sum -= a[k * n + j] * x[order[j] * sides + s];
+            x[order[k] * sides + s] = k < rank ? sum / pivot[k] : 0.0;
         }
-        double sum = b[k];
-        for (ptrdiff_t j = k + 1; j < rank; ++j)
-            sum -= a[k * n + j] * x[order[j]];
-        x[order[k]] = sum / pivot[k];
     }
     return least;
+}
+
+/* The same for one right-hand side. */
+INLINED double least_squares(ptrdiff_t m, ptrdiff_t n, double *a, double *b, double *x,
+                             const least_squares_room *room)
+{
+    return least_squares_of(m, n, 1, a, b, x, room);
 }
 
 /* The same of `switches` equations of switching and n of closure, in no units: each in units of

@@ -34,11 +34,13 @@ int module_ends(void *context)
 }
 
 PyObject *py_compose(PyObject *self, PyObject *arguments);
+PyObject *py_move(PyObject *self, PyObject *arguments);
 PyObject *py_shoot(PyObject *self, PyObject *arguments);
 PyObject *py_simulate(PyObject *self, PyObject *arguments);
 
 static PyMethodDef methods[] = {
     {"compose", py_compose, METH_VARARGS, "Periodic orbits of an itinerary."},
+    {"move", py_move, METH_VARARGS, "Derivatives of periodic orbits by parameters."},
     {"shoot", py_shoot, METH_VARARGS, "Shooting maps of itineraries, with derivatives."},
     {"simulate", py_simulate, METH_VARARGS, "Motions from event to event."},
     {NULL, NULL, 0, NULL},

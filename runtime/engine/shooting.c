@@ -59,7 +59,9 @@ void shoot(const chain_of_phases *chain, const double *dwell, const shot *result
         const double *row_change = varied ? chain->row_change + p * (n + 1) : NULL;
         const double *reset_change = varied ? chain->reset_change + p * size : NULL;
         double *end = result->ends + p * n, *velocity = result->velocities + p * n;
-        exponential(n, field, field_change, dwell[p], flow, moved, scratch);
+        const expansion found = exponential(n, field, dwell[p], flow, scratch);
+        if (varied)
+            exponential_moved(n, field_change, 0, moved, &found);
         for (ptrdiff_t i = 0; i < n; ++i)
             end[i] = applied(n, flow + i * (n + 1), state);
         carry(n, n, unknowns, flow, varied ? moved : NULL, state, columns, ends);

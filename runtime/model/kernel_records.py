@@ -494,6 +494,11 @@ class OrbitKernels:
         """The compiled admissibility test of this orbit, if there is one."""
         return self._compiled("admissible")
 
+    @cached_property
+    def directions(self) -> Callable[..., Any] | None:
+        """The compiled derivatives of this orbit by its parameters, if there are any."""
+        return self._compiled("directions")
+
     @cache  # noqa: B019 - as long as that of its system
     def _function(self, kernel: str) -> Callable[..., Any]:
         return self.system.function(f"{self.orbit.replace('-', '_')}_{kernel}")

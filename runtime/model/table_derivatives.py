@@ -1,15 +1,19 @@
-"""Derivatives of a system's fields, rows and resets by all its parameters."""
+"""Derivatives of a system's fields, rows and resets by its parameters."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.core.arithmetic import FLOATS
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import tables_at
 
-__all__ = ["TableDerivatives", "table_derivatives"]
+__all__ = ["TableDerivatives", "TableRates", "table_derivatives", "table_rates"]
 
 _IMAGINARY = 1e-30  # of a parameter, in units of max(1, |it|)
 
@@ -27,6 +31,71 @@ class TableDerivatives(NamedTuple):
     fields: np.ndarray
     rows: np.ndarray
     resets: np.ndarray
+
+
+class TableRates(NamedTuple):
+    """The entries of the tables that some parameters change, at k points.
+
+    Attributes
+    ----------
+    directions : array (m,) of int
+        Which of the parameters.
+    entries : array (m,) of int
+        Which entry, counted through fields, rows and resets.
+    values : array (k, m)
+        Its derivative by the parameter.
+    """
+
+    directions: np.ndarray
+    entries: np.ndarray
+    values: np.ndarray
+
+
+def table_rates(kernels: SystemKernels, points: np.ndarray, places: Sequence[int]) -> TableRates:
+    """Differentiate fields, rows and resets at many points: what does not change is left out.
+
+    One parameter after the other becomes complex, and so do the entries that depend on it.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    points : array (k, p)
+        In the order of the system's parameters.
+    places : sequence of int
+        Which of the parameters.
+
+    Returns
+    -------
+    TableRates
+
+    Examples
+    --------
+    >>> from nonsmooth.runtime.model.kernels import load_system
+    >>> kernels = load_system("rigid-stop")  # parameters m1, m2, k1, k2, r
+    >>> found = table_rates(kernels, np.array([[1.0, 2.0, 1.0, 5.0, 0.5]]), [4])
+    >>> found.values  # the restitution stands in one reset
+    array([[-1.]])
+    """
+    columns = list(np.array(points.T, dtype=float, order="C"))
+    directions, entries, values = [], [], [np.empty((0, len(points)))]
+    for direction, place in enumerate(places):
+        moved = [stepped(x, 1, None) if k == place else x
+                 for k, x in enumerate(columns)]  # fmt: skip
+        first = 0
+        for kernel in ("fields", "rows", "resets"):
+            with np.errstate(all="ignore"):  # who takes them looks whether they are finite
+                found = list(chain.from_iterable(kernels.source(kernel)(moved, lib=FLOATS)))
+            for entry, value in enumerate(found):
+                if np.iscomplexobj(value):
+                    directions.append(direction)
+                    entries.append(first + entry)
+                    values.append(imaginary_parts(value, None)[None])
+            first += len(found)
+    return TableRates(
+        np.array(directions, dtype=int),
+        np.array(entries, dtype=int),
+        np.ascontiguousarray(np.concatenate(values).T),
+    )
 
 
 def table_derivatives(kernels: SystemKernels, point: np.ndarray) -> TableDerivatives:

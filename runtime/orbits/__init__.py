@@ -36,6 +36,7 @@
 `table_admissible`       admissibility, by a system's tables
 `table_digits`           how many digits rounding leaves of orbits by tables
 `table_directions`       how an orbit moves with what was given, by tables
+`table_directions_many`  the same at many points: compiled, or on NumPy
 `table_equations`        they, by a system's tables
 `table_limits`           which limit of admissibility an orbit fails first, by tables
 `table_many`             many orbits of one itinerary, by their system's tables

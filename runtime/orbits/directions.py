@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +19,8 @@ __all__ = ["CONSISTENT", "Directions", "solve_linear"]
 CONSISTENT = 1e-7  # of a right-hand side: what no orbit can follow
 
 
-class Directions(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Directions:
     """Derivatives of an orbit by q numbers.
 
     Attributes
@@ -26,18 +29,27 @@ class Directions(NamedTuple):
         What was solved for.
     dwell : array (q, p)
         Of each phase.
-    starts : array (q, p, N)
-        State at the start of each phase, which moves in time too.
-    section : MapDerivatives
+    moved, mapped : callable
+        Give `starts` and `section`, once they are asked for.
     trace : array (q,) or None
         Of the map's trace, where a formula gives it sharper than the map.
     """
 
     unknowns: Mapping[str, np.ndarray]
     dwell: np.ndarray
-    starts: np.ndarray
-    section: MapDerivatives
+    moved: Callable[[], np.ndarray]
+    mapped: Callable[[], MapDerivatives]
     trace: np.ndarray | None = None
+
+    @cached_property
+    def starts(self) -> np.ndarray:
+        """Of the state (q, p, N) at the start of each phase, which moves in time too."""
+        return self.moved()
+
+    @cached_property
+    def section(self) -> MapDerivatives:
+        """Of the map whose eigenvalues the multipliers are."""
+        return self.mapped()
 
 
 def solve_linear(

@@ -104,23 +104,20 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
     gradient = np.array(evaluate(orbit, "trace_gradient", moved=True), dtype=kind)
     trace = sum(slope * everything[name] for name, slope in zip(names, gradient, strict=True))
     wide = None if lib is None else Mpmath(2 * (orbit.digits + GUARD))
-    states, maps = (
-        np.array(stepped_kernel(orbit, kernel, rates, len(by), wide))
-        for kernel in ("states", "poincare_jacobian")
-    )
-    matrix = np.array(evaluate(orbit, "poincare_jacobian"), dtype=kind)
-    return Directions(
-        {name: rates[name] for name in orbit.unknowns},
-        waits,
-        imaginary_parts(states, wide)[:, :-1],
-        MapDerivatives(
-            real_parts(matrix),
-            imaginary_parts(maps, wide),
+
+    def along(kernel: str) -> np.ndarray:
+        return imaginary_parts(stepped_kernel(orbit, kernel, rates, len(by), wide), wide)
+
+    def section() -> MapDerivatives:
+        return MapDerivatives(
+            real_parts(np.array(evaluate(orbit, "poincare_jacobian"), dtype=kind)),
+            along("poincare_jacobian"),
             kernels.table["rank"],
             int(bool(kernels.table["conservative"])),
-        ),
-        np.asarray(trace),
-    )
+        )
+
+    own = {name: rates[name] for name in orbit.unknowns}
+    return Directions(own, waits, lambda: along("states")[:, :-1], section, np.asarray(trace))
 
 
 def along_tables(

@@ -57,7 +57,7 @@ def solve_many(
     given : mapping, optional
         The ``period`` (...) of an `itinerary`, as for `solve`.
     multipliers : bool
-        Of an `itinerary`: also give multipliers.
+        Of an `itinerary`: also give multipliers, and the derivatives of what they make up.
     admissibility : bool
         Also decide whether each orbit is a motion of the real system; where several are
         found, one that is comes first. About a millisecond a point for orbits without kernels.
@@ -67,7 +67,8 @@ def solve_many(
         Points that one thread takes at a time, of orbits with kernels.
     derivatives : sequence of str, or str
         Parameters by which unknowns, period and trace are differentiated, exactly up to
-        rounding: `Orbits.derivatives`.
+        rounding: `Orbits.derivatives`. With `multipliers` also their product, ``determinant``,
+        and ``spectral_radius``, as `Orbit.derivatives` names them.
     **named : array_like
         More of the parameters, by keyword.
 
@@ -96,7 +97,7 @@ def solve_many(
     found = _solved(orbit, {**(parameters or {}), **named}, guess, chunk=chunk, **beside, **options)
     if not derivatives:
         return found
-    return replace(found, derivatives=derivatives_of_many(found, derivatives))
+    return replace(found, derivatives=derivatives_of_many(found, derivatives, threads))
 
 
 def _solved(

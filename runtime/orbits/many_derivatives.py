@@ -3,39 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from functools import reduce
 
 import numpy as np
 
-from nonsmooth.runtime.core.arithmetic import FLOATS
-from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.threads import in_parallel
 from nonsmooth.runtime.model.kernels import OrbitKernels
-from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.directions import CONSISTENT
 from nonsmooth.runtime.orbits.orbit_arrays import Orbits
-from nonsmooth.runtime.orbits.table_directions import closed_along, passed, section_along
-from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
-from nonsmooth.runtime.shooting.newton import LEAST
-from nonsmooth.runtime.shooting.shooting_map import Numbers, itinerary_shape
-from nonsmooth.runtime.shooting.table_newton import sizes
+from nonsmooth.runtime.orbits.table_directions_many import (
+    solve_linear_many,
+    table_directions_many,
+)
+from nonsmooth.runtime.shooting.multiplier_derivatives import (
+    MapDerivatives,
+    many_multiplier_derivatives,
+)
+from nonsmooth.runtime.shooting.section_map import mechanical_states
+from nonsmooth.runtime.shooting.shooting_map import itinerary_shape
 
 __all__ = ["derivatives_of_many"]
 
-_FLOWS = 4096  # that are in memory at a time
+_POINTS, _COLUMNS = 1 << 9, 1 << 15  # that one thread takes at a time, by tables and kernels
+_ZERO = 1e-12  # of the largest multiplier: one that is zero but for rounding
+_OF_MAPS = ("determinant", "spectral_radius")  # where multipliers are asked for
 
 _Found = dict[str, dict[str, np.ndarray]]
 
 
-def derivatives_of_many(orbits: Orbits, by: Sequence[str] | str) -> _Found:
-    """Derivatives of unknowns, period and trace at many points.
+def derivatives_of_many(
+    orbits: Orbits, by: Sequence[str] | str, threads: int | None = None
+) -> _Found:
+    """Derivatives of unknowns, period and trace at many points; see `Orbits.derivatives`.
 
     Parameters
     ----------
     orbits : Orbits
     by : sequence of str, or str
         Names of parameters.
+    threads : int, optional
+        As many as processors when omitted.
 
     Returns
     -------
@@ -54,132 +62,117 @@ def derivatives_of_many(orbits: Orbits, by: Sequence[str] | str) -> _Found:
             raise unknown_name("parameter", name, known)
     shape, kernels = orbits.status.shape, orbits.problem.kernels
     sound = np.flatnonzero(orbits.converged.ravel())
-    points = np.stack(
-        [np.broadcast_to(orbits.parameters[n], shape).ravel()[sound] for n in known], axis=-1
-    ).astype(float)
-    unknowns = np.stack([row.ravel()[sound] for row in orbits.unknowns.values()], axis=-1)
+    every: slice | np.ndarray = slice(None) if len(sound) == orbits.status.size else sound
+    points, unknowns = (
+        np.stack([np.broadcast_to(a, shape).ravel()[every] for a in arrays]).astype(float).T
+        for arrays in ([orbits.parameters[n] for n in known], list(orbits.unknowns.values()))
+    )
     places = [known.index(name) for name in names]
     if kernels is None:
-        rates = _by_tables(orbits, points, unknowns, places)
+        rates = _by_tables(orbits, points, unknowns, places, threads)
     else:
-        rates = _by_kernels(kernels, points, unknowns, places)
-    quantities = (*orbits.unknowns, "period", "trace")
-    found: _Found = {quantity: {} for quantity in quantities}
-    for column, quantity in enumerate(quantities):
-        for place, name in enumerate(names):
-            filled = np.full(orbits.status.size, np.nan)
-            filled[sound] = rates[:, column, place]
-            found[quantity][name] = filled.reshape(shape)
-    return found
+        rates = _by_kernels(kernels, points, unknowns, places, threads)
+    quantities = (*orbits.unknowns, "trace", "period", *_OF_MAPS)[: len(rates)]
+    if every is sound:
+        filled = np.full((*rates.shape[:2], orbits.status.size), np.nan)
+        filled[..., sound] = rates
+        rates = filled
+    return {
+        quantity: {name: rate.reshape(shape) for name, rate in zip(names, moved, strict=True)}
+        for quantity, moved in zip(quantities, rates, strict=True)
+    }
 
 
 def _by_kernels(
-    kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, places: list[int]
+    kernels: OrbitKernels,
+    points: np.ndarray,
+    unknowns: np.ndarray,
+    places: list[int],
+    threads: int | None,
 ) -> np.ndarray:
-    """Rates (k, n + 2, q), compiled where the kernels are."""
+    """Rates (n + 2, q, k), compiled where the kernels are."""
     if kernels.table["vanishing"]:
         raise InputError(f"{kernels.name} is a border collision: its derivatives are one-sided")
+    (count, size), width = unknowns.shape, points.shape[1]
+    found = np.empty((size + 2, width, count))
+    unit = np.eye(width)[:, :, None]
+
+    def work(begin: int) -> None:
+        part = slice(begin, begin + _COLUMNS)
+        moved = found[..., part]
+        at = np.moveaxis(moved[:-1], -1, 0)
+        if kernels.directions is None:
+            _on_numpy(kernels, points[part], unknowns[part], at)
+        else:
+            with np.errstate(all="ignore"):
+                kernels.directions(points[part], unknowns[part], out=at)
+        columns = dict(zip(kernels.parameter_names, unit, strict=True))
+        columns |= dict(zip(kernels.unknowns, moved[:-2], strict=True))
+        moved[-1] = reduce(np.add, kernels.durations(columns).values())
+
+    in_parallel(work, range(0, count, _COLUMNS), threads)
+    return found if places == [*range(width)] else found[:, places]
+
+
+def _on_numpy(
+    kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, found: np.ndarray
+) -> None:
+    """Fill in derivatives (k, n + 1, p) of the unknowns and of the trace by all parameters."""
     spectrum, moved = kernels.spectrum(points)
     with np.errstate(all="ignore"):
         jacobian = np.asarray(kernels.evaluate("jacobian", points, spectrum, unknowns))
-        changes = np.asarray(
-            kernels.evaluate("parameter_jacobian", points, spectrum, moved, unknowns)
-        )
+        changes = kernels.evaluate("parameter_jacobian", points, spectrum, moved, unknowns)
         gradient = np.asarray(kernels.evaluate("trace_gradient", points, spectrum, moved, unknowns))
-    rates, _ = _solved(jacobian, -changes[..., places])
-    count = unknowns.shape[1]
-    unit = np.eye(len(kernels.parameter_names))[:, places]
-    whole = np.concatenate([rates, np.broadcast_to(unit, (len(points), *unit.shape))], axis=1)
-    names = (*kernels.unknowns, *kernels.parameter_names)
-    columns = {name: whole[:, place] for place, name in enumerate(names)}
-    waits = sum(np.asarray(wait) for wait in kernels.durations(columns).values())
-    trace = np.einsum("kn,knq->kq", gradient, whole)
-    return np.concatenate([whole[:, :count], np.asarray(waits)[:, None], trace[:, None]], axis=1)
+    size = unknowns.shape[1]
+    found[:, :size], _ = solve_linear_many(jacobian, -np.asarray(changes))
+    found[:, size] = gradient[:, size:]
+    found[:, size] += np.einsum("kn,knq->kq", gradient[:, :size], found[:, :size])
 
 
 def _by_tables(
-    orbits: Orbits, points: np.ndarray, unknowns: np.ndarray, places: list[int]
+    orbits: Orbits,
+    points: np.ndarray,
+    unknowns: np.ndarray,
+    places: list[int],
+    threads: int | None,
 ) -> np.ndarray:
-    """Rates (k, n + 2, q), by complex steps on NumPy."""
+    """Rates (n + 2, q, k), or two more where there are multipliers."""
     problem = orbits.problem
     cycle = itinerary_shape(structure_of(problem.system), problem.itinerary)
     if cycle.one_sided:
         raise InputError(
             f"{orbits.name}: boundaries are reached together: derivatives are one-sided"
         )
-    found = np.full((len(points), unknowns.shape[1] + 2, len(places)), np.nan)
-    several = max(1, _FLOWS // (max(1, len(places)) * len(cycle)))
-    for begin in range(0, len(points), several):
-        part = slice(begin, begin + several)
-        found[part] = _part(orbits, cycle, points[part], unknowns[part], places)
+    count, (amount, size) = len(cycle), unknowns.shape
+    maps = orbits.multipliers is not None
+    found = np.empty((size + 2 + maps * len(_OF_MAPS), len(places), amount))
+    driven = mechanical_states(cycle)
+    rank = _rank(orbits) if maps else 0
+
+    def work(begin: int) -> None:
+        part = slice(begin, begin + _POINTS)
+        moved = table_directions_many(
+            problem.system, cycle, points[part],
+            unknowns[part, :count], unknowns[part, count:], places,
+            timed=orbits.timed, maps=maps,
+        )  # fmt: skip
+        found[:count, :, part] = moved.dwell.T
+        found[count:size, :, part] = moved.start.T
+        found[size, :, part] = moved.trace.T
+        found[size + 1, :, part] = moved.dwell.sum(axis=-1).T
+        if maps:
+            trivial = int(orbits.timed and driven is None)
+            section = MapDerivatives(moved.maps, moved.rates, rank - moved.shifts, trivial)
+            for row, rates in enumerate(many_multiplier_derivatives(section), size + 2):
+                found[row, :, part] = rates.T
+
+    in_parallel(work, range(0, amount, _POINTS), threads)
     return found
 
 
-def _part(
-    orbits: Orbits, cycle: Any, points: np.ndarray, unknowns: np.ndarray, places: list[int]
-) -> np.ndarray:
-    """Rates (k, n + 2, q) of some points, of which each stands q times."""
-    k, q, count = len(points), len(places), len(cycle)
-    steps = np.tile(np.eye(points.shape[1])[places], (k, 1))
-    every = stepped(np.repeat(points, q, axis=0), steps, None)
-    numbers = Numbers(*tables_at(orbits.problem.system, every))
-    cycle, closed = closed_along(cycle, numbers)
-    real = np.repeat(unknowns, q, axis=0)
-    dwell, start = real[:, :count], real[:, count:]
-    size = start.shape[1]
-    with np.errstate(all="ignore"):
-        now = passed(cycle, closed, dwell + 0j, start + 0j, None)
-        parts = (real_parts(part) for part in (now.starts, now.ends, now.velocities))
-        plain = dict(zip(("starts", "ends", "velocities"), parts, strict=True))
-        size_of = sizes(now._replace(**plain), dwell)
-        still = now._replace(starts=np.broadcast_to(start, now.starts.shape))
-
-        def solved(period: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
-            sides = linearised_closure(now, dwell + 0j, size_of, period)
-            matrix, right = with_forcing(cycle, closed, still, size_of, *sides, FLOATS)
-            sides_of = imaginary_parts(right, None).reshape(k, q, -1)
-            plain_matrix = real_parts(matrix).reshape(k, q, -1, size)[:, 0]
-            return _solved(plain_matrix, np.moveaxis(sides_of, 1, 2))
-
-        changes, singular = solved(None)
-        if orbits.timed and singular.any():
-            timed, _ = solved(dwell.sum(axis=-1) + 0j)
-            changes[singular] = timed[singular]
-        starts = np.moveaxis(changes, 1, 2).reshape(k * q, size) * size_of
-        rates = np.moveaxis(now.rates, 0, 1)
-        waits = (real_parts(rates[..., :size]) @ starts[..., None])[..., 0]
-        waits = waits + imaginary_parts(rates[..., size], None)
-        moved = stepped(dwell, waits, None), stepped(start, starts, None)
-        maps = section_along(cycle, closed, passed(cycle, closed, *moved, None))
-        trace = imaginary_parts(np.trace(maps, axis1=-2, axis2=-1), None)
-    whole = np.concatenate([waits, starts, waits.sum(axis=-1)[:, None], trace[:, None]], axis=1)
-    return np.moveaxis(whole.reshape(k, q, -1), 1, 2)
-
-
-def _solved(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Solutions (k, n, q) of systems (k, m, n), NaN where there is none; which are singular."""
-    found = np.full((len(matrix), matrix.shape[2], right.shape[2]), np.nan)
-    singular = np.full(len(matrix), True)
-    sound = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(right).all(axis=(1, 2))
-    there = np.flatnonzero(sound)
-    square = matrix[there]
-    sides = right[there]
-    if matrix.shape[1] != matrix.shape[2]:
-        orthogonal, square = np.linalg.qr(square)
-        sides = np.swapaxes(orthogonal, 1, 2) @ sides
-    try:
-        inverse = np.linalg.inv(square)
-    except np.linalg.LinAlgError:  # some matrix is singular to the last bit
-        inverse = np.linalg.pinv(square, rcond=LEAST)
-        square = np.where(np.linalg.matrix_rank(square)[:, None, None] < square.shape[1], 0, square)
-    norms = np.linalg.norm(square, axis=(1, 2)) * np.linalg.norm(inverse, axis=(1, 2))
-    regular = np.isfinite(norms) & (norms > 0) & (norms * LEAST < 1)
-    singular[there] = ~regular
-    there = there[regular]
-    found[there] = inverse[regular] @ sides[regular]
-    missed = abs(matrix[there] @ found[there] - right[there]).max(axis=1)
-    wrong = missed > CONSISTENT * np.maximum(1.0, abs(right[there]).max(axis=1))
-    kept = found[there]
-    kept[np.broadcast_to(wrong[:, None, :], kept.shape)] = np.nan
-    found[there] = kept
-    return found, singular
+def _rank(orbits: Orbits) -> int:
+    """How many multipliers are not zero at all points."""
+    assert orbits.multipliers is not None
+    sizes = abs(orbits.multipliers[orbits.converged])
+    apart = sizes > _ZERO * sizes.max(axis=1, initial=0.0, keepdims=True)
+    return int(apart.sum(axis=1).max(initial=0))

@@ -47,7 +47,8 @@ class Orbits(Shown):
         Whether the period was given.
     derivatives : dict of str to dict of str to array (...), or None
         Of each unknown, the ``period`` and the ``trace``, by each parameter that was asked for;
-        NaN where there is none. None where not asked for.
+        where multipliers are, also of ``determinant`` and ``spectral_radius``. NaN where there
+        is none. None where not asked for.
     """
 
     problem: OrbitProblem

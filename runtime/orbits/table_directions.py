@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -193,14 +194,20 @@ def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directio
     rates = real_parts(now.rates[:, 0, :size]) @ starts.T
     waits = rates.T + imaginary_parts(np.moveaxis(now.rates[..., size], 0, -1), lib)
     moved = stepped(dwell, waits, lib), stepped(start, starts, lib)
-    along = passed(cycle, closed, *moved, lib)
     unknowns = np.concatenate([waits, starts], axis=1).T
-    return Directions(
-        dict(zip(orbit.problem.unknown_names, unknowns, strict=True)),
-        waits,
-        np.moveaxis(imaginary_parts(along.starts[:-1], lib), 1, 0),
-        _section(evaluation, cycle, closed, along, lib),
-    )
+
+    @cache
+    def along() -> Shooting:
+        return passed(cycle, closed, *moved, lib)
+
+    def states() -> np.ndarray:
+        return np.moveaxis(imaginary_parts(along().starts[:-1], lib), 1, 0)
+
+    def section() -> MapDerivatives:
+        return _section(evaluation, cycle, closed, along(), lib)
+
+    names = orbit.problem.unknown_names
+    return Directions(dict(zip(names, unknowns, strict=True)), waits, states, section)
 
 
 def closed_along(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShape, Numbers]:

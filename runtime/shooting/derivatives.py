@@ -17,7 +17,13 @@ from nonsmooth.runtime.model.simple_modes import balanced
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
 from nonsmooth.runtime.shooting.variational import COMPLEX_STEP, shooting_map
 
-__all__ = ["ShootingDerivatives", "dependent_variational", "flows_over", "shooting_derivatives"]
+__all__ = [
+    "ShootingDerivatives",
+    "cycle_maps",
+    "dependent_variational",
+    "flows_over",
+    "shooting_derivatives",
+]
 
 _TINY = 1e-30
 
@@ -88,8 +94,9 @@ def shooting_derivatives(
     )
     found.starts[:, 0] = start
     nothing = (np.empty(0),) * 3
-    maps, moved = _maps(cycle, numbers), nothing if changes is None else _maps(cycle, changes)
-    engine.shoot(points, count, size, np.ascontiguousarray(dwell), *maps, *moved, *found)
+    moved = nothing if changes is None else cycle_maps(cycle, changes)
+    maps = (np.ascontiguousarray(dwell), *cycle_maps(cycle, numbers))
+    engine.shoot(points, count, size, *maps, *moved, *found)
     return found
 
 
@@ -118,6 +125,28 @@ def dependent_variational(found: ShootingDerivatives) -> np.ndarray:
     return changes
 
 
+def cycle_maps(cycle: ItineraryShape, numbers: Numbers) -> tuple[np.ndarray, ...]:
+    """Fields, rows and resets phase by phase, as the compiled engine reads them.
+
+    Parameters
+    ----------
+    cycle : ItineraryShape
+    numbers : Numbers
+        Of k points.
+
+    Returns
+    -------
+    fields, rows, resets : array (k, p, ...)
+        Contiguous.
+    """
+    configurations, rows, resets = cycle.packed[: 3 * len(cycle)].reshape(3, -1)
+    return (
+        numbers.fields.take(configurations, axis=1),
+        numbers.rows.take(rows, axis=1),
+        numbers.resets.take(resets, axis=1),
+    )
+
+
 def flows_over(fields: np.ndarray, dwell: np.ndarray) -> np.ndarray:
     """Flows of fields over times; a tiny imaginary part comes out as a derivative.
 
@@ -142,16 +171,6 @@ def flows_over(fields: np.ndarray, dwell: np.ndarray) -> np.ndarray:
         scaled = generators * units[:, None] / units[:, :, None] * dwell.reshape(-1, 1, 1)
         flows = exponentials(scaled) * units[:, :, None] / units[:, None]
     return np.asarray(flows.reshape(*dwell.shape, size + 1, size + 1)[..., :size, :])
-
-
-def _maps(cycle: ItineraryShape, numbers: Numbers) -> tuple[np.ndarray, ...]:
-    """Fields, rows and resets phase by phase, contiguous."""
-    configurations, rows, resets = cycle.packed[: 3 * len(cycle)].reshape(3, -1)
-    return (
-        numbers.fields.take(configurations, axis=1),
-        numbers.rows.take(rows, axis=1),
-        numbers.resets.take(resets, axis=1),
-    )
 
 
 def _in_python(

@@ -8,7 +8,12 @@ import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Mpmath
 
-__all__ = ["MapDerivatives", "MultiplierDerivatives", "multiplier_derivatives"]
+__all__ = [
+    "MapDerivatives",
+    "MultiplierDerivatives",
+    "many_multiplier_derivatives",
+    "multiplier_derivatives",
+]
 
 _COLLISION = 1e-6  # of the largest multiplier: distance below which two are not told apart
 
@@ -143,6 +148,97 @@ def multiplier_derivatives(found: MapDerivatives, lib: Mpmath | None) -> Multipl
         radius_rates,
         not all(apart.values()),
     )
+
+
+def many_multiplier_derivatives(found: MapDerivatives) -> tuple[np.ndarray, np.ndarray]:
+    """Differentiate determinant and spectral radius of many maps, in double precision.
+
+    Parameters
+    ----------
+    found : MapDerivatives
+        Its matrix (k, m, m) and rates (k, q, m, m) have one axis more.
+
+    Returns
+    -------
+    determinant, spectral_radius : array (k, q)
+        As those of `multiplier_derivatives`; NaN where a map is not finite, too.
+    """
+    shape = found.rates.shape[:2]
+    determinant, radius = np.full(shape, np.nan), np.full(shape, np.nan)
+    sound = np.isfinite(found.matrix).all(axis=(1, 2)) & np.isfinite(found.rates).all(
+        axis=(1, 2, 3)
+    )
+    places = np.flatnonzero(sound)
+    if not found.rank:
+        determinant[places] = radius[places] = 0.0
+    if not found.rank or not len(places):
+        return determinant, radius
+    own = found._replace(matrix=found.matrix[places], rates=found.rates[places])
+    with np.errstate(all="ignore"):
+        reduced, moved = _reduced_of_many(own)
+        determinant[places] = np.einsum("kij,kqji->kq", _adjugates(reduced), moved)
+        radius[places] = _radius_rates(reduced, moved, found.trivial)
+    return determinant, radius
+
+
+def _reduced_of_many(found: MapDerivatives) -> tuple[np.ndarray, np.ndarray]:
+    """As `_reduced`, of many maps."""
+    matrix, rates, rank, _ = found
+    if rank == matrix.shape[1]:
+        return matrix, rates
+    basis = np.linalg.svd(matrix)[0]
+    back = np.swapaxes(basis, 1, 2)
+    turned = back @ matrix @ basis
+    inside, beside = turned[:, :rank, :rank], turned[:, :rank, rank:]
+    changed = back[:, None] @ rates @ basis[:, None]
+    across = changed[:, :, rank:, :rank] @ _inverses(inside)[:, None]
+    return inside, changed[:, :, :rank, :rank] + beside[:, None] @ across
+
+
+def _radius_rates(matrix: np.ndarray, rates: np.ndarray, trivial: int) -> np.ndarray:
+    """Derivatives (k, q) of the largest absolute value of an eigenvalue that is not trivial."""
+    values, right = np.linalg.eig(matrix)
+    values = values.astype(complex)
+    slopes = np.einsum("kij,kqjl,kli->kqi", _inverses(right), rates, right)
+    every = np.arange(len(values))
+    size = abs(values)
+    largest = size.max(axis=1)
+    for _ in range(min(trivial, values.shape[1])):
+        size[every, np.argmin(np.where(size < 0, np.inf, abs(values - 1)), axis=1)] = -1.0
+    first = np.argmax(size, axis=1)
+    value, radius = values[every, first], size[every, first]
+    apart = abs(values - value[:, None]) > _COLLISION * largest[:, None]
+    apart[every, first] = True
+    alike = (size >= radius[:, None] * (1 - _COLLISION)) & (
+        abs(values - value.conj()[:, None]) > _COLLISION * largest[:, None]
+    )
+    alike[every, first] = False
+    turned = (value.conj()[:, None] * slopes[every, :, first]).real / radius[:, None]
+    lost = ~apart.all(axis=1) | alike.any(axis=1)
+    none = radius < 0  # there are trivial ones alone
+    return np.where(none[:, None], 0.0, np.where(lost[:, None], np.nan, turned))
+
+
+def _adjugates(matrix: np.ndarray) -> np.ndarray:
+    """As `_adjugate`, of many matrices."""
+    size = matrix.shape[1]
+    found = np.ones_like(matrix)
+    for i in range(size):
+        for j in range(size):
+            minor = np.delete(np.delete(matrix, i, axis=1), j, axis=2)
+            found[:, j, i] = (-1) ** (i + j) * np.linalg.det(minor)
+    return found
+
+
+def _inverses(matrix: np.ndarray) -> np.ndarray:
+    """Inverses of many matrices; NaN where one is singular to the last bit."""
+    try:
+        return np.asarray(np.linalg.inv(matrix))
+    except np.linalg.LinAlgError:
+        sound = np.linalg.det(matrix) != 0
+        found = np.full_like(matrix, np.nan)
+        found[sound] = np.linalg.inv(matrix[sound])
+        return found
 
 
 def _reduced(

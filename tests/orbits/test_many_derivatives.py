@@ -1,0 +1,258 @@
+"""Derivatives of batches: compiled against NumPy, against single orbits, and against 50 digits."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from numpy.testing import assert_allclose, assert_array_equal
+
+import nonsmooth as ns
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.model.kernels import compiled_engine, load_system, uncompiled
+from nonsmooth.runtime.model.piecewise import tables_at
+from nonsmooth.runtime.model.structure import structure_of
+from nonsmooth.runtime.model.table_derivatives import table_derivatives, table_rates
+from nonsmooth.runtime.orbits import table_directions_many as many
+from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
+from nonsmooth.runtime.orbits.many_derivatives import derivatives_of_many
+from nonsmooth.runtime.shooting.shooting_map import Numbers, itinerary_shape
+
+KERNELS = [
+    "rigid-stop/one-impact",
+    "elastic-stop/one-contact",
+    "dry-friction/symmetric",
+    "dry-friction/global-stick",
+]
+
+
+_A, _C, _G, _K, _R, _U, _W = sp.symbols("A c g k r u w")
+# a box on rough ground, moved by a mass in it that strikes its wall: it closes up to a shift
+CAPSULE = oscillator(
+    "shifting-capsule", ["x", "y"], mass=[[2, 0], [0, 1]], stiffness=[[_K, -_K], [-_K, _K]],
+    damping=[[_C, -_C], [-_C, _C]], forcing=[Harmonic(_W, cosine=[-_A, _A])],
+    elements=[
+        Friction("x", kinetic=_U, static=_U, velocity=0, name="ground"),
+        RigidStop({"y": 1, "x": -1}, at=_G, restitution=_R, name="wall"),
+    ],
+)  # fmt: skip
+SHAKEN = {"A": 1.0, "w": 1.0, "u": 0.3, "k": 0.5, "g": 0.5, "r": 0.5, "c": 0.1}
+
+
+def chain() -> tuple[ns.derive.System, dict[str, float]]:
+    """Two forced, damped masses, of which the last one strikes a stop."""
+    data = {"m1": 1.1, "m2": 1.3, "k1": 2.2, "k2": 2.5, "d": 0.03, "gap": 0.3, "r": 0.8}
+    data |= {"F": 1.0, "w": 1.1}
+    found = [Parameter(name, name) for name in data]
+    m1, m2, k1, k2, d, gap, r, force, w = (p.symbol for p in found)
+    stiffness = sp.Matrix([[k1 + k2, -k2], [-k2, k2]])
+    system = oscillator(
+        "chain-of-two", ["x1", "x2"], sp.diag(m1, m2), stiffness, damping=d * stiffness,
+        forcing=[Harmonic(w, cosine={"x1": force})], elements=[RigidStop("x2", gap, r)],
+        parameters=found,
+    )  # fmt: skip
+    return system, data
+
+
+@pytest.fixture(scope="module")
+def forced() -> tuple[ns.derive.System, dict[str, float], ns.Orbit]:
+    system, data = chain()
+    found = ns.find_orbits(system, data, 40, seed=1).orbits
+    return system, data, min(found, key=lambda one: len(one.itinerary)).orbit
+
+
+def scattered(values: dict[str, float], count: int, width: float = 1e-4) -> dict[str, np.ndarray]:
+    random = np.random.default_rng(5)
+    return {
+        name: value * (1 - width * random.uniform(0, 1, count)) for name, value in values.items()
+    }
+
+
+def by_tables(name: str) -> Any:
+    orbit = ns.solve(name)
+    return orbit.problem.by_tables(orbit)
+
+
+def cases(forced: Any) -> list[tuple[Any, dict[str, float], Any, Any]]:
+    """Systems, their data, orbits by tables, and the periods that are given."""
+    system, data, orbit = forced
+    found: list[Any] = [(system, data, orbit, None)]
+    for name in ("dry-friction/global-stick", "elastic-stop/one-contact"):
+        tables = by_tables(name)
+        values = {key: float(value) for key, value in tables.parameters.items()}
+        given = {"period": float(tables.period)} if tables.evaluation.family else None
+        found.append((name.split("/")[0], values, tables, given))
+    shaken = ns.simulate(CAPSULE, SHAKEN, [0, 0, 0, 0, 1, 0], transitions=800)
+    crawling = ns.solve(CAPSULE, SHAKEN, itinerary=ns.itinerary_of(shaken))
+    return [*found, (CAPSULE, SHAKEN, crawling, None)]
+
+
+@pytest.mark.compiled
+def test_c_and_numpy_agree(forced: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    for system, data, orbit, given in cases(forced):
+        values, guess = scattered(data, 6), [*orbit.dwell_times, *orbit.states[0]]
+        solved = ns.solve_many(system, values, guess, itinerary=orbit.itinerary, given=given)
+        cycle = itinerary_shape(structure_of(orbit.system), orbit.itinerary)
+        given_points = [values[table.name] for table in orbit.system.parameters]
+        points, unknowns = (
+            np.stack(part, axis=-1) for part in (given_points, [*solved.unknowns.values()])
+        )
+        dwell, start = unknowns[:, : len(cycle)], unknowns[:, len(cycle) :]
+        known = (orbit.system, cycle, points, dwell, start)
+        places = range(points.shape[1])
+        options: Any = {"timed": given is not None, "maps": True}
+        compiled = many.table_directions_many(*known, places, **options)
+        with monkeypatch.context() as patch:
+            patch.setattr(many, "compiled_engine", lambda: None)
+            plain = many.table_directions_many(*known, places, **options)
+        assert np.isfinite(plain.trace).all()
+        for mine, other in zip(compiled[:5], plain[:5], strict=True):
+            assert mine.shape == other.shape
+            assert_allclose(mine, other, rtol=1e-9, atol=1e-9 * abs(other).max())
+        alone = many.table_directions_many(*known, [1], **{**options, "maps": False})
+        assert_allclose(alone.trace[:, 0], compiled.trace[:, 1], rtol=1e-12)
+        assert alone.maps.size == alone.rates.size == 0
+
+
+def test_a_direction_that_changes_with_a_parameter_is_seen() -> None:
+    c, g, i, r = sp.symbols("c g i r")
+    geared = oscillator(
+        "geared-wheels", ["x", "y"], mass=sp.diag(1, 2), stiffness=sp.zeros(2),
+        damping=c * sp.eye(2),
+        elements=[RigidStop({"x": 1, "y": -i}, at=g, restitution=r, name="tooth")],
+    )  # fmt: skip
+    kernels = load_system(geared)
+    structure = structure_of(kernels)
+    boundary = structure.boundaries[0][0].name
+    cycle = itinerary_shape(structure, [(structure.configurations[0], boundary)])
+    names = [table.name for table in kernels.parameters]
+    point = [{"c": 0.1, "g": 0.5, "i": 1.5, "r": 0.5}[name] for name in names]
+    points = np.array([point, point])
+    numbers = Numbers(*tables_at(kernels, points))
+    for name in names:
+        rates = table_rates(kernels, points, [names.index(name)])
+        assert (many._closed(cycle, numbers, rates) is None) == (name == "i")
+
+
+@pytest.mark.compiled  # its orbits are found by simulation
+def test_batches_have_the_derivatives_of_single_orbits(forced: Any) -> None:
+    for system, data, orbit, given in cases(forced):
+        values = scattered(data, 3)
+        guess = [*orbit.dwell_times, *orbit.states[0]]
+        options = {"itinerary": orbit.itinerary, "given": given}
+        found = ns.solve_many(
+            system, values, guess, multipliers=True, derivatives=list(data), **options
+        )
+        assert found.converged.all()
+        assert found.derivatives is not None
+        for place in range(3):
+            point = {name: array[place] for name, array in values.items()}
+            single = ns.solve(system, point, guess, **options).derivatives(list(data))
+            for quantity, rates in found.derivatives.items():
+                wanted = single.quantity(quantity)[1]
+                mine = [rates[name][place] for name in data]
+                assert_allclose(mine, wanted, rtol=1e-8, atol=1e-8, err_msg=quantity)
+        assert {"determinant", "spectral_radius"} <= {*found.derivatives}
+
+
+@pytest.mark.parametrize("name", KERNELS)
+@pytest.mark.compiled
+def test_kernels_in_c_and_on_numpy_agree(name: str) -> None:
+    orbit = ns.solve(name)
+    data = {key: float(value) for key, value in orbit.given.items()}
+    found = ns.solve_many(name, scattered(data, 37, 1e-2), admissibility=False)
+    kernels = found.problem.kernels
+    assert kernels.directions is not None
+    other = replace(found, problem=KernelProblem(uncompiled(kernels)))
+    mine, plain = (derivatives_of_many(each, list(data)) for each in (found, other))
+    for quantity, rates in plain.items():
+        for key, rate in rates.items():
+            assert_allclose(mine[quantity][key], rate, rtol=1e-8, atol=1e-9, err_msg=quantity)
+
+
+def test_they_are_those_of_fifty_digits() -> None:
+    name, by = "dry-friction/global-stick", "eta"
+    orbit = ns.solve(name, {by: "0.98"})
+    found = ns.solve_many(name, eta=[0.98, 0.99], derivatives=[by])
+    tables = by_tables(name)
+    values = {key: float(value) for key, value in tables.parameters.items()} | {by: [0.98, 0.99]}
+    composed = ns.solve_many(
+        "dry-friction", values, [*tables.dwell_times, *tables.states[0]],
+        itinerary=tables.itinerary, derivatives=by,
+    )  # fmt: skip
+    assert found.derivatives is not None
+    assert composed.derivatives is not None
+    step = as_value("1/10").exact ** 18
+    sides = []
+    for side in (1, -1):
+        value = as_value(orbit.given[by].exact + side * step)
+        sides.append(ns.refine(replace(orbit, given={**orbit.given, by: value}), 50))
+    ahead, behind = sides
+    for quantity in ("period", "trace"):
+        wanted = (getattr(ahead, quantity) - getattr(behind, quantity)) * 10**18 / 2
+        for each in (found, composed):
+            assert float(abs(each.derivatives[quantity][by][0] - wanted)) < 1e-9 * (1 + abs(wanted))
+
+
+@pytest.mark.parametrize("tables", [False, True])
+def test_no_point_depends_on_its_neighbours(tables: bool) -> None:
+    name = "dry-friction/global-stick"
+    orbit = by_tables(name) if tables else ns.solve(name)
+    given = orbit.parameters if tables else orbit.given
+    values = scattered({key: float(value) for key, value in given.items()}, 600)
+    options: Any = {"derivatives": ["eta", "V"], "admissibility": False}
+    if tables:
+        name, options["itinerary"] = "dry-friction", orbit.itinerary
+        options["guess"] = [*orbit.dwell_times, *orbit.states[0]]
+    order = np.random.default_rng(1).permutation(600)[:531]
+    whole = ns.solve_many(name, values, **options)
+    part = ns.solve_many(name, {k: v[order] for k, v in values.items()}, **options)
+    for quantity, rates in whole.derivatives.items():
+        for key, rate in rates.items():
+            assert_array_equal(rate[order], part.derivatives[quantity][key])
+
+
+def test_table_rates_are_the_derivatives_of_the_tables() -> None:
+    kernels = by_tables("dry-friction/global-stick").system
+    point = np.array([0.4, 1.2, 0.7, 0.1, 0.2, 0.3, 0.5])
+    whole = np.concatenate([part.reshape(7, -1) for part in table_derivatives(kernels, point)], 1)
+    found = table_rates(kernels, np.tile(point, (2, 1)), range(7))
+    filled = np.zeros_like(whole)
+    filled[found.directions, found.entries] = found.values[1]
+    assert_allclose(filled, whole, rtol=1e-14)
+
+
+@pytest.mark.compiled
+def test_arrays_that_do_not_fit_are_refused() -> None:
+    engine = compiled_engine()
+    assert engine is not None
+    places = [[0, 1, 1, 2, 2], [0, 14], [0, 1], []]  # two phases, two directions, two states
+    sizes = [2, 2, 12, 6, 12, 2, 4, 4, 2, 4, 8]
+
+    def given() -> list[np.ndarray]:
+        integers = [np.array(part, dtype=np.int32) for part in places]
+        return [*integers, *(np.zeros(size) for size in sizes)]
+
+    counts = (1, 2, 2, 2, 2, False)
+    engine.move(*counts, *given())
+    for place in {*range(len(places) + len(sizes))} - {3}:
+        wrong = given()
+        wrong[place] = np.append(wrong[place], wrong[place][:1])
+        with pytest.raises(ValueError, match=r"wrong size|not of this cycle"):
+            engine.move(*counts, *wrong)
+    for place, entry in ((0, 3), (1, 15), (1, -1), (2, 2)):
+        wrong = given()
+        wrong[place][1] = entry
+        with pytest.raises(ValueError, match="not of this cycle"):
+            engine.move(*counts, *wrong)
+    for forcing in ([0], [0, 2]):
+        wrong = given()
+        wrong[3] = np.array(forcing, dtype=np.int32)
+        with pytest.raises(ValueError, match="not of this cycle"):
+            engine.move(*counts, *wrong)
+    with pytest.raises(ValueError, match="wrong numbers"):
+        engine.move(-1, *counts[1:], *given())
