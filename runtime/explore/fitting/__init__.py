@@ -4,6 +4,7 @@
 `fit`               `fit`: from measurements to a `Fit`
 `fit_record`        `Fit`: estimates, uncertainties, residuals, and what the fitted motion does
 `affine_outputs`    affine functions of the state, read from expressions
+`local_maxima`      all local maxima of boundary functions along a motion
 `losses`            loss functions of squared residuals
 `measurements`      `Experiment`, and the series of outputs and event times in it
 `minimise`          the search from one start or many, and the noise that was not given

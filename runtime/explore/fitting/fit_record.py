@@ -10,10 +10,11 @@ from typing import Any, Literal
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import AnyRow, AnyTable, Digits, Integers, Row, Table
+from nonsmooth.runtime.core.json_codec import AnyRow, AnyTable, Digits, Row, Table
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.explore.fitting.measurements import MeasuredSeries
 from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing
 from nonsmooth.runtime.explore.fitting.statistics import combination_text
 from nonsmooth.runtime.model.kernels import known_system
@@ -24,32 +25,17 @@ __all__ = ["Fit", "FittedExperiment", "FittedSeries"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class FittedSeries:
+class FittedSeries(MeasuredSeries):
     """One column of measurements beside what the fitted motion says of it.
 
     Attributes
     ----------
-    name : str
-        Of the column.
-    kind : {"output", "event"}
-    expression : str
-        The output as an expression of the states, or the boundary's name.
-    row : array (N + 1,)
-        The output's coefficients and its constant; empty for events.
-    places : array (m,) of int
-        Rows of the table; of events how many of this boundary were before.
-    times, values, fitted, sigma : array (m,)
-        Times on the clock of the data, what was measured and what the motion says, and the
-        standard deviations that weighted it, given or estimated.
+    fitted : array (m,)
+        What the motion says.
+    sigma : array (m,)
+        Standard deviations that weighted it, given or estimated.
     """
 
-    name: str
-    kind: Literal["output", "event"]
-    expression: str
-    row: Row
-    places: Integers
-    times: Row
-    values: Row
     fitted: Row
     sigma: Row
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
@@ -83,22 +83,6 @@ class MeasuredSeries:
     times: Row
     values: Row
     sigma: AnyRow
-
-    def until(self, last: float) -> MeasuredSeries:
-        """What was measured until a time.
-
-        Parameters
-        ----------
-        last : float
-            On the clock of the data.
-
-        Returns
-        -------
-        MeasuredSeries
-        """
-        kept = self.times <= last
-        columns = ("places", "times", "values", "sigma")
-        return replace(self, **{name: getattr(self, name)[kept] for name in columns})
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

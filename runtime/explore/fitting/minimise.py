@@ -55,7 +55,7 @@ class Minimum:
     converged : bool
     message : str
     evaluations : int
-        Of all searches.
+        Of all searches, those over beginnings of the records too.
     starts : array (n, q)
         Where searches began.
     costs : array (n,)
@@ -111,7 +111,10 @@ def minimise(
     stopped = False
     try:
         for place, point in enumerate(points):
-            for begun in (point, _approached(problem, point, noise, loss)):
+            approached, spent = _approached(problem, point, noise, loss)
+            evaluations += spent
+            same = np.array_equal(point, approached)  # there was no beginning to go by
+            for begun in (point,) if same else (point, approached):
                 if not np.isfinite(problem.residuals(begun, noise).values).all():
                     continue
                 found = _search(problem, begun, noise, loss)
@@ -181,17 +184,21 @@ def _search(
     )
 
 
-def _approached(problem: FitProblem, point: np.ndarray, noise: Noise, loss: str) -> np.ndarray:
-    """Where searches over longer and longer beginnings of the records lead."""
+def _approached(
+    problem: FitProblem, point: np.ndarray, noise: Noise, loss: str
+) -> tuple[np.ndarray, int]:
+    """Where searches over longer and longer beginnings lead, and after how many evaluations."""
     passed = np.sort(problem.passed)
     enough = passed[min(len(point), len(passed)) - 1 :]
     part = float(enough[enough > 0].min(initial=1.0))
+    evaluations = 0
     while part < 1:
         shorter = problem.beginning(part)
         if np.isfinite(shorter.residuals(point, noise).values).all():
-            point = _search(shorter, point, noise, loss, _ROUGHLY).x
+            found = _search(shorter, point, noise, loss, _ROUGHLY)
+            point, evaluations = found.x, evaluations + found.nfev
         part *= _GROWTH
-    return point
+    return point, evaluations
 
 
 def _starts(problem: FitProblem, count: int, seed: int) -> np.ndarray:

@@ -85,7 +85,7 @@ class FitProblem:
         experiments = []
         for each in self.experiments:
             last = each.first + part * (each.last - each.first)
-            kept = (series.until(last) for series in each.series)
+            kept = (_until(series, last) for series in each.series)
             series = tuple(found for found in kept if len(found.values))
             experiments.append(replace(each, series=series))
         return replace(self, experiments=tuple(experiments))
@@ -171,3 +171,10 @@ class FitProblem:
         except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
             count = self.data + len(self.unknowns.priors)
             return Residuals(np.full(count, np.nan), np.full((count, len(point)), np.nan), ())
+
+
+def _until(series: MeasuredSeries, last: float) -> MeasuredSeries:
+    """What was measured until a time on the clock of the data."""
+    kept = series.times <= last
+    columns = ("places", "times", "values", "sigma")
+    return replace(series, **{name: getattr(series, name)[kept] for name in columns})
