@@ -15,13 +15,15 @@ from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.fitting.measurements import MeasuredSeries
-from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing
+from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing, nearest
 from nonsmooth.runtime.explore.fitting.statistics import combination_text
 from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Fit", "FittedExperiment", "FittedSeries"]
+__all__ = ["Fit", "FittedExperiment", "FittedResponse", "FittedSeries"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -46,6 +48,37 @@ class FittedSeries(MeasuredSeries):
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
+class FittedResponse:
+    """The steady response that belongs to a row of measurements.
+
+    Attributes
+    ----------
+    parameters : dict of str to Value
+        All of them.
+    itinerary : tuple of (str, str)
+        Configurations, and boundaries by which they are left; ``forcing-phase`` where none is.
+    dwell_times : array (p,)
+    start : array (N,)
+        State at the start of the first phase.
+    stability : str
+    grazing : NearestGrazing or None
+        Where it comes closest to grazing a boundary.
+    """
+
+    parameters: Mapping[str, Value]
+    itinerary: tuple[tuple[str, str], ...]
+    dwell_times: Row
+    start: Row
+    stability: str
+    grazing: NearestGrazing | None
+
+    @property
+    def period(self) -> float:
+        """Sum of the dwell times."""
+        return float(self.dwell_times.sum())
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
 class FittedExperiment:
     """One experiment at the fit.
 
@@ -53,9 +86,10 @@ class FittedExperiment:
     ----------
     name : str
     parameters : dict of str to Value
-        All of them, as fitted or known.
+        All of them, as fitted or known; of steady responses those that all rows share.
     start : array (N,)
-        State at the start of the motion.
+        State at the start of the motion; empty, as what else belongs to a motion, of steady
+        responses.
     offset : float
         What the clock of the data shows there.
     until : float
@@ -70,6 +104,10 @@ class FittedExperiment:
         order in which, the data have them; None where no times of events were recorded.
     grazing : NearestGrazing or None
         Where it comes closest to grazing a boundary.
+    responses : tuple of FittedResponse
+        Of each row, where steady responses were measured.
+    along : str
+        Parameter that was varied from row to row, the first of them; empty where none was.
     """
 
     name: str
@@ -82,6 +120,8 @@ class FittedExperiment:
     boundaries: tuple[str, ...]
     same_sequence: bool | None
     grazing: NearestGrazing | None
+    responses: tuple[FittedResponse, ...] = ()
+    along: str = ""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -190,15 +230,7 @@ class Fit(Shown):
     @property
     def grazing(self) -> NearestGrazing | None:
         """The nearest grazing of all experiments, in standard errors."""
-        found = [each.grazing for each in self.experiments if each.grazing is not None]
-        if not found:
-            return None
-
-        def far(each: NearestGrazing) -> tuple[float, float]:
-            distance = each.standard_errors
-            return (np.inf if np.isnan(distance) else distance, each.margin)
-
-        return min(found, key=far)
+        return nearest(each.grazing for each in self.experiments)
 
     @property
     def identified(self) -> tuple[tuple[str, float], ...]:
@@ -207,6 +239,28 @@ class Fit(Shown):
             (combination_text(self.names, row), 1 / float(size) if size else float("inf"))
             for row, size in zip(self.combinations, self.singular_values, strict=True)
         )
+
+    def experiment(self, number: int) -> FittedExperiment:
+        """Give an experiment.
+
+        Parameters
+        ----------
+        number : int
+            From 0.
+
+        Returns
+        -------
+        FittedExperiment
+
+        Raises
+        ------
+        InputError
+            If there is no such experiment.
+        """
+        count = len(self.experiments)
+        if not -count <= number < count:
+            raise InputError(f"there are {count} experiments, from 0")
+        return self.experiments[number]
 
     def motion(self, experiment: int = 0) -> Trajectory:
         """Follow the fitted motion of an experiment.
@@ -224,17 +278,49 @@ class Fit(Shown):
         Raises
         ------
         InputError
-            If there is no such experiment.
+            If there is no such experiment, or it holds steady responses.
         """
-        if not -len(self.experiments) <= experiment < len(self.experiments):
-            raise InputError(f"there are {len(self.experiments)} experiments, from 0")
-        found = self.experiments[experiment]
+        found = self.experiment(experiment)
+        if found.responses:
+            raise InputError(f"{found.name} holds steady responses: ask for a `response`")
         return simulate(
             known_system(self.system), found.parameters, found.start.tolist(), until=found.until
         )
 
+    def response(self, row: int, experiment: int = 0) -> Orbit:
+        """Give the steady response that belongs to a row of measurements.
+
+        Parameters
+        ----------
+        row : int
+            Its number, from 0.
+        experiment : int
+            Its number, from 0.
+
+        Returns
+        -------
+        Orbit
+
+        Raises
+        ------
+        InputError
+            If there is no such row or experiment.
+        """
+        found = self.experiment(experiment)
+        count = len(found.responses)
+        if not -count <= row < count:
+            raise InputError(f"{found.name} has {count} steady responses, from 0")
+        response = found.responses[row]
+        return solve_itinerary(
+            known_system(self.system),
+            response.parameters,
+            response.itinerary,
+            response.dwell_times.tolist(),
+            response.start.tolist(),
+        )
+
     def plot(self, axes: Any = None, *, experiment: int = 0) -> Any:
-        """Draw what was measured over the fitted motion, and the residuals below.
+        """Draw what was measured over the fitted motion or responses, and the residuals below.
 
         Parameters
         ----------

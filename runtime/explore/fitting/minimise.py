@@ -5,7 +5,8 @@ so motions that do not exist, are too short or graze a boundary end no search. T
 without standard deviations is estimated from their residuals, in turn with the parameters.
 
 The longer a record, the more minima its sum of squares has. So each start is searched from twice:
-directly, and by way of longer and longer beginnings of the records.
+directly, and by way of longer and longer beginnings of the records. Where steady responses are
+measured, others than those that were followed are looked for at the end, and the search goes on.
 """
 
 from __future__ import annotations
@@ -29,6 +30,8 @@ _ROUGHLY = 1e-4  # tolerance of searches over beginnings
 _ROUNDS = 20  # of estimating the noise
 _SETTLED = 1e-6  # relative change of the noise
 _LEAST = 1e-12  # noise, as a part of the spread of the data
+_LOOKS = 5  # for other steady responses
+_NEARER = 1e-6  # by which part the cost has to fall for another look
 _KEPT = 2  # trial points that are remembered: a derivative is asked for behind a value
 _DRAWS = 100  # of a start at which there is a motion
 _MEDIAN = 1.4826  # standard deviation of a normal variable over its median absolute value
@@ -117,7 +120,7 @@ def minimise(
             for begun in (point,) if same else (point, approached):
                 if not np.isfinite(problem.residuals(begun, noise).values).all():
                     continue
-                found = _search(problem, begun, noise, loss)
+                found = _searched(problem, begun, noise, loss)
                 evaluations += found.nfev
                 costs[place] = np.fmin(costs[place], found.cost)
                 if best is None or found.cost < best.cost:
@@ -146,6 +149,21 @@ def minimise(
     if stopped:
         raise Interrupted(result)
     return result
+
+
+def _searched(problem: FitProblem, point: np.ndarray, noise: Noise, loss: str) -> Any:
+    """Where a search leads that looks about for other steady responses at its end."""
+    found, spent = _search(problem, point, noise, loss), 0
+    for _ in range(_LOOKS):
+        if not problem.look_again(found.x):
+            break
+        again = _search(problem, found.x, noise, loss)
+        spent += found.nfev
+        better, found = again.cost < (1 - _NEARER) * found.cost, again
+        if not better:
+            break
+    found.nfev += spent
+    return found
 
 
 def _search(

@@ -8,12 +8,14 @@ order it moves with the unknowns as the function at a fixed time does. No maximu
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from functools import partial
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.errors import NonsmoothError
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits
 from nonsmooth.runtime.explore.fitting.local_maxima import local_maxima
@@ -24,7 +26,11 @@ from nonsmooth.runtime.model.table_derivatives import TableDerivatives, table_de
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["NearestGrazing", "nearest_grazing"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+    from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
+
+__all__ = ["NearestGrazing", "nearest", "nearest_grazing", "nearest_grazing_of_response"]
 
 _KEPT = 50  # approaches whose derivatives are asked for
 
@@ -92,22 +98,103 @@ def nearest_grazing(
     if not found:
         return None
     gradients = _gradients(kernels, motion, unknowns, number, found)
-    distances = [
-        _distance(each.margin, gradient, covariance)
-        for each, gradient in zip(found, gradients, strict=True)
-    ]
-    order = [np.inf if np.isnan(distance) else distance for distance in distances]
-    place = int(np.lexsort(([each.margin for each in found], order))[0])
-    best, structure = found[place], motion.structure
-    configuration = int(motion.run.configurations[best.phase])
-    return NearestGrazing(
-        kind=best.kind,
-        boundary=structure.boundaries[configuration][best.boundary].name,
-        configuration=structure.configurations[configuration],
-        time=best.time,
-        margin=best.margin,
-        standard_errors=distances[place],
-    )
+    return _nearest(motion, found, gradients, covariance)
+
+
+def nearest_grazing_of_response(
+    orbit: OrbitDerivatives, columns: Sequence[int], covariance: np.ndarray
+) -> NearestGrazing | None:
+    """Find where a steady response is the fewest standard errors from grazing.
+
+    Parameters
+    ----------
+    orbit : OrbitDerivatives
+        By the free parameters.
+    columns : sequence of int
+        Their places among the unknowns.
+    covariance : array (q, q)
+
+    Returns
+    -------
+    NearestGrazing or None
+        None where no boundary function has a maximum in a phase.
+    """
+    motion = orbit.orbit.trajectory()
+    found = sorted(_approaches(motion), key=lambda each: each.margin)[:_KEPT]
+    if not found:
+        return None
+    along, _ = orbit.orbit.evaluation.along(orbit)
+    gradients = np.zeros((len(found), len(covariance)))
+    for place, each in enumerate(found):
+        configuration = int(motion.run.configurations[each.phase])
+        row = motion.structure.boundaries[configuration][each.boundary].row
+        normal = along.numbers.rows[:, row]
+        if each.kind == "missed":
+            since = each.time - float(motion.times[each.phase])
+            rates = -along.differentiated(partial(_same, normal), each.phase, since).rates
+        else:
+            rates = _of_end(along, each.phase, configuration, normal[:, :-1])
+        gradients[place, list(columns)] = rates
+    return _nearest(motion, found, gradients, covariance)
+
+
+def nearest(found: Iterable[NearestGrazing | None]) -> NearestGrazing | None:
+    """Give the nearest grazing of several, in standard errors.
+
+    Parameters
+    ----------
+    found : iterable of NearestGrazing or None
+
+    Returns
+    -------
+    NearestGrazing or None
+    """
+
+    def far(each: NearestGrazing) -> tuple[float, float]:
+        distance = each.standard_errors
+        return (np.inf if np.isnan(distance) else distance, each.margin)
+
+    return min((each for each in found if each is not None), key=far, default=None)
+
+
+def _nearest(
+    motion: Trajectory,
+    found: Sequence[_Approach],
+    gradients: np.ndarray,
+    covariance: np.ndarray,
+) -> NearestGrazing | None:
+    """The approach that is the fewest standard errors away."""
+    structure = motion.structure
+
+    def told(each: _Approach, gradient: np.ndarray) -> NearestGrazing:
+        configuration = int(motion.run.configurations[each.phase])
+        return NearestGrazing(
+            kind=each.kind,
+            boundary=structure.boundaries[configuration][each.boundary].name,
+            configuration=structure.configurations[configuration],
+            time=each.time,
+            margin=each.margin,
+            standard_errors=_distance(each.margin, gradient, covariance),
+        )
+
+    return nearest(map(told, found, gradients))
+
+
+def _same(row: np.ndarray, _: int) -> np.ndarray:
+    """A row that is the same in all configurations."""
+    return row
+
+
+def _of_end(
+    along: OrbitMotionDerivatives, phase: int, configuration: int, normal: np.ndarray
+) -> np.ndarray:
+    """Derivatives of the height behind a boundary that ends a phase of a response."""
+    state = along.state(phase, along.dwell[phase], along.waits[:, phase])
+    field = along.numbers.fields[:, configuration]
+    rate = np.einsum("qij,qj->qi", field[..., :-1], state) + field[..., -1]
+    speed = np.einsum("qi,qi->q", normal, rate)
+    bend = np.einsum("qi,qij,qj->q", normal, field[..., :-1], rate)
+    return imaginary_parts(speed**2 / (-2 * bend), None)
 
 
 def _distance(margin: float, gradient: np.ndarray, covariance: np.ndarray) -> float:

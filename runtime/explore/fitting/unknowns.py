@@ -190,12 +190,15 @@ def unknowns_of(
     for name in free:
         if name in tables:
             for each in experiments:
-                if name in each.parameters:
+                if name in each.known:
                     raise InputError(f"parameter {name} is free, and known in {each.name}")
             entries.append(FreeNumber(name, "parameter", name, None))
             continue
         kind: Literal["start", "offset"] = "offset" if name == OFFSET else "start"
-        for place in range(len(experiments)):
+        moving = [place for place, each in enumerate(experiments) if not each.steady]
+        if not moving:
+            raise InputError(f"{name} belongs to a motion, and steady responses alone are measured")
+        for place in moving:
             label = name if len(experiments) == 1 else f"{name}@{place + 1}"
             entries.append(FreeNumber(label, kind, starts.get(name, OFFSET), place))
     missing = [
@@ -203,7 +206,7 @@ def unknowns_of(
         for name in tables
         if name not in free
         and name not in parameters
-        and any(name not in each.parameters for each in experiments)
+        and any(name not in each.known for each in experiments)
     ]
     if missing:
         raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
