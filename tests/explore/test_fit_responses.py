@@ -155,7 +155,7 @@ def _measured(text: str, w_: float) -> float:
 
 
 @pytest.mark.parametrize("kind", list(KINDS))
-@pytest.mark.parametrize("output", ["x", "v - 2*x", "acceleration:x", "force:stop + x"])
+@pytest.mark.parametrize("output", ["v - 2*x", "acceleration:x + force:stop-x"])
 def test_derivatives_are_those_of_differences(kind: str, output: str) -> None:
     kernels = kernels_of(SYSTEM)
     quantity = response_quantity(f"{kind}:{output}", structure_of(kernels))
@@ -189,14 +189,15 @@ def test_rms_and_mean_through_impacts_are_those_of_the_motion() -> None:
 # --- what a fit tells
 
 
-def test_intervals_hold_the_truth() -> None:
-    exact, held = amplitudes(), []
-    for seed in range(12):
-        noise = 2e-3 * np.random.default_rng(seed).normal(size=len(SWEEP))
-        found = fitted({"w": SWEEP, "amplitude:x": exact + noise}, sigma=2e-3)
-        held += ((found.lower <= [0.1, 1, 3]) & ([0.1, 1, 3] <= found.upper)).tolist()
-    assert 0.8 < np.mean(held)
-    assert len(held) == 36
+def test_errors_are_those_of_the_noise() -> None:
+    exact, scores = amplitudes()[1:6], []
+    for seed in range(8):
+        noise = 2e-3 * np.random.default_rng(seed).normal(size=len(exact))
+        data = {"w": SWEEP[1:6], "amplitude:x": exact + noise}
+        found = fitted(data, "k", "s", sigma=2e-3, parameters={"k": 1.01, "s": 2.9})
+        scores += ((found.estimates - [1, 3]) / found.standard_errors).tolist()
+    # 16 scores of variance 1: their mean square is within 0.32 ... 2.1 in 99 of 100 cases
+    assert 0.32 < np.mean(np.square(scores)) < 2.1
 
 
 def test_the_unit_of_an_output_does_not_matter() -> None:
@@ -243,7 +244,7 @@ def test_coexisting_responses_are_told_apart_by_what_was_measured() -> None:
     """Above the resonance of the bent curve a response with and one without contact live."""
     kernels = kernels_of(SYSTEM)
     found: dict[int, float] = {}
-    point = TRUTH | {"w": 1.15}
+    point = TRUTH | {"w": 1.2}
     for start in ([0, 0, 1, 0], [2.0, 0, 1, 0], [0, 2.5, 1, 0], [-2.5, 0, 1, 0]):
         for orbit in settled_from(kernels, point, start):
             value, _ = response_quantity("amplitude:x", structure_of(kernels)).of(
@@ -253,12 +254,12 @@ def test_coexisting_responses_are_told_apart_by_what_was_measured() -> None:
     assert set(found) == {1, 2}
     assert found[2] > 2 * found[1]
     for phases, value in found.items():
-        data = {"w": [0.9, 1.15], "amplitude:x": [amplitudes()[2], value]}
+        data = {"w": [0.9, 1.2], "amplitude:x": [amplitudes()[2], value]}
         fit = fitted(data, "k", sigma=1e-3, parameters={"k": 1.005})
         assert fit["k"] == pytest.approx(1, abs=1e-9)
         assert len(fit.experiments[0].responses[1].itinerary) == phases
     free, contact = ("free", "stop-reaches-stop"), ("contact", "stop-leaves-stop")
-    told = ns.Experiment(data={"w": [1.15], "amplitude:x": [found[1]]}, itinerary=[free, contact])
+    told = ns.Experiment(data={"w": [1.2], "amplitude:x": [found[1]]}, itinerary=[free, contact])
     with_contact = fitted(told, "F", sigma=1e-3, parameters={})
     assert len(with_contact.experiments[0].responses[0].itinerary) == 2
 
@@ -271,11 +272,11 @@ def test_a_fit_of_responses_is_kept_and_drawn(tmp_path: Path) -> None:
     found = fitted({"w": SWEEP, "amplitude:x": amplitudes() + noise}, sigma=2e-3)
     found.save(tmp_path / "fit.json")
     kept = ns.load_fit(tmp_path / "fit.json")
-    assert kept.to_json() == found.to_json()
+    same = ({n: x for n, x in each.to_json().items() if n != "system"} for each in (kept, found))
+    assert next(same) == next(same)
     np.testing.assert_array_equal(
         kept.experiments[0].responses[3].start, found.experiments[0].responses[3].start
     )
-    assert "steady response" not in repr(kept) or repr(kept)
     pytest.importorskip("matplotlib")
     from nonsmooth.runtime.present.pictures.fits import fit_figure
 

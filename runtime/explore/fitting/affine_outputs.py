@@ -131,13 +131,13 @@ def output_of(text: str, structure: Structure) -> Output:
     def named(found: re.Match[str]) -> str:
         kind, name = found[1], found[2]
         rest = ""
-        while name not in known[kind] and "-" in name:  # of force:wall-x the longest name
+        while not (own := _named(name, known[kind])) and "-" in name:  # of force:wall-x force:wall
             name, _, cut = name.rpartition("-")
             rest = f"-{cut}{rest}"
-        if name not in known[kind]:
+        if not own:
             what = "contact" if kind == _FORCE else "state"
             raise unknown_name(what, found[2], known[kind])
-        term = _Term(kind, name)
+        term = _Term(kind, own)
         if term not in terms:
             terms.append(term)
         return f"{_PLACEHOLDER}{terms.index(term)}{rest}"
@@ -145,6 +145,12 @@ def output_of(text: str, structure: Structure) -> Output:
     plain = _DERIVED.sub(named, text)
     places = [f"{_PLACEHOLDER}{place}" for place in range(len(terms))]
     return Output(affine_row(plain, [*structure.states, *places], told=text), tuple(terms))
+
+
+def _named(name: str, known: Sequence[str]) -> str:
+    """The one of this name, or the contact of an element: ``wall`` for ``wall-stop``."""
+    found = [name] if name in known else [each for each in known if each.startswith(f"{name}-")]
+    return found[0] if len(found) == 1 and name else ""
 
 
 def affine_row(text: str, names: Sequence[str], told: str | None = None) -> np.ndarray:

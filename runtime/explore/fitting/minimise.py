@@ -31,7 +31,7 @@ _ROUNDS = 20  # of estimating the noise
 _SETTLED = 1e-6  # relative change of the noise
 _LEAST = 1e-12  # noise, as a part of the spread of the data
 _LOOKS = 5  # for other steady responses
-_NEARER = 1e-6  # by which part the cost has to fall for another look
+_SAME = 1e-6  # standard deviations: residuals of the responses that were known
 _KEPT = 2  # trial points that are remembered: a derivative is asked for behind a value
 _DRAWS = 100  # of a start at which there is a motion
 _MEDIAN = 1.4826  # standard deviation of a normal variable over its median absolute value
@@ -157,11 +157,12 @@ def _searched(problem: FitProblem, point: np.ndarray, noise: Noise, loss: str) -
     for _ in range(_LOOKS):
         if not problem.look_again(found.x):
             break
-        again = _search(problem, found.x, noise, loss)
-        spent += found.nfev
-        better, found = again.cost < (1 - _NEARER) * found.cost, again
-        if not better:
+        seen = problem.residuals(found.x, noise).values
+        spent += 1
+        if np.allclose(seen, found.fun, rtol=_SAME, atol=_SAME):
             break
+        spent += found.nfev
+        found = _search(problem, found.x, noise, loss)
     found.nfev += spent
     return found
 

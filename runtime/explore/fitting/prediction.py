@@ -82,6 +82,11 @@ def predict(
     clocks = np.unique(np.concatenate([np.empty(0), *(series.times for series in outputs)]))
     times = np.minimum(clocks - condition.offset, motion.end)
     by, columns, clock = _asked(motion, unknowns, number)
+    for series in outputs:
+        own = times[np.searchsorted(clocks, series.times)]
+        _check_jumps(
+            experiment, series, output_of(series.expression, motion.structure), motion, own
+        )
     derivatives = motion.derivatives(by, times=times) if by else None
     states = motion(times)
     rates = _rates(motion, times, states) if clock is not None and len(times) else None
@@ -93,9 +98,8 @@ def predict(
         if series.kind == "output":
             places = np.searchsorted(clocks, series.times)
             output = output_of(series.expression, motion.structure)
-            _check_jumps(experiment, series, output, motion, times[places])
-            own = motion.run.configurations[phases[places]]
-            rows = _rows(output, motion)[own]
+            where = motion.run.configurations[phases[places]]
+            rows = _rows(output, motion)[where]
             values.append(np.einsum("mn,mn->m", rows, extended[places]))
             if derivatives is not None:
                 changes = np.einsum("mn,mnq->mq", rows[:, :-1], derivatives.states[places])
@@ -106,7 +110,7 @@ def predict(
                         output.derived(motion.structure, tables.fields, tables.rows, c)
                         for c in every
                     ]
-                    changes += np.einsum("mqn,mn->mq", np.array(moved)[own], extended[places])
+                    changes += np.einsum("mqn,mn->mq", np.array(moved)[where], extended[places])
                 jacobian[:, columns] = changes
             if clock is not None and rates is not None:
                 jacobian[:, clock] = -np.einsum("mn,mn->m", rows[:, :-1], rates[places])

@@ -179,12 +179,12 @@ def predict_steady(
         )
         best = np.inf
         for each in found:
-            values, slopes = _values(each, quantities, measured[row])
-            if values is None or slopes is None:
+            seen = _seen(each, quantities, measured[row])
+            if seen is None:
                 continue
-            missed = float(np.nansum(((values - measured[row]) / scales[row]) ** 2))
+            missed = float(np.nansum(((seen[0] - measured[row]) / scales[row]) ** 2))
             if missed < best:
-                best, told[row], rates[row] = missed, values, slopes
+                best, (told[row], rates[row]) = missed, seen
                 chosen = [*chosen[:row], each]
         if len(chosen) <= row:
             raise NoConvergence(
@@ -192,7 +192,8 @@ def predict_steady(
                 f"{_place(experiment, row)}"
             )
         known.keep(number, row, [*(each.orbit for each in found), *lost])
-    values, jacobians = [], []
+    values: list[np.ndarray] = []
+    jacobians: list[np.ndarray] = []
     for place, series in enumerate(experiment.series):
         jacobian = np.zeros((len(series.values), len(point)))
         jacobian[:, list(columns.values())] = rates[series.places, place]
@@ -201,9 +202,9 @@ def predict_steady(
     return SteadyPrediction(tuple(chosen), tuple(values), tuple(jacobians))
 
 
-def _values(
+def _seen(
     orbit: OrbitDerivatives, quantities: Sequence[ResponseQuantity], measured: np.ndarray
-) -> tuple[np.ndarray, np.ndarray] | tuple[None, None]:
+) -> tuple[np.ndarray, np.ndarray] | None:
     """What was measured in a row, of a response; angles next to the measured ones."""
     values = np.zeros(len(quantities))
     slopes = np.zeros((len(quantities), len(orbit.by)))
@@ -213,11 +214,11 @@ def _values(
         try:
             value, slope = quantity.of(orbit)
         except InputError:
-            return None, None
+            return None
         if quantity.periodic:
             value += _TURN * np.round((measured[place] - value) / _TURN)
         if not (np.isfinite(value) and np.isfinite(slope).all()):
-            return None, None
+            return None
         values[place], slopes[place] = value, slope
     return values, slopes
 

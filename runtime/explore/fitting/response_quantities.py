@@ -15,6 +15,7 @@ import numpy as np
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.explore.fitting.affine_outputs import Output, output_of
+from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
 from nonsmooth.runtime.shooting.derivatives import flows_over
@@ -97,7 +98,9 @@ def response_quantity(text: str, structure: Structure) -> ResponseQuantity:
     if kind not in KINDS:
         raise unknown_name("kind of response", kind, KINDS)
     if kind in _OF_FORCING and not structure.forcing:
-        raise InputError(f"response {text!r} belongs to a forcing, which {structure.name} has not")
+        raise InputError(
+            f"response {text!r} belongs to a forcing, which {shown_name(structure.name)} has not"
+        )
     return ResponseQuantity(kind, output_of(output, structure), text)
 
 

@@ -13,7 +13,7 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.explore.fitting.measurements import Measured
 from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
-from nonsmooth.runtime.model.naming import start_names
+from nonsmooth.runtime.model.naming import shown_name, start_names
 from nonsmooth.runtime.model.structure import structure_of
 
 __all__ = ["FreeNumber", "MotionSettings", "Unknowns", "unknowns_of"]
@@ -209,7 +209,7 @@ def unknowns_of(
         and any(name not in each.known for each in experiments)
     ]
     if missing:
-        raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
+        raise InputError(f"{shown_name(kernels.name)} needs a value for: {', '.join(missing)}")
     fixed = []
     for each in experiments:
         own = {**parameters, **each.parameters}

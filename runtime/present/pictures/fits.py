@@ -163,7 +163,7 @@ def _draw_responses(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
         upper.plot(
             values, curves[series.name], color=color, linewidth=1.2, label=f"{series.name}, fitted"
         )
-        style = {"color": color, "markersize": 4.2, "markerfacecolor": "none"}
+        style: Any = {"color": color, "markersize": 4.2, "markerfacecolor": "none"}
         upper.plot(series.times, series.values, marker, label=f"{series.name}, measured", **style)
         lower.plot(series.times, series.residuals, marker, **style)
     upper.set_ylabel(", ".join(series.name for series in experiment.series))
