@@ -12,6 +12,7 @@ from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSer
 from nonsmooth.runtime.explore.fitting.prediction import Prediction, predict
 from nonsmooth.runtime.explore.fitting.response_prediction import (
     SteadyPrediction,
+    differentiated_by,
     look,
     points_under,
     predict_steady,
@@ -137,7 +138,8 @@ class FitProblem:
         for number, each in enumerate(self.experiments):
             if each.steady:
                 points = points_under(each, self.unknowns, number, point)
-                look(self.kernels, each, number, points, self.responses)
+                by = list(differentiated_by(self.unknowns, number))
+                look(self.kernels, each, number, points, by, self.responses)
         return any(each.steady for each in self.experiments)
 
     def predictions(self, point: np.ndarray) -> tuple[AnyPrediction, ...]:

@@ -60,8 +60,9 @@ def response_curves(
         }
         between = {n: np.interp(values, measured[order], c) for n, c in columns.items()}
         points = [{name: column[k] for name, column in between.items()} for k in range(count)]
-    orbits = [fit.response(row, experiment) for row in range(len(found.responses))]
-    by = [found.along or next(iter(found.parameters))]
+    by = [found.along or next(iter(found.responses[0].parameters))]
+    every = range(len(found.responses))
+    orbits = [fit.response(row, experiment).derivatives(by) for row in every]
     curves = {name: np.full(len(values), np.nan) for name in quantities}
     for place, (row, point) in enumerate(zip(rows.tolist(), points, strict=True)):
         there, _ = responses_at(kernels, point, by, [orbits[row]], unstable=True)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError
 from nonsmooth.runtime.explore.fitting.measurements import Measured
 from nonsmooth.runtime.explore.fitting.response_quantities import (
     ResponseQuantity,
@@ -28,6 +28,7 @@ from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["SteadyPrediction", "differentiated_by", "look", "points_under", "predict_steady"]
 
@@ -98,6 +99,7 @@ def look(
     experiment: Measured,
     number: int,
     points: Sequence[Point],
+    by: Sequence[str],
     known: KnownResponses,
 ) -> None:
     """Look for the responses of an experiment, beside those that are known.
@@ -110,6 +112,8 @@ def look(
         Of the experiment, from 0.
     points : sequence of mapping
         All parameters of each row.
+    by : sequence of str
+        Free parameters.
     known : KnownResponses
         Added to.
     """
@@ -121,7 +125,15 @@ def look(
     else:
         found = survey_of(kernels, swept, experiment.itinerary)
     for row, orbits in zip(order, found, strict=True):
-        known.keep(number, row, [*orbits, *known.at(number, row)])
+        seen = [each for orbit in orbits if (each := _differentiated(orbit, by)) is not None]
+        known.keep(number, row, [*seen, *known.at(number, row)])
+
+
+def _differentiated(orbit: Orbit, by: Sequence[str]) -> OrbitDerivatives | None:
+    try:
+        return orbit.derivatives(list(by))
+    except NonsmoothError:  # a border collision
+        return None
 
 
 def predict_steady(
@@ -157,7 +169,7 @@ def predict_steady(
     points = points_under(experiment, unknowns, number, point)
     columns = differentiated_by(unknowns, number)
     if not known.known(number):
-        look(kernels, experiment, number, points, known)
+        look(kernels, experiment, number, points, list(columns), known)
     structure = structure_of(kernels)
     quantities = [response_quantity(each.expression, structure) for each in experiment.series]
     measured = np.full((len(points), len(quantities)), np.nan)
@@ -191,7 +203,8 @@ def predict_steady(
                 f"{experiment.name}: no {_sought(experiment)} response was found in row {row + 1}"
                 f"{_place(experiment, row)}"
             )
-        known.keep(number, row, [*(each.orbit for each in found), *lost])
+        others = [each for each in found if each is not chosen[row]]
+        known.keep(number, row, [chosen[row], *others, *lost])
     values: list[np.ndarray] = []
     jacobians: list[np.ndarray] = []
     for place, series in enumerate(experiment.series):

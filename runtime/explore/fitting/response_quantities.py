@@ -120,8 +120,7 @@ def _row(along: OrbitMotionDerivatives, output: Output) -> Callable[[int], np.nd
 
 def _extremes(along: OrbitMotionDerivatives, output: Output) -> tuple[Value, Value]:
     """Largest and smallest value."""
-    row = _row(along, output)
-    high, low = (along.largest(row, sign) for sign in (1, -1))
+    high, low = along.extremes(_row(along, output))
     return (float(high.value), high.rates), (float(low.value), low.rates)
 
 

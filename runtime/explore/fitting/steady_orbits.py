@@ -8,7 +8,7 @@ the points, and from a few starts at random.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -34,6 +34,7 @@ __all__ = ["KnownResponses", "responses_at", "settled_from", "survey", "survey_o
 _TRANSITIONS = 600  # after which a motion has settled
 _STARTS = 6  # at random, at each point
 _SEARCHED = 60  # starts of a search for an orbit that is told
+_SHORTEST = 0.25  # step of the way to other parameters: then a response is lost
 _MOST = 6  # responses that are remembered at a point
 
 Point = Mapping[str, Any]
@@ -44,9 +45,9 @@ class KnownResponses:
     """Responses that were found so far at each of several points, where others are begun from."""
 
     def __init__(self) -> None:
-        self._orbits: dict[tuple[int, int], list[Orbit]] = {}
+        self._orbits: dict[tuple[int, int], list[OrbitDerivatives]] = {}
 
-    def at(self, experiment: int, place: int) -> list[Orbit]:
+    def at(self, experiment: int, place: int) -> list[OrbitDerivatives]:
         """Those of a point of an experiment.
 
         Parameters
@@ -55,17 +56,17 @@ class KnownResponses:
 
         Returns
         -------
-        list of Orbit
+        list of OrbitDerivatives
         """
         return self._orbits.get((experiment, place), [])
 
-    def keep(self, experiment: int, place: int, orbits: Sequence[Orbit]) -> None:
+    def keep(self, experiment: int, place: int, orbits: Sequence[OrbitDerivatives]) -> None:
         """Remember responses in place of those that were known, the latest ones first.
 
         Parameters
         ----------
         experiment, place : int
-        orbits : sequence of Orbit
+        orbits : sequence of OrbitDerivatives
         """
         self._orbits[experiment, place] = list(orbits[:_MOST])
 
@@ -87,11 +88,11 @@ def responses_at(
     kernels: SystemKernels,
     parameters: Point,
     by: Sequence[str],
-    known: Iterable[Orbit],
+    known: Sequence[OrbitDerivatives],
     *,
     unstable: bool,
-) -> tuple[list[OrbitDerivatives], list[Orbit]]:
-    """Follow responses to other parameters; where one is lost, see what takes its place.
+) -> tuple[list[OrbitDerivatives], list[OrbitDerivatives]]:
+    """Follow responses to other parameters; where the first is lost, see what takes its place.
 
     Parameters
     ----------
@@ -100,8 +101,8 @@ def responses_at(
         All of them.
     by : sequence of str
         Those by which it is differentiated.
-    known : iterable of Orbit
-        Responses at parameters nearby.
+    known : sequence of OrbitDerivatives
+        Responses at parameters nearby, the one that was chosen first.
     unstable : bool
         Whether unstable ones count: those of an itinerary that was told.
 
@@ -109,11 +110,11 @@ def responses_at(
     -------
     found : list of OrbitDerivatives
         Each response once.
-    lost : list of Orbit
+    lost : list of OrbitDerivatives
         Those known that could not be followed, for later.
     """
     found: list[OrbitDerivatives] = []
-    lost: list[Orbit] = []
+    lost: list[OrbitDerivatives] = []
     orbits: list[Orbit] = []
 
     def add(derivatives: OrbitDerivatives) -> None:
@@ -122,16 +123,17 @@ def responses_at(
         if len(orbits) > count:
             found.append(derivatives)
 
-    for orbit in known:
+    for reference in known:
         try:
-            there = _followed(orbit, parameters, by)
+            there = _followed(reference, parameters, by)
             if _counts(there.orbit, unstable=unstable):
                 add(there)
                 continue
         except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
             pass
-        lost.append(orbit)
-    for orbit in [] if unstable else lost:
+        lost.append(reference)
+    for reference in lost[:1] if not unstable and lost and lost[0] is known[0] else []:
+        orbit = reference.orbit
         start, configuration = orbit.states[0].astype(float).tolist(), orbit.itinerary[0][0]
         for other in settled_from(kernels, parameters, start, configuration):
             try:
@@ -243,7 +245,8 @@ def survey_of(
         for place in places:
             for neighbour in found[place + back]:
                 try:
-                    orbit = _followed(neighbour, points[place], [next(iter(points[place]))]).orbit
+                    by = [next(iter(points[place]))]
+                    orbit = _followed(neighbour.derivatives(by), points[place], by).orbit
                     if _counts(orbit, unstable=True):
                         add_orbit(found[place], orbit)
                 except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
@@ -261,14 +264,18 @@ def _starts(system: PiecewiseLinear) -> list[list[float]]:
     return [state.tolist() for state in on_circles(system, states, angles)]
 
 
-def _followed(orbit: Orbit, parameters: Point, by: Sequence[str]) -> OrbitDerivatives:
+def _followed(
+    reference: OrbitDerivatives, parameters: Point, by: Sequence[str]
+) -> OrbitDerivatives:
     """The same response at other parameters, differentiated."""
+    given = reference.orbit.given
     target = {name: float(value) for name, value in parameters.items()}
-    moved = [name for name, value in orbit.given.items() if float(value) != target[name]]
-    changing = list(dict.fromkeys([*by, *moved]))
-    reference = orbit.derivatives(changing)
-    there = followed(reference, np.array([target[name] for name in changing]))
-    return there if list(by) == changing else there.orbit.derivatives(list(by))
+    moved = [name for name, value in given.items() if float(value) != target[name]]
+    changing = tuple(dict.fromkeys([*by, *moved]))
+    if reference.by != changing:
+        reference = reference.orbit.derivatives(changing)
+    there = followed(reference, np.array([target[name] for name in changing]), _SHORTEST)
+    return there if tuple(by) == changing else there.orbit.derivatives(list(by))
 
 
 def _counts(orbit: Orbit, *, unstable: bool) -> bool:
