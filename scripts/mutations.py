@@ -495,12 +495,48 @@ COMMANDS = (
 
 _FITTING = "runtime/explore/fitting"
 _FITTED = ("tests/explore/test_fit.py",)
+_RESPONSES = ("tests/explore/test_fit_responses.py",)
 FITS = (
     Mutation(
         f"{_FITTING}/prediction.py",
         "predict",
-        "jacobian[:, clock] = -rates[places] @ row",
-        "jacobian[:, clock] = rates[places] @ row",
+        'jacobian[:, clock] = -np.einsum("mn,mn->m", rows[:, :-1], rates[places])',
+        'jacobian[:, clock] = np.einsum("mn,mn->m", rows[:, :-1], rates[places])',
+        _FITTED,
+    ),
+    Mutation(
+        f"{_FITTING}/prediction.py",
+        "predict",
+        "output.terms",
+        "not output.terms",
+        _RESPONSES,
+    ),
+    Mutation(
+        f"{_FITTING}/response_quantities.py",
+        "_phase",
+        "np.arctan2(-s, c)",
+        "np.arctan2(s, c)",
+        _RESPONSES,
+    ),
+    Mutation(
+        f"{_FITTING}/response_quantities.py",
+        "_averages",
+        "times = waits[:, phase, None] * nodes",
+        "times = waits[:, phase, None].real * nodes",
+        _RESPONSES,
+    ),
+    Mutation(
+        f"{_FITTING}/response_prediction.py",
+        "predict_steady",
+        "missed < best",
+        "best == np.inf",
+        _RESPONSES,
+    ),
+    Mutation(
+        f"{_FITTING}/local_maxima.py",
+        "_on_panels",
+        "range(_ORDERS - 1)",
+        "range(_ORDERS - 2)",
         _FITTED,
     ),
     Mutation(

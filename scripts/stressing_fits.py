@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, oscillator
 
 __all__ = ["fits_chunk", "impacting"]
 
@@ -17,6 +17,7 @@ WALL = "wall-reaches-stop"
 FEWEST, MOST = 0.90, 0.99  # of the intervals
 FREE = ("k", "r", "v0")
 EVENTS = 12
+AMPLITUDE_NOISE = 2e-3
 
 
 def impacting() -> Any:
@@ -56,6 +57,42 @@ def by_events(motion: Any, rng: np.random.Generator) -> tuple[dict[str, np.ndarr
     return {WALL: times + 2e-3 * rng.normal(size=len(times))}, 2e-3
 
 
+def touching() -> Any:
+    """A forced and damped mass in front of an elastic stop."""
+    c, k = Parameter("c", "damping"), Parameter("k", "stiffness")
+    s, w = Parameter("s", "stiffness of the stop"), Parameter("w", "frequency")
+    return oscillator(
+        "touching",
+        ["x"],
+        mass=[[1]],
+        damping=[[c.symbol]],
+        stiffness=[[k.symbol]],
+        forcing=[Harmonic(w.symbol, cosine=["3/10"])],
+        elements=[SoftStop("x", at=1, stiffness=s.symbol, name="stop")],
+        parameters=[c, k, s, w],
+    )
+
+
+def swept(point: dict[str, float], rng: np.random.Generator) -> dict[str, np.ndarray] | None:
+    """Amplitudes at frequencies up through the resonance; None where a response is not steady."""
+    system, frequencies = touching(), np.linspace(0.6, 1.8, 13)
+    start: dict[str, float] = {"x": 0.0, "v": 0.0}
+    found = []
+    for w in frequencies.tolist():
+        turn = 2 * np.pi / w
+        motion = ns.simulate(system, point | {"w": w}, start, until=200 * turn)
+        last, before = (motion(np.linspace(n, n + 1, 50) * turn) for n in (199, 198))
+        if abs(last - before).max() > 1e-6:
+            return None
+        seen = ns.observe(motion, since=199 * turn)
+        found.append((seen.maxima["x"].value - seen.minima["x"].value) / 2)
+        start = dict(zip(("x", "v"), motion(motion.end)[:2].tolist(), strict=True))
+    if max(found) < 1.2:
+        return None
+    values = np.array(found) + AMPLITUDE_NOISE * rng.normal(size=len(found))
+    return {"w": frequencies, "amplitude:x": values}
+
+
 KINDS: dict[str, Callable[..., tuple[dict[str, np.ndarray], Any]]] = {
     "series": by_series,
     "event times": by_events,
@@ -92,8 +129,30 @@ def fits_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
             held.update(dict(zip(FREE, good.tolist(), strict=True)))
             if fit.status != "converged" or not good.any():
                 told.append(f"{kind}: {fit.status}, {fit.estimates} for {truth}")
-        for name in FREE:
-            share = held[name] / count
-            verdict = "right" if FEWEST <= share <= MOST or count < 50 else "wrong"
-            found[f"{verdict} ({kind}, {name} in {100 * share:.0f} % of its intervals)"] += 1
+        judge(found, kind, FREE, held, count)
+    held, runs = Counter[str](), 0
+    while runs < count:
+        point = {"c": rng.uniform(0.08, 0.15), "k": rng.uniform(0.9, 1.1), "s": rng.uniform(1, 4)}
+        data = swept(point, rng)
+        if data is None:
+            continue
+        runs += 1
+        guess = {name: value * (1 + 0.02 * rng.normal()) for name, value in point.items()}
+        fit = ns.fit(touching(), data, parameters=guess, free=[*point], sigma=AMPLITUDE_NOISE)
+        truth = np.array([*point.values()])
+        good = (fit.lower <= truth) & (truth <= fit.upper)
+        held.update(dict(zip(point, good.tolist(), strict=True)))
+        if fit.status != "converged" or not good.any():
+            told.append(f"responses: {fit.status}, {fit.estimates} for {truth}")
+    judge(found, "responses", ("c", "k", "s"), held, count)
     return found, told
+
+
+def judge(
+    found: Counter[str], kind: str, names: tuple[str, ...], held: Counter[str], count: int
+) -> None:
+    """Add, for each parameter, whether so many intervals hold the truth as should."""
+    for name in names:
+        share = held[name] / count
+        verdict = "right" if FEWEST <= share <= MOST or count < 50 else "wrong"
+        found[f"{verdict} ({kind}, {name} in {100 * share:.0f} % of its intervals)"] += 1

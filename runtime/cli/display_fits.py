@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 
 from rich.text import Text
 
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
-from nonsmooth.runtime.explore.fitting.fit_record import Fit
+from nonsmooth.runtime.explore.fitting.fit_record import Fit, FittedExperiment
 from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing
 from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.model.structure import FORCING_PHASE
 
 __all__ = ["show_fit"]
 
@@ -44,6 +46,9 @@ def show_fit(fit: Fit) -> None:
     for text, _ in weak:
         out.print(f"hardly told: {text}")
     for each in fit.experiments:
+        if each.responses:
+            out.print(_responses_text(each))
+            continue
         phases = len(each.configurations)
         sequence = {
             None: "",
@@ -56,6 +61,20 @@ def show_fit(fit: Fit) -> None:
         )
     tried = "" if len(fit.costs) < 2 else f", best of {len(fit.costs)} searches"
     out.print(f"{fit.status}: {fit.message}; {fit.evaluations} evaluations{tried}")
+
+
+def _responses_text(experiment: FittedExperiment) -> str:
+    """How many responses there are, and of which phases."""
+    counts = Counter(
+        "without an event" if each.itinerary[0][1] == FORCING_PHASE else "with events"
+        for each in experiment.responses
+    )
+    told = " and ".join(f"{count} {kind}" for kind, count in counts.items())
+    count = len(experiment.responses)
+    return (
+        f"{shown_name(experiment.name)}: {count} steady response{'s' * (count != 1)}, {told}"
+        f"{_grazing_text(experiment.grazing)}"
+    )
 
 
 def _grazing_text(grazing: NearestGrazing | None) -> str:

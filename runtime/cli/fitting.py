@@ -33,7 +33,9 @@ _PRIOR = re.compile(r"(?P<mean>.+?)\s*(?:\+-|±)\s*(?P<deviation>.+)")
     "nonsmooth fit identification.py impacts.csv c=0.05 h=0.2 w=2.1 k=2.3:2.7 r=0.7:1"
     " v0=-0.3:0.3 --from x=-0.6 --starts 4 --plot fit.png --save fit.json\n\n"
     "nonsmooth fit identification.py impacts.csv:w=2.1 c=0.05 h=0.2 k=2:2.5:3 r=0.5:0.8:1"
-    " --from x=-0.6,v=0.1 --sigma 0.002 --prior k=2.5+-0.1 --loss soft_l1"
+    " --from x=-0.6,v=0.1 --sigma 0.002 --prior k=2.5+-0.1 --loss soft_l1\n\n"
+    "nonsmooth fit identification.py sweep.csv h=0.2 k=2:2.5:3 c=0.01:0.05:0.2 r=0.5:0.8:1"
+    " --responses A=amplitude:x --plot response.png"
 )
 @answering
 def fit(
@@ -55,7 +57,18 @@ def fit(
         typer.Option(
             "--outputs",
             metavar="COLUMN=EXPRESSION,...",
-            help="What columns measure: gap=x1-x2. One with a state's name is that state.",
+            help="What columns measure: gap=x1-x2, a=acceleration:x1, f=force:wall. One with a"
+            " state's name is that state.",
+        ),
+    ] = None,
+    responses: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--responses",
+            metavar="COLUMN=KIND:OUTPUT,...",
+            help="What columns measure of steady responses, each row at the parameters in its other"
+            " columns: A=amplitude:x1. Kinds: maximum, minimum, peak, amplitude, mean, rms, and of"
+            " the first harmonic harmonic and phase. A column with such a name needs no mention.",
         ),
     ] = None,
     events: Annotated[
@@ -103,7 +116,7 @@ def fit(
     overwrite: Overwrite = False,
     as_json: AsJson = False,
 ) -> int:
-    """Find parameters, starts and clocks from measured series and event times."""
+    """Find parameters, starts and clocks from measured series, event times or responses."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.cli.display_fits import show_fit
     from nonsmooth.runtime.explore.fitting.fit import fit as find
@@ -138,6 +151,7 @@ def fit(
                 offset=offset,
                 outputs=_texts("output", outputs),
                 events=_events(events),
+                responses=_texts("response", responses),
                 sigma=_sigma(sigma),
                 loss=loss,
                 starts=starts,

@@ -192,10 +192,23 @@ class OrbitMotionDerivatives:
         -------
         Differentiated
         """
-        rows = self._rows(row)
-        minima, maxima = extremes(self._system, self._phases, rows)
-        found = maxima[0] if sign > 0 else minima[0]
-        return self._at(row, found.time, found.value)
+        return self.extremes(row)[0 if sign > 0 else 1]
+
+    def extremes(self, row: Row) -> tuple[Differentiated, Differentiated]:
+        """Maximum and minimum of an affine function of the state over the period.
+
+        Parameters
+        ----------
+        row : callable
+            Of a configuration: rows (q, N + 1) with their steps.
+
+        Returns
+        -------
+        tuple of Differentiated
+        """
+        minima, maxima = extremes(self._system, self._phases, self._rows(row))
+        high, low = (self._at(row, found[0].time, found[0].value) for found in (maxima, minima))
+        return high, low
 
     def _rows(self, row: Row) -> np.ndarray:
         count = len(self.structure.configurations)
@@ -332,7 +345,7 @@ class OrbitMotionDerivatives:
         InputError
             Where the largest and the smallest value tie, and change differently.
         """
-        high, low = self.largest(row, 1), self.largest(row, -1)
+        high, low = self.extremes(row)
         low = Differentiated(-low.value, -low.rates, low.time)
         top, other = (high, low) if high.value >= low.value else (low, high)
         tied = float(top.value - other.value) <= _TIED * abs(float(top.value))

@@ -19,11 +19,13 @@ if TYPE_CHECKING:
 
 __all__ = ["followed"]
 
-_SHORTEST = 1.0 / 1024  # of the way: shorter steps are not tried
+_SHORTEST = 1.0 / 1024  # of the way
 _FAR = 0.2  # difference from the prediction, in units of the unknowns, of another orbit
 
 
-def followed(reference: OrbitDerivatives, point: np.ndarray) -> OrbitDerivatives:
+def followed(
+    reference: OrbitDerivatives, point: np.ndarray, shortest: float = _SHORTEST
+) -> OrbitDerivatives:
     """Derivatives of the same orbit elsewhere: it is followed along a straight line.
 
     Parameters
@@ -32,6 +34,8 @@ def followed(reference: OrbitDerivatives, point: np.ndarray) -> OrbitDerivatives
         By the numbers that change.
     point : array (q,)
         Their values.
+    shortest : float
+        Of the way: shorter steps are not tried.
 
     Returns
     -------
@@ -56,7 +60,7 @@ def followed(reference: OrbitDerivatives, point: np.ndarray) -> OrbitDerivatives
             here = _stepped(here, aim)
         except (InputError, NoConvergence):
             step /= 2
-            if step < _SHORTEST:
+            if step < shortest:
                 raise
             continue
         done, step = ahead, 2 * step

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from scipy import optimize
 from scipy.stats import norm
 from scipy.stats import t as student
 
@@ -16,6 +17,8 @@ import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.explore.fitting import minimise
+from nonsmooth.runtime.explore.fitting.local_maxima import local_maxima
+from nonsmooth.runtime.simulation.phase_functions import phases_of
 
 k, m, r, c = sp.symbols("k m r c")
 SYSTEM = oscillator(
@@ -273,6 +276,20 @@ def test_a_long_record_leads_to_its_minimum_by_way_of_its_beginnings() -> None:
     np.testing.assert_allclose(found.estimates, [point["k"], point["r"], start["v"]], rtol=1e-9)
 
 
+def test_evaluations_are_those_of_all_searches(monkeypatch: pytest.MonkeyPatch) -> None:
+    spent, search = [], optimize.least_squares
+
+    def counted(*arguments: Any, **options: Any) -> Any:
+        found = search(*arguments, **options)
+        spent.append(found.nfev)
+        return found
+
+    monkeypatch.setattr(optimize, "least_squares", counted)
+    found = fitted(series(0.02, 1), "k", "r", parameters=GUESS)
+    assert len(spent) > 4
+    assert found.evaluations == sum(spent)
+
+
 def test_a_point_without_enough_events_shortens_the_step() -> None:
     # with k = 1.2 the mass comes to the wall half as often; the first step would go there
     found = fitted({WALL: impacts()}, "k", "r", parameters={"k": 6.0, "r": 0.95}, sigma=1e-3)
@@ -437,3 +454,27 @@ def test_least_noise_keeps_exact_data_finite() -> None:
     found = fitted([series(), {WALL: impacts()}], "k", "r", parameters=GUESS)
     np.testing.assert_allclose(found.estimates, [4, 0.9], rtol=1e-9)
     assert found.noise["x"] >= minimise._LEAST * np.std(series()["x"])
+
+
+# --- maxima of boundary functions
+
+
+def test_no_local_maximum_is_missed() -> None:
+    """Against a dense grid: two frequencies and a drift, thousands of radians long."""
+    beat = oscillator(
+        "beat", ["x", "y"], mass=[[1, 0], [0, 1]], stiffness=[[1, 0], [0, sp.Rational(49, 10)]],
+        elements=[RigidStop("x", at=9, restitution=r, name="wall")],
+        parameters=[Parameter("r", "restitution")],
+    )  # fmt: skip
+    motion = ns.simulate(beat, {"r": 0.5}, {"x": 1, "y": 0.4, "v": 0, "v_y": 0.2}, until=300)
+    row = np.array([1.0, 1.0, 0.0, 0.0, 0.25])
+    found = local_maxima(motion.system, phases_of(motion), np.tile(row, (1, 1, 1)))
+    times = np.linspace(0, 300, 600_001)
+    values = motion(times) @ row[:-1] + row[-1]
+    tops = np.flatnonzero((values[1:-1] > values[:-2]) & (values[1:-1] >= values[2:])) + 1
+    assert len(found) == len(tops) > 80
+    each = sorted(found, key=lambda maximum: maximum.since)
+    np.testing.assert_allclose([m.since for m in each], times[tops], atol=6e-4)
+    np.testing.assert_allclose([m.value for m in each], values[tops], atol=1e-6)
+    rates = motion([m.since for m in each])[:, 2:] @ row[:2]
+    assert abs(rates).max() < 1e-12

@@ -1,53 +1,188 @@
-"""Affine functions of the state that are measured, read from expressions such as ``x1 - x2``."""
+"""What is measured, read from expressions such as ``x1 - x2`` or ``acceleration:x1 + 9.81``.
+
+An output is affine in the state, accelerations and forces of contacts too: these in each
+configuration with numbers of its own, which depend on the parameters.
+"""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
 from fractions import Fraction
+from typing import NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import FLOATS
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.expressions import Function
+from nonsmooth.runtime.model.structure import Structure
 
-__all__ = ["affine_row"]
+__all__ = ["Output", "affine_row", "output_of"]
 
 # the grammar of expressions has integers: a decimal is a quotient of two
 _DECIMAL = re.compile(r"(?<![\w.])(\d+\.\d*|\.\d+|\d+(?=[eE]))([eE][+-]?\d+)?(?![\w.])")
 _TOLERANCE = 1e-9
 _LONGEST = 40  # characters of a number
+_PLACEHOLDER = "output_term_"
+_ACCELERATION, _FORCE = "acceleration", "force"
+_DERIVED = re.compile(rf"\b({_ACCELERATION}|{_FORCE})\s*:\s*([\w-]*)")
 
 
-def affine_row(text: str, states: Sequence[str]) -> np.ndarray:
-    """Read an affine function of the state.
+class _Term(NamedTuple):
+    """An acceleration or a force in an output."""
+
+    kind: str
+    name: str
+
+
+class Output(NamedTuple):
+    """An affine function of the state in each configuration.
+
+    Attributes
+    ----------
+    row : array (N + k + 1,)
+        Coefficients of the states, of the k accelerations and forces, and the constant.
+    terms : tuple of (str, str)
+        ``acceleration`` and a state, or ``force`` and a contact.
+    """
+
+    row: np.ndarray
+    terms: tuple[_Term, ...]
+
+    @property
+    def steady(self) -> np.ndarray:
+        """What does not depend on the configuration, (N + 1,)."""
+        size = len(self.row) - len(self.terms) - 1
+        return np.append(self.row[:size], self.row[-1])
+
+    def derived(
+        self, structure: Structure, fields: np.ndarray, rows: np.ndarray, configuration: int
+    ) -> np.ndarray:
+        """What accelerations and forces add in a configuration, linear in the tables.
+
+        Parameters
+        ----------
+        structure : Structure
+        fields : array (..., configurations, N, N + 1)
+            Of the system, or their derivatives.
+        rows : array (..., R, N + 1)
+            Likewise.
+        configuration : int
+
+        Returns
+        -------
+        array (..., N + 1)
+        """
+        found = np.zeros_like(rows[..., 0, :])
+        size = len(self.row) - len(self.terms) - 1
+        for factor, term in zip(self.row[size:-1].tolist(), self.terms, strict=True):
+            if term.kind == _FORCE:
+                (contact,) = (each for each in structure.contacts if each.name == term.name)
+                if configuration in contact.forces:
+                    found = found + factor * rows[..., contact.forces[configuration], :]
+            else:
+                place = structure.states.index(term.name)
+                velocity = dict(structure.coordinates).get(place, place)
+                found = found + factor * fields[..., configuration, velocity, :]
+        return found
+
+    def in_configurations(
+        self, structure: Structure, fields: np.ndarray, rows: np.ndarray
+    ) -> np.ndarray:
+        """The affine function in all configurations.
+
+        Parameters
+        ----------
+        structure : Structure
+        fields : array (configurations, N, N + 1)
+        rows : array (R, N + 1)
+
+        Returns
+        -------
+        array (configurations, N + 1)
+        """
+        every = range(len(structure.configurations))
+        return np.array([self.steady + self.derived(structure, fields, rows, c) for c in every])
+
+
+def output_of(text: str, structure: Structure) -> Output:
+    """Read an affine function of states, accelerations and forces of contacts.
+
+    Parameters
+    ----------
+    text : str
+        Such as ``x1 - x2``, ``acceleration:x1 + 9.81`` or ``force:wall``.
+    structure : Structure
+
+    Returns
+    -------
+    Output
+
+    Raises
+    ------
+    InputError
+        If the text is no such expression, or not affine.
+    """
+    contacts = [contact.name for contact in structure.contacts]
+    known = {_ACCELERATION: list(structure.states), _FORCE: contacts}
+    terms: list[_Term] = []
+
+    def named(found: re.Match[str]) -> str:
+        kind, name = found[1], found[2]
+        rest = ""
+        while not (own := _named(name, known[kind])) and "-" in name:  # of force:wall-x force:wall
+            name, _, cut = name.rpartition("-")
+            rest = f"-{cut}{rest}"
+        if not own:
+            what = "contact" if kind == _FORCE else "state"
+            raise unknown_name(what, found[2], known[kind])
+        term = _Term(kind, own)
+        if term not in terms:
+            terms.append(term)
+        return f"{_PLACEHOLDER}{terms.index(term)}{rest}"
+
+    plain = _DERIVED.sub(named, text)
+    places = [f"{_PLACEHOLDER}{place}" for place in range(len(terms))]
+    return Output(affine_row(plain, [*structure.states, *places], told=text), tuple(terms))
+
+
+def _named(name: str, known: Sequence[str]) -> str:
+    """The one of this name, or the contact of an element: ``wall`` for ``wall-stop``."""
+    found = [name] if name in known else [each for each in known if each.startswith(f"{name}-")]
+    return found[0] if len(found) == 1 and name else ""
+
+
+def affine_row(text: str, names: Sequence[str], told: str | None = None) -> np.ndarray:
+    """Read an affine function.
 
     Parameters
     ----------
     text : str
         Such as ``x1 - x2`` or ``9.81*v1 + 1/2``.
-    states : sequence of str
-        Names of the N states.
+    names : sequence of str
+        Of the N variables.
+    told : str, optional
+        What messages call it.
 
     Returns
     -------
     array (N + 1,)
-        Coefficients of the states, then the constant.
+        Coefficients of the variables, then the constant.
 
     Raises
     ------
     InputError
-        If the text is no expression of the states, or not affine in them.
+        If the text is no expression of the variables, or not affine in them.
 
     Examples
     --------
     >>> affine_row("2*(x1 - x2) + 0.5", ["x1", "x2"]).tolist()
     [2.0, -2.0, 0.5]
     """
-    size = len(states)
+    size, told = len(names), text if told is None else told
     function = Function(
-        takes=(" ".join(states),),
+        takes=(" ".join(names),),
         inputs=((size,),),
         outputs=((),),
         terms=(),
@@ -64,13 +199,13 @@ def affine_row(text: str, states: Sequence[str]) -> np.ndarray:
         probes = np.random.default_rng(1).uniform(-3, 3, (3, size))
         found = np.array([value(probe) for probe in probes])
     except (InputError, ZeroDivisionError, ValueError, OverflowError) as problem:
-        known = ", ".join(states)
-        raise InputError(f"output {text!r} is no expression of {known}: {problem}") from None
+        known = ", ".join(name for name in names if not name.startswith(_PLACEHOLDER))
+        raise InputError(f"output {told!r} is no expression of {known}: {problem}") from None
     expected = probes @ row[:-1] + constant
     if not np.allclose(found, expected, rtol=_TOLERANCE, atol=_TOLERANCE):
-        raise InputError(f"output {text!r} is not affine in the states")
+        raise InputError(f"output {told!r} is not affine in the states")
     if not row[:-1].any():
-        raise InputError(f"output {text!r} depends on no state")
+        raise InputError(f"output {told!r} depends on no state")
     return row
 
 

@@ -8,9 +8,14 @@ from typing import Any, cast
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.values import as_value
-from nonsmooth.runtime.explore.fitting.fit_record import Fit, FittedExperiment, FittedSeries
+from nonsmooth.runtime.explore.fitting.fit_record import (
+    Fit,
+    FittedExperiment,
+    FittedResponse,
+    FittedSeries,
+)
 from nonsmooth.runtime.explore.fitting.losses import check_loss
 from nonsmooth.runtime.explore.fitting.measurements import (
     Experiment,
@@ -20,9 +25,18 @@ from nonsmooth.runtime.explore.fitting.measurements import (
     measured,
 )
 from nonsmooth.runtime.explore.fitting.minimise import Minimum, minimise
-from nonsmooth.runtime.explore.fitting.nearest_grazing import nearest_grazing
+from nonsmooth.runtime.explore.fitting.nearest_grazing import (
+    nearest,
+    nearest_grazing,
+    nearest_grazing_of_response,
+)
 from nonsmooth.runtime.explore.fitting.prediction import Prediction, times_of_events
 from nonsmooth.runtime.explore.fitting.residuals import FitProblem
+from nonsmooth.runtime.explore.fitting.response_prediction import (
+    SteadyPrediction,
+    differentiated_by,
+    points_under,
+)
 from nonsmooth.runtime.explore.fitting.statistics import combination_text, statistics
 from nonsmooth.runtime.explore.fitting.unknowns import Bounds, Unknowns, unknowns_of
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
@@ -50,16 +64,18 @@ def fit(
     offset: float = 0.0,
     outputs: Mapping[str, str] | None = None,
     events: Sequence[str] | Mapping[str, str] = (),
+    responses: Mapping[str, str] | None = None,
     sigma: Mapping[str, float] | float | None = None,
     loss: str = "linear",
     starts: int = 1,
     seed: int = 0,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Fit:
-    """Find parameters from measured series and event times, by least squares.
+    """Find parameters from measured series, event times and steady responses, by least squares.
 
     The derivatives are exact, through all events. A trial point without a motion as long as the
-    record, or at which it grazes a boundary, is answered by a shorter step.
+    record or without a steady response, or at which it grazes a boundary, is answered by a
+    shorter step.
 
     Parameters
     ----------
@@ -81,11 +97,20 @@ def fit(
     offset : float
         What the clock of the data shows when the motion starts, in the system's unit of time.
     outputs : mapping of str to str, optional
-        From columns to affine expressions of the states; a column with the name of a state is it.
+        From columns to affine expressions of the states, of accelerations as ``acceleration:x``
+        and of forces of contacts as ``force:wall``; a column with the name of a state is it.
     events : sequence of str, or mapping of str to str, optional
         Columns that hold times of events, and the boundaries that are reached then. A column with
         the name of a boundary needs no mention. The n-th entry belongs to the n-th time at which
         the motion reaches it; NaN stands for one that was not recorded.
+    responses : mapping of str to str, optional
+        From columns to what was measured of steady responses, each row at parameters that it
+        tells in other columns, such as the frequency of the forcing: ``amplitude:x`` (half of
+        the way from the smallest to the largest value), ``maximum:``, ``minimum:``, ``peak:``
+        (of the absolute value), ``mean:``, ``rms:``, and of the first harmonic ``harmonic:`` (its
+        amplitude) and ``phase:`` (in radians against the cosine of the first forcing, negative
+        where it lags); behind the colon an expression as for `outputs`. A column of such a name
+        needs no mention.
     sigma : mapping of str to float, or float, optional
         Standard deviations of columns that have no ``sigma_NAME`` beside them. Estimated from the
         residuals of each column where they are not given.
@@ -138,12 +163,23 @@ def fit(
     if not tables:
         raise InputError("there are no data")
     names = [table.name for table in kernels.parameters]
+    steady = responses or {}
     experiments = tuple(
         measured(
-            each, each.name or f"experiment {number}", structure, names, wanted, reached, sigma
+            each,
+            each.name or f"experiment {number}",
+            structure,
+            names,
+            wanted,
+            reached,
+            steady,
+            sigma,
         )
         for number, each in enumerate(tables, 1)
     )
+    for column in steady:
+        if not any(column == series.name for each in experiments for series in each.series):
+            raise unknown_name("column", column, [s.name for e in experiments for s in e.series])
     limits = bounds or {}
     unknowns = unknowns_of(
         kernels,
@@ -254,28 +290,76 @@ def _experiment(
     problem: FitProblem, unknowns: Unknowns, number: int, found: Minimum, covariance: np.ndarray
 ) -> FittedExperiment:
     experiment = problem.experiments[number]
-    prediction: Prediction = found.residuals.predictions[number]
+    prediction = found.residuals.predictions[number]
     condition = unknowns.condition(found.point, number)
+    series = tuple(
+        FittedSeries(**{**vars(each), "sigma": problem.sigma(each, found.noise)}, fitted=values)
+        for each, values in zip(experiment.series, prediction.values, strict=True)
+    )
+    parameters = {name: as_value(value) for name, value in condition.parameters.items()}
+    if isinstance(prediction, SteadyPrediction):
+        responses = _responses(unknowns, experiment, number, found, prediction, covariance)
+        return FittedExperiment(
+            name=experiment.name,
+            parameters=parameters,
+            start=np.empty(0),
+            offset=0.0,
+            until=0.0,
+            series=series,
+            configurations=(),
+            boundaries=(),
+            same_sequence=None,
+            grazing=nearest(each.grazing for each in responses),
+            responses=responses,
+            along=_along(experiment),
+        )
     # no farther than the record: what the motion does later concerns no datum
     last = [float(values.max()) - condition.offset for values in prediction.values]
     length = max([experiment.last - condition.offset, *last]) * (1 + _PAST)
     motion = simulate(problem.kernels, condition.parameters, condition.start, until=length)
-    series = [
-        FittedSeries(**{**vars(each), "sigma": problem.sigma(each, found.noise)}, fitted=values)
-        for each, values in zip(experiment.series, prediction.values, strict=True)
-    ]
     return FittedExperiment(
         name=experiment.name,
-        parameters={name: as_value(value) for name, value in condition.parameters.items()},
+        parameters=parameters,
         start=motion.states[0],
         offset=condition.offset,
         until=motion.end,
-        series=tuple(series),
+        series=series,
         configurations=motion.configurations,
         boundaries=tuple("+".join(names) for names in motion.boundaries[1:]),
         same_sequence=_same_sequence(experiment, prediction, condition.offset),
         grazing=nearest_grazing(problem.kernels, motion, unknowns, number, covariance),
     )
+
+
+def _responses(
+    unknowns: Unknowns,
+    experiment: Measured,
+    number: int,
+    found: Minimum,
+    prediction: SteadyPrediction,
+    covariance: np.ndarray,
+) -> tuple[FittedResponse, ...]:
+    """The steady response of each row."""
+    columns = list(differentiated_by(unknowns, number).values())
+    points = points_under(experiment, unknowns, number, found.point)
+    return tuple(
+        FittedResponse(
+            parameters={name: as_value(value) for name, value in point.items()},
+            itinerary=each.orbit.itinerary,
+            dwell_times=each.orbit.dwell_times.astype(float),
+            start=each.orbit.states[0].astype(float),
+            stability=each.orbit.stability.verdict,
+            grazing=nearest_grazing_of_response(each, columns, covariance),
+        )
+        for point, each in zip(points, prediction.orbits, strict=True)
+    )
+
+
+def _along(experiment: Measured) -> str:
+    """The first parameter that was varied from row to row."""
+    first = experiment.points[0]
+    varied = (name for name in first if any(p[name] != first[name] for p in experiment.points))
+    return next(varied, "")
 
 
 def _same_sequence(experiment: Measured, prediction: Prediction, offset: float) -> bool | None:

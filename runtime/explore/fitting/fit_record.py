@@ -10,46 +10,34 @@ from typing import Any, Literal
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import AnyRow, AnyTable, Digits, Integers, Row, Table
+from nonsmooth.runtime.core.json_codec import AnyRow, AnyTable, Digits, Row, Table
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing
+from nonsmooth.runtime.explore.fitting.measurements import MeasuredSeries
+from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing, nearest
 from nonsmooth.runtime.explore.fitting.statistics import combination_text
 from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["Fit", "FittedExperiment", "FittedSeries"]
+__all__ = ["Fit", "FittedExperiment", "FittedResponse", "FittedSeries"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class FittedSeries:
+class FittedSeries(MeasuredSeries):
     """One column of measurements beside what the fitted motion says of it.
 
     Attributes
     ----------
-    name : str
-        Of the column.
-    kind : {"output", "event"}
-    expression : str
-        The output as an expression of the states, or the boundary's name.
-    row : array (N + 1,)
-        The output's coefficients and its constant; empty for events.
-    places : array (m,) of int
-        Rows of the table; of events how many of this boundary were before.
-    times, values, fitted, sigma : array (m,)
-        Times on the clock of the data, what was measured and what the motion says, and the
-        standard deviations that weighted it, given or estimated.
+    fitted : array (m,)
+        What the motion says.
+    sigma : array (m,)
+        Standard deviations that weighted it, given or estimated.
     """
 
-    name: str
-    kind: Literal["output", "event"]
-    expression: str
-    row: Row
-    places: Integers
-    times: Row
-    values: Row
     fitted: Row
     sigma: Row
 
@@ -60,6 +48,37 @@ class FittedSeries:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
+class FittedResponse:
+    """The steady response that belongs to a row of measurements.
+
+    Attributes
+    ----------
+    parameters : dict of str to Value
+        All of them.
+    itinerary : tuple of (str, str)
+        Configurations, and boundaries by which they are left; ``forcing-phase`` where none is.
+    dwell_times : array (p,)
+    start : array (N,)
+        State at the start of the first phase.
+    stability : str
+    grazing : NearestGrazing or None
+        Where it comes closest to grazing a boundary.
+    """
+
+    parameters: Mapping[str, Value]
+    itinerary: tuple[tuple[str, str], ...]
+    dwell_times: Row
+    start: Row
+    stability: str
+    grazing: NearestGrazing | None
+
+    @property
+    def period(self) -> float:
+        """Sum of the dwell times."""
+        return float(self.dwell_times.sum())
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
 class FittedExperiment:
     """One experiment at the fit.
 
@@ -67,9 +86,10 @@ class FittedExperiment:
     ----------
     name : str
     parameters : dict of str to Value
-        All of them, as fitted or known.
+        All of them, as fitted or known; of steady responses those that all rows share.
     start : array (N,)
-        State at the start of the motion.
+        State at the start of the motion; empty, as what else belongs to a motion, of steady
+        responses.
     offset : float
         What the clock of the data shows there.
     until : float
@@ -84,6 +104,10 @@ class FittedExperiment:
         order in which, the data have them; None where no times of events were recorded.
     grazing : NearestGrazing or None
         Where it comes closest to grazing a boundary.
+    responses : tuple of FittedResponse
+        Of each row, where steady responses were measured.
+    along : str
+        Parameter that was varied from row to row, the first of them; empty where none was.
     """
 
     name: str
@@ -96,6 +120,8 @@ class FittedExperiment:
     boundaries: tuple[str, ...]
     same_sequence: bool | None
     grazing: NearestGrazing | None
+    responses: tuple[FittedResponse, ...] = ()
+    along: str = ""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -204,15 +230,7 @@ class Fit(Shown):
     @property
     def grazing(self) -> NearestGrazing | None:
         """The nearest grazing of all experiments, in standard errors."""
-        found = [each.grazing for each in self.experiments if each.grazing is not None]
-        if not found:
-            return None
-
-        def far(each: NearestGrazing) -> tuple[float, float]:
-            distance = each.standard_errors
-            return (np.inf if np.isnan(distance) else distance, each.margin)
-
-        return min(found, key=far)
+        return nearest(each.grazing for each in self.experiments)
 
     @property
     def identified(self) -> tuple[tuple[str, float], ...]:
@@ -221,6 +239,28 @@ class Fit(Shown):
             (combination_text(self.names, row), 1 / float(size) if size else float("inf"))
             for row, size in zip(self.combinations, self.singular_values, strict=True)
         )
+
+    def experiment(self, number: int) -> FittedExperiment:
+        """Give an experiment.
+
+        Parameters
+        ----------
+        number : int
+            From 0.
+
+        Returns
+        -------
+        FittedExperiment
+
+        Raises
+        ------
+        InputError
+            If there is no such experiment.
+        """
+        count = len(self.experiments)
+        if not -count <= number < count:
+            raise InputError(f"there are {count} experiments, from 0")
+        return self.experiments[number]
 
     def motion(self, experiment: int = 0) -> Trajectory:
         """Follow the fitted motion of an experiment.
@@ -238,17 +278,49 @@ class Fit(Shown):
         Raises
         ------
         InputError
-            If there is no such experiment.
+            If there is no such experiment, or it holds steady responses.
         """
-        if not -len(self.experiments) <= experiment < len(self.experiments):
-            raise InputError(f"there are {len(self.experiments)} experiments, from 0")
-        found = self.experiments[experiment]
+        found = self.experiment(experiment)
+        if found.responses:
+            raise InputError(f"{found.name} holds steady responses: ask for a `response`")
         return simulate(
             known_system(self.system), found.parameters, found.start.tolist(), until=found.until
         )
 
+    def response(self, row: int, experiment: int = 0) -> Orbit:
+        """Give the steady response that belongs to a row of measurements.
+
+        Parameters
+        ----------
+        row : int
+            Its number, from 0.
+        experiment : int
+            Its number, from 0.
+
+        Returns
+        -------
+        Orbit
+
+        Raises
+        ------
+        InputError
+            If there is no such row or experiment.
+        """
+        found = self.experiment(experiment)
+        count = len(found.responses)
+        if not -count <= row < count:
+            raise InputError(f"{found.name} has {count} steady responses, from 0")
+        response = found.responses[row]
+        return solve_itinerary(
+            known_system(self.system),
+            response.parameters,
+            response.itinerary,
+            response.dwell_times.tolist(),
+            response.start.tolist(),
+        )
+
     def plot(self, axes: Any = None, *, experiment: int = 0) -> Any:
-        """Draw what was measured over the fitted motion, and the residuals below.
+        """Draw what was measured over the fitted motion or responses, and the residuals below.
 
         Parameters
         ----------

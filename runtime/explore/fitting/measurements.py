@@ -1,9 +1,13 @@
-"""What was measured: experiments, and the series of outputs and of event times in each."""
+"""What was measured: experiments, and the series of outputs and of event times in each.
+
+A table holds either one motion, outputs over time and times of events, or steady responses: each of
+its rows is then a test of its own, at the parameters that the row tells.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
@@ -11,7 +15,8 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.json_codec import AnyRow, Integers, Row
 from nonsmooth.runtime.core.showing import Shown
-from nonsmooth.runtime.explore.fitting.affine_outputs import affine_row
+from nonsmooth.runtime.explore.fitting.affine_outputs import output_of
+from nonsmooth.runtime.explore.fitting.response_quantities import KINDS, response_quantity
 from nonsmooth.runtime.explore.fitting.tables import TIMES, read_table
 from nonsmooth.runtime.model.structure import Structure
 
@@ -23,13 +28,14 @@ _CONSTANT = 1e-12
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class Experiment(Shown):
-    """A record of one motion, with what is known of it alone.
+    """A record of one motion, or of steady responses, with what is known of it alone.
 
     Attributes
     ----------
     data : path, mapping of str to array, or xarray.Dataset
         Columns: ``t`` or ``time``, outputs, times of events by the name of a boundary, their
-        standard deviations as ``sigma_NAME``, and known parameters, which are constant.
+        standard deviations as ``sigma_NAME``, and known parameters, which are constant. Of steady
+        responses, such as ``amplitude:x``, parameters may differ from row to row.
     parameters : mapping of str to number
         Known in this experiment, beside those that all share.
     start : mapping of state to number, optional
@@ -38,6 +44,9 @@ class Experiment(Shown):
         What the clock of the data shows when the motion starts, in the system's unit of time.
     name : str
         For messages and pictures; its number when omitted.
+    itinerary : sequence of (configuration, boundary), optional
+        Of steady responses: they are those of this cycle of phases, stable or not. When omitted
+        the stable one next to what was measured is taken, whichever phases it has.
 
     Examples
     --------
@@ -50,6 +59,7 @@ class Experiment(Shown):
     start: Mapping[str, object] | None = None
     offset: float | None = None
     name: str = ""
+    itinerary: Sequence[tuple[str, str]] | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -60,15 +70,17 @@ class MeasuredSeries:
     ----------
     name : str
         Of the column.
-    kind : {"output", "event"}
+    kind : {"output", "event", "response"}
     expression : str
-        The output as an expression of the states, or the name of the boundary.
-    row : array (N + 1,)
-        The output's coefficients, then its constant; empty for events.
+        The output as an expression of the states, the name of the boundary, or what is measured of
+        a steady response, as ``amplitude:x``.
+    row : array (N + k + 1,)
+        The output's coefficients, of the states and of the k accelerations and forces in it, then
+        its constant; empty for events and responses.
     places : array (m,) of int
         Rows of the table; of events how many of this boundary were before.
     times : array (m,)
-        On the clock of the data, as all times here.
+        On the clock of the data, as all times here; of responses the parameter that was varied.
     values : array (m,)
         The measured values; of events their times.
     sigma : array (m,)
@@ -76,29 +88,13 @@ class MeasuredSeries:
     """
 
     name: str
-    kind: Literal["output", "event"]
+    kind: Literal["output", "event", "response"]
     expression: str
     row: Row
     places: Integers
     times: Row
     values: Row
     sigma: AnyRow
-
-    def until(self, last: float) -> MeasuredSeries:
-        """What was measured until a time.
-
-        Parameters
-        ----------
-        last : float
-            On the clock of the data.
-
-        Returns
-        -------
-        MeasuredSeries
-        """
-        kept = self.times <= last
-        columns = ("places", "times", "values", "sigma")
-        return replace(self, **{name: getattr(self, name)[kept] for name in columns})
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -113,6 +109,10 @@ class Measured:
     start : mapping or None
     offset : float or None
     series : tuple of MeasuredSeries
+    points : tuple of dict of str to float
+        Of steady responses: parameters of each row alone. Empty for a motion.
+    itinerary : tuple of (str, str), optional
+        Of the responses, where it was told.
     """
 
     name: str
@@ -120,6 +120,18 @@ class Measured:
     start: Mapping[str, object] | None
     offset: float | None
     series: tuple[MeasuredSeries, ...]
+    points: tuple[dict[str, float], ...] = ()
+    itinerary: tuple[tuple[str, str], ...] | None = None
+
+    @property
+    def steady(self) -> bool:
+        """Whether it holds steady responses, no motion."""
+        return bool(self.points)
+
+    @property
+    def known(self) -> tuple[str, ...]:
+        """Parameters that the table or the experiment tells."""
+        return (*self.parameters, *(self.points[0] if self.points else ()))
 
     @property
     def last(self) -> float:
@@ -139,6 +151,7 @@ def measured(
     parameters: Sequence[str],
     outputs: Mapping[str, str],
     events: Mapping[str, str],
+    responses: Mapping[str, str],
     sigma: Mapping[str, float] | float | None,
 ) -> Measured:
     """Read an experiment and check it.
@@ -155,6 +168,8 @@ def measured(
         From columns to expressions of the states; a column named like a state is that state.
     events : mapping of str to str
         From columns of times to boundaries; a column named like a boundary belongs to it.
+    responses : mapping of str to str
+        From columns to what they are of a steady response; ``amplitude:x`` needs no mention.
     sigma : mapping of str to float, or float, or None
         Standard deviations of columns that have no ``sigma_NAME`` beside them.
 
@@ -168,7 +183,19 @@ def measured(
         One line that names the experiment and the column.
     """
     try:
-        return _measured(experiment, name, structure, parameters, outputs, events, sigma)
+        table = read_table(experiment.data)
+        of_rows = {
+            column: responses.get(column, column)
+            for column in table
+            if column in responses or column.partition(":")[0].strip() in KINDS
+        }
+        if of_rows:
+            return _steady(
+                experiment, name, structure, parameters, table, {**responses, **of_rows}, sigma
+            )
+        if experiment.itinerary is not None:
+            raise InputError("an itinerary belongs to steady responses, and none are measured")
+        return _motion(experiment, name, structure, parameters, table, outputs, events, sigma)
     except InputError as problem:
         if isinstance(experiment.data, str) or hasattr(experiment.data, "__fspath__"):
             told = str(experiment.data)
@@ -178,26 +205,23 @@ def measured(
         raise InputError(f"{name}: {problem}") from None
 
 
-def _measured(
+def _motion(
     experiment: Experiment,
     name: str,
     structure: Structure,
     parameters: Sequence[str],
+    table: dict[str, np.ndarray],
     outputs: Mapping[str, str],
     events: Mapping[str, str],
     sigma: Mapping[str, float] | float | None,
 ) -> Measured:
-    table = read_table(experiment.data)
+    """Series and event times of one motion."""
     clock = next((column for column in TIMES if column in table), None)
     times = table.pop(clock) if clock else None
     boundaries = {shape.name for shapes in structure.boundaries for shape in shapes}
     if not table and times is not None and len(events) == 1:  # nothing but times of one event
         table, times = {next(iter(events)): times}, None
-    deviations = {
-        column.removeprefix(_SIGMA): table.pop(column)
-        for column in [*table]
-        if column.startswith(_SIGMA) and column not in outputs
-    }
+    deviations = _taken_deviations(table, outputs)
     known: dict[str, object] = {}
     series: list[MeasuredSeries] = []
     for column, values in table.items():
@@ -222,9 +246,7 @@ def _measured(
     for column in deviations:
         if column not in table:
             raise unknown_name("column", column, table)
-    both = [one for one in known if one in experiment.parameters]
-    if both:
-        raise InputError(f"parameter {both[0]} is a column and given")
+    _check_once(known, experiment)
     series = [each for each in series if len(each.values)]
     if not series:
         raise InputError("nothing is measured: no column of outputs or of event times has a number")
@@ -235,6 +257,90 @@ def _measured(
         offset=experiment.offset,
         series=tuple(series),
     )
+
+
+def _steady(
+    experiment: Experiment,
+    name: str,
+    structure: Structure,
+    parameters: Sequence[str],
+    table: dict[str, np.ndarray],
+    responses: Mapping[str, str],
+    sigma: Mapping[str, float] | float | None,
+) -> Measured:
+    """Steady responses, each row at parameters of its own."""
+    deviations = _taken_deviations(table, responses)
+    for column in [*responses, *deviations]:
+        if column not in table:
+            raise unknown_name("column", column, table)
+    for column in table:
+        if column not in responses and column not in parameters:
+            raise InputError(
+                f"column {column!r} is no parameter: beside steady responses a table holds the"
+                f" parameters at which they were measured ({', '.join(parameters)}), and no"
+                " outputs or events of a motion"
+            )
+    counts = {column: len(values) for column, values in table.items()}
+    if len(set(counts.values())) > 1:
+        raise InputError(f"columns differ in length: {counts}")
+    known = [column for column in table if column in parameters]
+    for column in known:
+        if not np.isfinite(table[column]).all():
+            raise InputError(f"parameter {column} is missing or not finite in a row")
+    _check_once(known, experiment)
+    rows = np.array([table[column] for column in known]).T
+    varied = next((c for c in known if np.ptp(table[c]) > 0), None)
+    along = np.arange(float(next(iter(counts.values())))) if varied is None else table[varied]
+    series = []
+    for column, text in responses.items():
+        values, own = table[column], _deviations(column, table[column], deviations, sigma)
+        if np.isinf(values).any():
+            raise InputError(f"column {column!r} is not finite")
+        response_quantity(text, structure)
+        there = np.flatnonzero(~np.isnan(values))
+        if len(there):
+            series.append(
+                MeasuredSeries(
+                    name=column,
+                    kind="response",
+                    expression=text,
+                    row=np.empty(0),
+                    places=there,
+                    times=along[there],
+                    values=values[there],
+                    sigma=own[there],
+                )
+            )
+    if not series:
+        raise InputError("nothing is measured: no column of responses has a number")
+    itinerary = experiment.itinerary
+    return Measured(
+        name=name,
+        parameters=dict(experiment.parameters),
+        start=experiment.start,
+        offset=experiment.offset,
+        series=tuple(series),
+        points=tuple(dict(zip(known, row, strict=True)) for row in rows.tolist())
+        or ({},) * len(along),
+        itinerary=None if itinerary is None else tuple((c, b) for c, b in itinerary),
+    )
+
+
+def _taken_deviations(
+    table: dict[str, np.ndarray], named: Mapping[str, str]
+) -> dict[str, np.ndarray]:
+    """Columns of standard deviations, which are taken out of a table."""
+    return {
+        column.removeprefix(_SIGMA): table.pop(column)
+        for column in [*table]
+        if column.startswith(_SIGMA) and column not in named
+    }
+
+
+def _check_once(known: Iterable[str], experiment: Experiment) -> None:
+    both = [one for one in known if one in experiment.parameters]
+    if both:
+        raise InputError(f"parameter {both[0]} is a column and given")
 
 
 def _deviations(
@@ -284,7 +390,7 @@ def _output(
         name=column,
         kind="output",
         expression=expression,
-        row=affine_row(expression, structure.states),
+        row=output_of(expression, structure).row,
         places=there,
         times=times[there],
         values=values[there],

@@ -5,7 +5,8 @@ so motions that do not exist, are too short or graze a boundary end no search. T
 without standard deviations is estimated from their residuals, in turn with the parameters.
 
 The longer a record, the more minima its sum of squares has. So each start is searched from twice:
-directly, and by way of longer and longer beginnings of the records.
+directly, and by way of longer and longer beginnings of the records. Where steady responses are
+measured, others than those that were followed are looked for at the end, and the search goes on.
 """
 
 from __future__ import annotations
@@ -29,6 +30,8 @@ _ROUGHLY = 1e-4  # tolerance of searches over beginnings
 _ROUNDS = 20  # of estimating the noise
 _SETTLED = 1e-6  # relative change of the noise
 _LEAST = 1e-12  # noise, as a part of the spread of the data
+_LOOKS = 5  # for other steady responses
+_SAME = 1e-6  # standard deviations: residuals of the responses that were known
 _KEPT = 2  # trial points that are remembered: a derivative is asked for behind a value
 _DRAWS = 100  # of a start at which there is a motion
 _MEDIAN = 1.4826  # standard deviation of a normal variable over its median absolute value
@@ -55,7 +58,7 @@ class Minimum:
     converged : bool
     message : str
     evaluations : int
-        Of all searches.
+        Of all searches, those over beginnings of the records too.
     starts : array (n, q)
         Where searches began.
     costs : array (n,)
@@ -111,10 +114,13 @@ def minimise(
     stopped = False
     try:
         for place, point in enumerate(points):
-            for begun in (point, _approached(problem, point, noise, loss)):
+            approached, spent = _approached(problem, point, noise, loss)
+            evaluations += spent
+            same = np.array_equal(point, approached)  # there was no beginning to go by
+            for begun in (point,) if same else (point, approached):
                 if not np.isfinite(problem.residuals(begun, noise).values).all():
                     continue
-                found = _search(problem, begun, noise, loss)
+                found = _searched(problem, begun, noise, loss)
                 evaluations += found.nfev
                 costs[place] = np.fmin(costs[place], found.cost)
                 if best is None or found.cost < best.cost:
@@ -143,6 +149,22 @@ def minimise(
     if stopped:
         raise Interrupted(result)
     return result
+
+
+def _searched(problem: FitProblem, point: np.ndarray, noise: Noise, loss: str) -> Any:
+    """Where a search leads that looks about for other steady responses at its end."""
+    found, spent = _search(problem, point, noise, loss), 0
+    for _ in range(_LOOKS):
+        if not problem.look_again(found.x):
+            break
+        seen = problem.residuals(found.x, noise).values
+        spent += 1
+        if np.allclose(seen, found.fun, rtol=_SAME, atol=_SAME):
+            break
+        spent += found.nfev
+        found = _search(problem, found.x, noise, loss)
+    found.nfev += spent
+    return found
 
 
 def _search(
@@ -181,17 +203,21 @@ def _search(
     )
 
 
-def _approached(problem: FitProblem, point: np.ndarray, noise: Noise, loss: str) -> np.ndarray:
-    """Where searches over longer and longer beginnings of the records lead."""
+def _approached(
+    problem: FitProblem, point: np.ndarray, noise: Noise, loss: str
+) -> tuple[np.ndarray, int]:
+    """Where searches over longer and longer beginnings lead, and after how many evaluations."""
     passed = np.sort(problem.passed)
     enough = passed[min(len(point), len(passed)) - 1 :]
     part = float(enough[enough > 0].min(initial=1.0))
+    evaluations = 0
     while part < 1:
         shorter = problem.beginning(part)
         if np.isfinite(shorter.residuals(point, noise).values).all():
-            point = _search(shorter, point, noise, loss, _ROUGHLY).x
+            found = _search(shorter, point, noise, loss, _ROUGHLY)
+            point, evaluations = found.x, evaluations + found.nfev
         part *= _GROWTH
-    return point
+    return point, evaluations
 
 
 def _starts(problem: FitProblem, count: int, seed: int) -> np.ndarray:

@@ -3,32 +3,35 @@
 Two things lead to a grazing: a boundary function whose maximum inside a phase is nearly zero, and
 a boundary that is reached so slowly that the function would turn soon behind it. The margin is how
 far the maximum, found or continued, is from zero, in the unit of the boundary function; to first
-order it moves with the unknowns as the function at a fixed time does.
+order it moves with the unknowns as the function at a fixed time does. No maximum is missed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from functools import partial
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.errors import NonsmoothError
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits
+from nonsmooth.runtime.explore.fitting.local_maxima import local_maxima
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
-from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives, table_derivatives
-from nonsmooth.runtime.simulation.phase_functions import fastest
+from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["NearestGrazing", "nearest_grazing"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+    from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 
-_POINTS = 24  # in a radian-sized piece of a phase, at least
-_MOST = 20_000  # points of a phase
-_NEWTON = 8
+__all__ = ["NearestGrazing", "nearest", "nearest_grazing", "nearest_grazing_of_response"]
+
 _KEPT = 50  # approaches whose derivatives are asked for
 
 
@@ -95,22 +98,103 @@ def nearest_grazing(
     if not found:
         return None
     gradients = _gradients(kernels, motion, unknowns, number, found)
-    distances = [
-        _distance(each.margin, gradient, covariance)
-        for each, gradient in zip(found, gradients, strict=True)
-    ]
-    order = [np.inf if np.isnan(distance) else distance for distance in distances]
-    place = int(np.lexsort(([each.margin for each in found], order))[0])
-    best, structure = found[place], motion.structure
-    configuration = int(motion.run.configurations[best.phase])
-    return NearestGrazing(
-        kind=best.kind,
-        boundary=structure.boundaries[configuration][best.boundary].name,
-        configuration=structure.configurations[configuration],
-        time=best.time,
-        margin=best.margin,
-        standard_errors=distances[place],
-    )
+    return _nearest(motion, found, gradients, covariance)
+
+
+def nearest_grazing_of_response(
+    orbit: OrbitDerivatives, columns: Sequence[int], covariance: np.ndarray
+) -> NearestGrazing | None:
+    """Find where a steady response is the fewest standard errors from grazing.
+
+    Parameters
+    ----------
+    orbit : OrbitDerivatives
+        By the free parameters.
+    columns : sequence of int
+        Their places among the unknowns.
+    covariance : array (q, q)
+
+    Returns
+    -------
+    NearestGrazing or None
+        None where no boundary function has a maximum in a phase.
+    """
+    motion = orbit.orbit.trajectory()
+    found = sorted(_approaches(motion), key=lambda each: each.margin)[:_KEPT]
+    if not found:
+        return None
+    along, _ = orbit.orbit.evaluation.along(orbit)
+    gradients = np.zeros((len(found), len(covariance)))
+    for place, each in enumerate(found):
+        configuration = int(motion.run.configurations[each.phase])
+        row = motion.structure.boundaries[configuration][each.boundary].row
+        normal = along.numbers.rows[:, row]
+        if each.kind == "missed":
+            since = each.time - float(motion.times[each.phase])
+            rates = -along.differentiated(partial(_same, normal), each.phase, since).rates
+        else:
+            rates = _of_end(along, each.phase, configuration, normal[:, :-1])
+        gradients[place, list(columns)] = rates
+    return _nearest(motion, found, gradients, covariance)
+
+
+def nearest(found: Iterable[NearestGrazing | None]) -> NearestGrazing | None:
+    """Give the nearest grazing of several, in standard errors.
+
+    Parameters
+    ----------
+    found : iterable of NearestGrazing or None
+
+    Returns
+    -------
+    NearestGrazing or None
+    """
+
+    def far(each: NearestGrazing) -> tuple[float, float]:
+        distance = each.standard_errors
+        return (np.inf if np.isnan(distance) else distance, each.margin)
+
+    return min((each for each in found if each is not None), key=far, default=None)
+
+
+def _nearest(
+    motion: Trajectory,
+    found: Sequence[_Approach],
+    gradients: np.ndarray,
+    covariance: np.ndarray,
+) -> NearestGrazing | None:
+    """The approach that is the fewest standard errors away."""
+    structure = motion.structure
+
+    def told(each: _Approach, gradient: np.ndarray) -> NearestGrazing:
+        configuration = int(motion.run.configurations[each.phase])
+        return NearestGrazing(
+            kind=each.kind,
+            boundary=structure.boundaries[configuration][each.boundary].name,
+            configuration=structure.configurations[configuration],
+            time=each.time,
+            margin=each.margin,
+            standard_errors=_distance(each.margin, gradient, covariance),
+        )
+
+    return nearest(map(told, found, gradients))
+
+
+def _same(row: np.ndarray, _: int) -> np.ndarray:
+    """A row that is the same in all configurations."""
+    return row
+
+
+def _of_end(
+    along: OrbitMotionDerivatives, phase: int, configuration: int, normal: np.ndarray
+) -> np.ndarray:
+    """Derivatives of the height behind a boundary that ends a phase of a response."""
+    state = along.state(phase, along.dwell[phase], along.waits[:, phase])
+    field = along.numbers.fields[:, configuration]
+    rate = np.einsum("qij,qj->qi", field[..., :-1], state) + field[..., -1]
+    speed = np.einsum("qi,qi->q", normal, rate)
+    bend = np.einsum("qi,qij,qj->q", normal, field[..., :-1], rate)
+    return imaginary_parts(speed**2 / (-2 * bend), None)
 
 
 def _distance(margin: float, gradient: np.ndarray, covariance: np.ndarray) -> float:
@@ -123,50 +207,35 @@ def _distance(margin: float, gradient: np.ndarray, covariance: np.ndarray) -> fl
 
 def _approaches(motion: Trajectory) -> Iterator[_Approach]:
     """Maxima of boundary functions inside phases, and slow arrivals at their ends."""
-    system, run = motion.system, motion.run
-    ends = [*motion.times[1:].tolist(), motion.end]
-    for phase, (begin, end) in enumerate(zip(motion.times.tolist(), ends, strict=True)):
-        configuration = int(run.configurations[phase])
-        shapes = motion.structure.boundaries[configuration]
-        if not shapes or not end > begin:
-            continue
-        rows = system.rows[[shape.row for shape in shapes]]
-        field = system.fields[configuration]
-        speeds = np.hstack([rows[:, :-1] @ field[:, :-1], (rows[:, :-1] @ field[:, -1])[:, None]])
-        bends = np.hstack(
-            [speeds[:, :-1] @ field[:, :-1], (speeds[:, :-1] @ field[:, -1])[:, None]]
-        )
-        start = motion.states[phase]
-
-        def along(row: np.ndarray, since: np.ndarray) -> np.ndarray:
-            states = flow_states(system, configuration, since, start)  # noqa: B023
-            return np.asarray(states @ row[:-1] + row[-1])
-
-        if phase + 1 < len(motion.before):
-            last = motion.before[phase + 1]
-            for place, shape in enumerate(shapes):
-                if shape.name not in motion.boundaries[phase + 1]:
-                    continue
-                speed = float(speeds[place, :-1] @ last + speeds[place, -1])
-                bend = float(bends[place, :-1] @ last + bends[place, -1])
+    system, structure = motion.system, motion.structure
+    most = max(map(len, structure.boundaries), default=0)
+    size = len(structure.states)
+    if not most or not motion.end > 0:
+        return
+    rows = np.zeros((len(structure.configurations), most, size + 1))
+    for configuration, shapes in enumerate(structure.boundaries):
+        rows[configuration, : len(shapes)] = system.rows[[shape.row for shape in shapes]]
+    for phase, reached in enumerate(motion.boundaries[1:]):
+        configuration = int(motion.run.configurations[phase])
+        for place, shape in enumerate(structure.boundaries[configuration]):
+            if shape.name in reached:
+                row, state = system.rows[shape.row, :-1], motion.before[phase + 1]
+                speed, bend = _arrival(row, system.fields[configuration], state)
                 if speed > 0 > bend:
-                    yield _Approach("slowly reached", phase, place, end, speed**2 / (-2 * bend))
-        length = end - begin
-        count = int(min(_POINTS * (1 + fastest(system, configuration) * length), _MOST))
-        grid = np.linspace(0, length, count + 1)
-        for place in range(len(shapes)):
-            slopes = along(speeds[place], grid)
-            for peak in np.flatnonzero((slopes[:-1] > 0) & (slopes[1:] <= 0)).tolist():
-                low, high = grid[peak], grid[peak + 1]
-                at = (low + high) / 2
-                for _ in range(_NEWTON):
-                    slope, bend = (
-                        float(along(row[place], np.array([at]))[0]) for row in (speeds, bends)
-                    )
-                    at = float(np.clip(at - slope / bend, low, high)) if bend else at
-                margin = -float(along(rows[place], np.array([at]))[0])
-                if margin > 0:
-                    yield _Approach("missed", phase, place, begin + at, margin)
+                    height = speed**2 / (-2 * bend)
+                    time = float(motion.times[phase + 1])
+                    yield _Approach("slowly reached", phase, place, time, height)
+    phases = phases_of(motion)
+    for found in local_maxima(system, phases, rows):
+        if found.value < 0:
+            time = float(phases.begins[found.phase]) + found.since
+            yield _Approach("missed", found.phase, found.function, time, -found.value)
+
+
+def _arrival(row: np.ndarray, field: np.ndarray, state: np.ndarray) -> tuple[float, float]:
+    """Speed and bend of a boundary function at a state."""
+    rate = field @ np.append(state, 1.0)
+    return float(row @ rate), float(row @ field[:, :-1] @ rate)
 
 
 def _gradients(
@@ -222,7 +291,7 @@ def _of_arrival(
     field, normal = motion.system.fields[configuration], motion.system.rows[row, :-1]
     matrix, at = field[:, :-1], np.append(motion.before[phase + 1], 1.0)
     rate = field @ at
-    speed, bend = float(normal @ rate), float(normal @ matrix @ rate)
+    speed, bend = _arrival(normal, field, motion.before[phase + 1])
     fields, normals = tables.fields[:, configuration], tables.rows[:, row, :-1]
     rates = fields @ at + (matrix @ before).T
     speeds = normals @ rate + rates @ normal

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.explore.fitting.affine_outputs import Output, output_of
 from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries
 from nonsmooth.runtime.explore.fitting.unknowns import FreeNumber, MotionSettings, Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
@@ -26,6 +27,8 @@ __all__ = ["Prediction", "motion_under", "predict", "times_of_events"]
 
 _LONGER = (1.0, 1.25, 2.0, 4.0)  # times as long as the record, while recorded events are missing
 _PAST = 1e-9  # of its length, beyond the last time
+_AT_ONCE = 1e-12  # of the time: a sample that an event comes so near to is at the event
+_JUMP = 1e-9  # of the values on both sides
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,20 +82,38 @@ def predict(
     clocks = np.unique(np.concatenate([np.empty(0), *(series.times for series in outputs)]))
     times = np.minimum(clocks - condition.offset, motion.end)
     by, columns, clock = _asked(motion, unknowns, number)
+    for series in outputs:
+        own = times[np.searchsorted(clocks, series.times)]
+        _check_jumps(
+            experiment, series, output_of(series.expression, motion.structure), motion, own
+        )
     derivatives = motion.derivatives(by, times=times) if by else None
     states = motion(times)
     rates = _rates(motion, times, states) if clock is not None and len(times) else None
+    phases = np.searchsorted(motion.times, times, side="right") - 1
+    extended = np.concatenate([states, np.ones((len(times), 1))], axis=1)
     values, jacobians = [], []
     for series in experiment.series:
         jacobian = np.zeros((len(series.values), len(point)))
         if series.kind == "output":
             places = np.searchsorted(clocks, series.times)
-            row = series.row[:-1]
-            values.append(states[places] @ row + series.row[-1])
+            output = output_of(series.expression, motion.structure)
+            where = motion.run.configurations[phases[places]]
+            rows = _rows(output, motion)[where]
+            values.append(np.einsum("mn,mn->m", rows, extended[places]))
             if derivatives is not None:
-                jacobian[:, columns] = np.einsum("n,mnq->mq", row, derivatives.states[places])
+                changes = np.einsum("mn,mnq->mq", rows[:, :-1], derivatives.states[places])
+                if output.terms:
+                    tables, _ = derivatives.linearisation.directions(tuple(by))
+                    every = range(len(motion.structure.configurations))
+                    moved = [
+                        output.derived(motion.structure, tables.fields, tables.rows, c)
+                        for c in every
+                    ]
+                    changes += np.einsum("mqn,mn->mq", np.array(moved)[where], extended[places])
+                jacobian[:, columns] = changes
             if clock is not None and rates is not None:
-                jacobian[:, clock] = -rates[places] @ row
+                jacobian[:, clock] = -np.einsum("mn,mn->m", rows[:, :-1], rates[places])
         else:
             reached = times_of_events(motion, series.expression)[series.places]
             values.append(condition.offset + motion.times[reached])
@@ -173,6 +194,39 @@ def times_of_events(motion: Trajectory, boundary: str) -> np.ndarray:
 
 def _lacks(motion: Trajectory, series: MeasuredSeries) -> bool:
     return len(times_of_events(motion, series.expression)) <= int(series.places[-1])
+
+
+def _rows(output: Output, motion: Trajectory) -> np.ndarray:
+    """An output in all configurations (configurations, N + 1)."""
+    system = motion.system
+    return output.in_configurations(motion.structure, system.fields, system.rows)
+
+
+def _check_jumps(
+    experiment: Measured,
+    series: MeasuredSeries,
+    output: Output,
+    motion: Trajectory,
+    times: np.ndarray,
+) -> None:
+    """Refuse a sample at the very time of an event at which the output jumps."""
+    rows, run = _rows(output, motion), motion.run
+    near = _AT_ONCE * np.maximum(times, 1.0)
+    firsts = np.searchsorted(motion.times[1:], times - near) + 1
+    for entry, time, clock in zip(
+        firsts.tolist(), (times + near).tolist(), series.times.tolist(), strict=True
+    ):
+        if entry >= len(motion.times) or motion.times[entry] > time:
+            continue
+        sides = [
+            rows[int(run.configurations[place])] @ np.append(state, 1.0)
+            for place, state in ((entry - 1, run.before[entry]), (entry, run.states[entry]))
+        ]
+        if abs(sides[1] - sides[0]) > _JUMP * max(map(abs, sides)):
+            raise NoConvergence(
+                f"{experiment.name}: {series.name} jumps at {clock:.12g}, at"
+                f" {' and '.join(motion.boundaries[entry])}: leave out what was measured there"
+            )
 
 
 def _asked(

@@ -3,18 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import NonsmoothError
 from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries
 from nonsmooth.runtime.explore.fitting.prediction import Prediction, predict
+from nonsmooth.runtime.explore.fitting.response_prediction import (
+    SteadyPrediction,
+    differentiated_by,
+    look,
+    points_under,
+    predict_steady,
+)
+from nonsmooth.runtime.explore.fitting.steady_orbits import KnownResponses
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
 
 __all__ = ["FitProblem", "Residuals"]
 
+AnyPrediction = Prediction | SteadyPrediction
 Noise = Mapping[str, float]  # standard deviations of columns that have none of their own
 
 
@@ -27,13 +36,13 @@ class Residuals:
     values : array (m + p,)
         In standard deviations: predicted - measured.
     jacobian : array (m + p, q)
-    predictions : tuple of Prediction
+    predictions : tuple of Prediction or SteadyPrediction
         One for each experiment; none where there is no value.
     """
 
     values: np.ndarray
     jacobian: np.ndarray
-    predictions: tuple[Prediction, ...]
+    predictions: tuple[AnyPrediction, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,11 +54,14 @@ class FitProblem:
     kernels : SystemKernels
     experiments : tuple of Measured
     unknowns : Unknowns
+    responses : KnownResponses
+        Steady ones that were found so far, from where others are followed.
     """
 
     kernels: SystemKernels
     experiments: tuple[Measured, ...]
     unknowns: Unknowns
+    responses: KnownResponses = field(default_factory=KnownResponses)
 
     @property
     def series(self) -> tuple[tuple[int, MeasuredSeries], ...]:
@@ -63,15 +75,18 @@ class FitProblem:
 
     @property
     def passed(self) -> np.ndarray:
-        """What part of its record has passed at each datum, (m,)."""
+        """What part of its record has passed at each datum, (m,); none of a steady response."""
         found = []
         for each in self.experiments:
+            if each.steady:
+                found += [np.zeros(len(series.values)) for series in each.series]
+                continue
             length = (each.last - each.first) or 1.0
             found += [(series.times - each.first) / length for series in each.series]
         return np.concatenate(found)
 
     def beginning(self, part: float) -> FitProblem:
-        """The same problem with the first part of each record alone.
+        """The same problem with the first part of each record of a motion alone.
 
         Parameters
         ----------
@@ -84,8 +99,11 @@ class FitProblem:
         """
         experiments = []
         for each in self.experiments:
+            if each.steady:
+                experiments.append(each)
+                continue
             last = each.first + part * (each.last - each.first)
-            kept = (series.until(last) for series in each.series)
+            kept = (_until(series, last) for series in each.series)
             series = tuple(found for found in kept if len(found.values))
             experiments.append(replace(each, series=series))
         return replace(self, experiments=tuple(experiments))
@@ -105,7 +123,26 @@ class FitProblem:
         given = series.sigma
         return np.where(np.isnan(given), noise.get(series.name, np.nan), given)
 
-    def predictions(self, point: np.ndarray) -> tuple[Prediction, ...]:
+    def look_again(self, point: np.ndarray) -> bool:
+        """Look for other steady responses than those that were followed.
+
+        Parameters
+        ----------
+        point : array (q,)
+
+        Returns
+        -------
+        bool
+            Whether steady responses are measured at all.
+        """
+        for number, each in enumerate(self.experiments):
+            if each.steady:
+                points = points_under(each, self.unknowns, number, point)
+                by = list(differentiated_by(self.unknowns, number))
+                look(self.kernels, each, number, points, by, self.responses)
+        return any(each.steady for each in self.experiments)
+
+    def predictions(self, point: np.ndarray) -> tuple[AnyPrediction, ...]:
         """What all motions say of the data.
 
         Parameters
@@ -114,7 +151,7 @@ class FitProblem:
 
         Returns
         -------
-        tuple of Prediction
+        tuple of Prediction or SteadyPrediction
 
         Raises
         ------
@@ -122,19 +159,21 @@ class FitProblem:
             Where one of them says nothing.
         """
         return tuple(
-            predict(self.kernels, experiment, self.unknowns, number, point)
+            predict_steady(self.kernels, experiment, self.unknowns, number, point, self.responses)
+            if experiment.steady
+            else predict(self.kernels, experiment, self.unknowns, number, point)
             for number, experiment in enumerate(self.experiments)
         )
 
     def weighted(
-        self, point: np.ndarray, predictions: Sequence[Prediction], noise: Noise
+        self, point: np.ndarray, predictions: Sequence[AnyPrediction], noise: Noise
     ) -> Residuals:
         """Residuals and Jacobian of known predictions.
 
         Parameters
         ----------
         point : array (q,)
-        predictions : sequence of Prediction
+        predictions : sequence of Prediction or SteadyPrediction
         noise : mapping of str to float
 
         Returns
@@ -171,3 +210,10 @@ class FitProblem:
         except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
             count = self.data + len(self.unknowns.priors)
             return Residuals(np.full(count, np.nan), np.full((count, len(point)), np.nan), ())
+
+
+def _until(series: MeasuredSeries, last: float) -> MeasuredSeries:
+    """What was measured until a time on the clock of the data."""
+    kept = series.times <= last
+    columns = ("places", "times", "values", "sigma")
+    return replace(series, **{name: getattr(series, name)[kept] for name in columns})

@@ -33,7 +33,7 @@ def read_table(data: Any) -> Table:
     ----------
     data : path, mapping of str to array, or xarray.Dataset
         A path ends in .csv (with a header), .npz, .nc or .zarr. Of a dataset the variables
-        along its dimension ``t`` or ``time`` are columns.
+        along its dimension ``t`` or ``time``, or its only one, are columns.
 
     Returns
     -------
@@ -101,9 +101,12 @@ def _from_file(path: Path) -> Table:
 
 def _from_dataset(dataset: Any) -> Table:
     along = next((name for name in TIMES if name in dataset.dims), None)
+    if along is None and len(dataset.dims) == 1:  # steady responses over a parameter
+        (along,) = map(str, dataset.dims)
     if along is None:
-        raise InputError("the dataset has no dimension t or time")
-    found = {along: _column(along, dataset[along].values)}
+        raise InputError("the dataset has no dimension t or time, nor one dimension alone")
+    told = along in TIMES or along in dataset.coords
+    found = {along: _column(along, dataset[along].values)} if told else {}
     for name, variable in dataset.data_vars.items():
         if variable.dims not in ((along,), ()):
             raise InputError(f"{name!r} of the dataset is not a series over {along}")

@@ -13,7 +13,7 @@ from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.explore.fitting.measurements import Measured
 from nonsmooth.runtime.model.kernels import ParameterTable, SystemKernels
-from nonsmooth.runtime.model.naming import start_names
+from nonsmooth.runtime.model.naming import shown_name, start_names
 from nonsmooth.runtime.model.structure import structure_of
 
 __all__ = ["FreeNumber", "MotionSettings", "Unknowns", "unknowns_of"]
@@ -190,12 +190,15 @@ def unknowns_of(
     for name in free:
         if name in tables:
             for each in experiments:
-                if name in each.parameters:
+                if name in each.known:
                     raise InputError(f"parameter {name} is free, and known in {each.name}")
             entries.append(FreeNumber(name, "parameter", name, None))
             continue
         kind: Literal["start", "offset"] = "offset" if name == OFFSET else "start"
-        for place in range(len(experiments)):
+        moving = [place for place, each in enumerate(experiments) if not each.steady]
+        if not moving:
+            raise InputError(f"{name} belongs to a motion, and steady responses alone are measured")
+        for place in moving:
             label = name if len(experiments) == 1 else f"{name}@{place + 1}"
             entries.append(FreeNumber(label, kind, starts.get(name, OFFSET), place))
     missing = [
@@ -203,10 +206,10 @@ def unknowns_of(
         for name in tables
         if name not in free
         and name not in parameters
-        and any(name not in each.parameters for each in experiments)
+        and any(name not in each.known for each in experiments)
     ]
     if missing:
-        raise InputError(f"{kernels.name} needs a value for: {', '.join(missing)}")
+        raise InputError(f"{shown_name(kernels.name)} needs a value for: {', '.join(missing)}")
     fixed = []
     for each in experiments:
         own = {**parameters, **each.parameters}

@@ -91,6 +91,11 @@ def load_fit(path: str | os.PathLike[str]) -> Fit:
         for each in series:
             parts = (each.places, each.times, each.values, each.fitted, each.sigma)
             fits &= len({len(part) for part in parts}) == 1
+        for one in fit.experiments:
+            count = len(one.responses)
+            for each in one.series:
+                here = (each.kind == "response") == bool(count)
+                fits &= here and (not count or bool((each.places < count).all()))
         if not fits:
             raise InputError("its names, numbers and series do not belong together")
         return fit

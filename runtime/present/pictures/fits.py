@@ -1,4 +1,4 @@
-"""Pictures of fits: what was measured over the fitted motion, and the residuals below."""
+"""Pictures of fits: what was measured over the fitted motion or responses, residuals below."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.fitting.affine_outputs import output_of
 from nonsmooth.runtime.explore.fitting.fit_record import Fit, FittedSeries
+from nonsmooth.runtime.explore.fitting.response_curves import response_curves
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.units import units_of
@@ -83,7 +85,7 @@ def plot_fit(fit: Fit, axes: Any = None, experiment: int = 0) -> Any:
         If matplotlib is not installed.
     """
     check_picture("fit", ("fit",))
-    fit.motion(experiment)
+    fit.experiment(experiment)
     if axes is None:
         from matplotlib import pyplot
 
@@ -103,18 +105,26 @@ def plot_fit(fit: Fit, axes: Any = None, experiment: int = 0) -> Any:
 
 
 def _draw(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
-    """One experiment: its motion with the measurements, and the residuals."""
+    """One experiment: its motion or responses with the measurements, and the residuals."""
+    if fit.experiments[number].responses:
+        _draw_responses(fit, number, upper, lower)
+        return
     experiment, motion = fit.experiments[number], fit.motion(number)
     outputs = [series for series in experiment.series if series.kind == "output"]
     events = [series for series in experiment.series if series.kind == "event"]
     times, states = motion.sample(_POINTS)
     units = units_of(known_system(fit.system))
-    rows = {series.name: series.row for series in outputs} or _positions(motion)
-    colors = {name: LINES[place % len(LINES)][0] for place, name in enumerate(rows)}
-    for name, row in rows.items():
+    texts = {series.name: series.expression for series in outputs} or _positions(motion)
+    colors = {name: LINES[place % len(LINES)][0] for place, name in enumerate(texts)}
+    phases = np.searchsorted(motion.times, times, side="right") - 1
+    configurations = motion.run.configurations[phases]
+    for name, text in texts.items():
+        output, system = output_of(text, motion.structure), motion.system
+        rows = output.in_configurations(motion.structure, system.fields, system.rows)
+        drawn = rows[configurations]
         upper.plot(
             times + experiment.offset,
-            states @ row[:-1] + row[-1],
+            np.einsum("mn,mn->m", drawn[:, :-1], states) + drawn[:, -1],
             color=colors[name],
             linewidth=1.2,
             label=f"{name}, fitted",
@@ -140,15 +150,37 @@ def _draw(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
             markersize=3.2,
             markerfacecolor="none" if series.kind == "output" else "black",
         )
+    upper.set_ylabel(", ".join(units.label(n) if n in motion.names else n for n in texts))
+    _finish(fit, number, upper, lower, "time on the clock of the data")
+
+
+def _draw_responses(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
+    """Steady responses: what was measured over the curves on which the fitted ones lie."""
+    experiment = fit.experiments[number]
+    values, curves = response_curves(fit, number)
+    for place, series in enumerate(experiment.series):
+        color, marker = LINES[place % len(LINES)][0], _MARKERS[place % len(_MARKERS)]
+        upper.plot(
+            values, curves[series.name], color=color, linewidth=1.2, label=f"{series.name}, fitted"
+        )
+        style: Any = {"color": color, "markersize": 4.2, "markerfacecolor": "none"}
+        upper.plot(series.times, series.values, marker, label=f"{series.name}, measured", **style)
+        lower.plot(series.times, series.residuals, marker, **style)
+    upper.set_ylabel(", ".join(series.name for series in experiment.series))
+    along = experiment.along
+    _finish(fit, number, upper, lower, units_of(known_system(fit.system)).label(along) or "row")
+
+
+def _finish(fit: Fit, number: int, upper: Axes, lower: Axes, along: str) -> None:
+    """Band of usual residuals, labels and titles."""
     lower.axhspan(-_USUAL, _USUAL, color="#DDDDDD", zorder=0)
     low, high = lower.get_ylim()
     lower.set_ylim(min(low, -1.2 * _USUAL), max(high, 1.2 * _USUAL))
     lower.axhline(0, color="#777777", linewidth=0.8, zorder=1)
     lower.set_ylabel("residual / sigma")
-    lower.set_xlabel("time on the clock of the data")
-    upper.set_ylabel(", ".join(units.label(n) if n in motion.names else n for n in rows))
+    lower.set_xlabel(along)
     several = len(fit.experiments) > 1
-    finish(upper, shown_name(experiment.name) if several else _title(fit))
+    finish(upper, shown_name(fit.experiments[number].name) if several else _title(fit))
     finish(lower, "")
 
 
@@ -172,8 +204,7 @@ def _draw_events(upper: Axes, series: FittedSeries, place: int) -> None:
     )
 
 
-def _positions(motion: Trajectory) -> dict[str, np.ndarray]:
-    """Rows of the positions, where no output was measured."""
-    size = len(motion.names)
+def _positions(motion: Trajectory) -> dict[str, str]:
+    """The positions, where no output was measured."""
     places = [place for place, _ in motion.structure.coordinates] or [0]
-    return {motion.names[place]: np.eye(size, size + 1)[place] for place in places[: len(LINES)]}
+    return {motion.names[place]: motion.names[place] for place in places[: len(LINES)]}

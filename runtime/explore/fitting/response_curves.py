@@ -1,0 +1,85 @@
+"""Fitted steady responses between the points that were measured."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import NonsmoothError
+from nonsmooth.runtime.explore.fitting.fit_record import Fit
+from nonsmooth.runtime.explore.fitting.response_quantities import response_quantity
+from nonsmooth.runtime.explore.fitting.steady_orbits import responses_at
+from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.model.structure import structure_of
+
+__all__ = ["response_curves"]
+
+_TURN = 2 * np.pi
+
+
+def response_curves(
+    fit: Fit, experiment: int = 0, count: int = 121
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """Follow the fitted responses from the rows of an experiment to values in between.
+
+    Parameters
+    ----------
+    fit : Fit
+    experiment : int
+        Its number, from 0.
+    count : int
+        Of values from the smallest to the largest that was measured at.
+
+    Returns
+    -------
+    values : array (count,)
+        Of the parameter that was varied; of the rows alone, where none was.
+    responses : dict of str to array (count,)
+        Of each column; NaN where the response of the row that is nearest does not reach.
+
+    Raises
+    ------
+    InputError
+        If there is no such experiment.
+    """
+    found = fit.experiment(experiment)
+    kernels = known_system(fit.system)
+    structure = structure_of(kernels)
+    quantities = {s.name: response_quantity(s.expression, structure) for s in found.series}
+    if not found.along:
+        values = np.arange(float(len(found.responses)))
+        points = [dict(each.parameters) for each in found.responses]
+        rows = np.arange(len(points))
+    else:
+        measured = np.array([float(each.parameters[found.along]) for each in found.responses])
+        order = np.argsort(measured, kind="stable")
+        values = np.linspace(measured.min(), measured.max(), count)
+        rows = abs(values[:, None] - measured).argmin(axis=1)
+        columns = {
+            name: np.array([float(each.parameters[name]) for each in found.responses])[order]
+            for name in found.responses[0].parameters
+        }
+        between = {n: np.interp(values, measured[order], c) for n, c in columns.items()}
+        points = [{name: column[k] for name, column in between.items()} for k in range(count)]
+    by = [found.along or next(iter(found.responses[0].parameters))]
+    every = range(len(found.responses))
+    orbits = [fit.response(row, experiment).derivatives(by) for row in every]
+    curves = {name: np.full(len(values), np.nan) for name in quantities}
+    for place, (row, point) in enumerate(zip(rows.tolist(), points, strict=True)):
+        there, _ = responses_at(kernels, point, by, [orbits[row]], unstable=True)
+        for each in there:
+            for name, quantity in quantities.items():
+                try:
+                    curves[name][place] = quantity.of(each)[0]
+                except NonsmoothError:
+                    continue
+    for series in found.series:
+        if quantities[series.name].periodic:  # next to what was measured
+            near = np.interp(values, *_sorted(series.times, series.values))
+            curve = curves[series.name]
+            curves[series.name] = curve + _TURN * np.round((near - curve) / _TURN)
+    return values, curves
+
+
+def _sorted(times: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    order = np.argsort(times, kind="stable")
+    return times[order], values[order]

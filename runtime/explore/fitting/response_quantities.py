@@ -1,0 +1,213 @@
+"""What is measured of a steady response: peaks, amplitudes, averages and the first harmonic.
+
+Extremes are guaranteed, and differentiated where they are attained. Averages are integrals by
+Gauss and Legendre's rule, phase by phase; a tiny imaginary part of each parameter moves the nodes
+with the dwell times, so that derivatives are exact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
+from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.explore.fitting.affine_outputs import Output, output_of
+from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+from nonsmooth.runtime.shooting.derivatives import flows_over
+from nonsmooth.runtime.simulation.phase_functions import fastest
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
+
+__all__ = ["KINDS", "ResponseQuantity", "response_quantity"]
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
+_ANGLE = 2.0  # radians in a piece of an integral
+
+
+class ResponseQuantity(NamedTuple):
+    """A number that is measured of a steady response.
+
+    Attributes
+    ----------
+    kind : str
+        A key of `KINDS`.
+    output : Output
+    text : str
+        As it was written.
+    """
+
+    kind: str
+    output: Output
+    text: str
+
+    @property
+    def periodic(self) -> bool:
+        """Whether it is an angle, the same after a full turn."""
+        return self.kind == "phase"
+
+    def of(self, derivatives: OrbitDerivatives) -> tuple[float, np.ndarray]:
+        """Its value along an orbit, and its derivatives (q,).
+
+        Parameters
+        ----------
+        derivatives : OrbitDerivatives
+            Of an orbit by tables.
+
+        Returns
+        -------
+        value : float
+        derivatives : array (q,)
+
+        Raises
+        ------
+        InputError
+            Where there is no derivative.
+        """
+        along, _ = derivatives.orbit.evaluation.along(derivatives)
+        return KINDS[self.kind](along, self.output, self.text)
+
+
+def response_quantity(text: str, structure: Structure) -> ResponseQuantity:
+    """Read what is measured of a steady response.
+
+    Parameters
+    ----------
+    text : str
+        ``KIND:OUTPUT``: a key of `KINDS`, and an affine function of states, accelerations and
+        forces, such as ``amplitude:x1 - x2`` or ``rms:acceleration:x``.
+    structure : Structure
+
+    Returns
+    -------
+    ResponseQuantity
+
+    Raises
+    ------
+    InputError
+        For an unknown kind, no affine function, or a first harmonic without a forcing.
+    """
+    kind, colon, output = (part.strip() for part in text.partition(":"))
+    if not colon or not output:
+        raise InputError(f"response {text!r} is not KIND:OUTPUT; kinds are {', '.join(KINDS)}")
+    if kind not in KINDS:
+        raise unknown_name("kind of response", kind, KINDS)
+    if kind in _OF_FORCING and not structure.forcing:
+        raise InputError(
+            f"response {text!r} belongs to a forcing, which {shown_name(structure.name)} has not"
+        )
+    return ResponseQuantity(kind, output_of(output, structure), text)
+
+
+Value = tuple[float, np.ndarray]
+
+
+def _row(along: OrbitMotionDerivatives, output: Output) -> Callable[[int], np.ndarray]:
+    """The output (q, N + 1) in a configuration, with its steps."""
+    numbers = along.numbers
+
+    def row(configuration: int) -> np.ndarray:
+        moved = output.derived(along.structure, numbers.fields, numbers.rows, configuration)
+        return np.asarray(output.steady + moved)
+
+    return row
+
+
+def _extremes(along: OrbitMotionDerivatives, output: Output) -> tuple[Value, Value]:
+    """Largest and smallest value."""
+    high, low = along.extremes(_row(along, output))
+    return (float(high.value), high.rates), (float(low.value), low.rates)
+
+
+def _maximum(along: OrbitMotionDerivatives, output: Output, _: str) -> Value:
+    return _extremes(along, output)[0]
+
+
+def _minimum(along: OrbitMotionDerivatives, output: Output, _: str) -> Value:
+    return _extremes(along, output)[1]
+
+
+def _peak(along: OrbitMotionDerivatives, output: Output, text: str) -> Value:
+    found = along.peak(_row(along, output), text)
+    return float(found.value), found.rates
+
+
+def _amplitude(along: OrbitMotionDerivatives, output: Output, _: str) -> Value:
+    high, low = _extremes(along, output)
+    return (high[0] - low[0]) / 2, (high[1] - low[1]) / 2
+
+
+def _mean(along: OrbitMotionDerivatives, output: Output, _: str) -> Value:
+    return _parts(_averages(along, output)[0])
+
+
+def _rms(along: OrbitMotionDerivatives, output: Output, text: str) -> Value:
+    square = _averages(along, output)[1]
+    if not square[0].real > 0:
+        raise InputError(f"{text} is zero: it has no derivative")
+    return _parts(np.sqrt(square))
+
+
+def _harmonic(along: OrbitMotionDerivatives, output: Output, text: str) -> Value:
+    _, _, cosine, sine = _averages(along, output)
+    square = 4 * (cosine**2 + sine**2)
+    if not square[0].real > 0:
+        raise InputError(f"{text} is zero: it has no derivative")
+    return _parts(np.sqrt(square))
+
+
+def _phase(along: OrbitMotionDerivatives, output: Output, text: str) -> Value:
+    _, _, cosine, sine = _averages(along, output)
+    (c, by_c), (s, by_s) = _parts(cosine), _parts(sine)
+    square = c**2 + s**2
+    if not square > 0:
+        raise InputError(f"{text}: there is no first harmonic")
+    return float(np.arctan2(-s, c)), (s * by_c - c * by_s) / square
+
+
+def _parts(number: np.ndarray) -> Value:
+    return float(number[0].real), imaginary_parts(number, None)
+
+
+def _averages(along: OrbitMotionDerivatives, output: Output) -> np.ndarray:
+    """Averages of f, f^2, f cos and f sin of the first forcing's angle, (4, q), with steps."""
+    system, row = along.orbit.tables.piecewise, _row(along, output)
+    waits = stepped(along.dwell, along.waits, None)
+    total = np.zeros((4, len(along.by)), dtype=complex)
+    forcing = along.structure.forcing
+    for phase, configuration in enumerate(along.cycle.configurations):
+        angle = fastest(system, configuration) * float(along.dwell[phase])
+        pieces = max(1, int(np.ceil(angle / _ANGLE)))
+        nodes = ((np.arange(pieces)[:, None] + (1 + _NODES) / 2) / pieces).ravel()
+        weights = np.tile(_WEIGHTS / 2 / pieces, pieces)
+        field = along.numbers.fields[:, None, configuration]
+        times = waits[:, phase, None] * nodes
+        flow = flows_over(np.broadcast_to(field, (*times.shape, *field.shape[2:])), times)
+        start = along.starts[:, None, phase, :, None]
+        states = (flow[..., :-1] @ start)[..., 0] + flow[..., -1]
+        own = row(configuration)
+        values = np.einsum("qi,qni->qn", own[:, :-1], states) + own[:, -1:]
+        parts = [values, values**2]
+        if forcing:
+            parts += [values * states[..., place] for place in forcing[0]]
+        for place, part in enumerate(parts):
+            total[place] += waits[:, phase] * (part @ weights)
+    return np.asarray(total / waits.sum(axis=1))
+
+
+_OF_FORCING = ("harmonic", "phase")
+KINDS: Mapping[str, Callable[[OrbitMotionDerivatives, Output, str], Value]] = {
+    "maximum": _maximum,
+    "minimum": _minimum,
+    "peak": _peak,
+    "amplitude": _amplitude,
+    "mean": _mean,
+    "rms": _rms,
+    "harmonic": _harmonic,
+    "phase": _phase,
+}

@@ -1,0 +1,288 @@
+"""Steady periodic responses: what motions settle on, and the same at other parameters.
+
+A response is followed from where it was known last. Where it is a motion no more, because a
+boundary collision or a fold was passed, a motion from it shows what takes its place. At first, and
+when it is asked for again, the responses are looked for as in a test: swept up and down through
+the points, and from a few starts at random.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import NonsmoothError
+from nonsmooth.runtime.explore.finding.find import find_orbits, start_box
+from nonsmooth.runtime.explore.finding.primitive import add_orbit, primitive_orbit
+from nonsmooth.runtime.explore.finding.steady import responses
+from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.kernels import SystemKernels, grown
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.orbits.admissible import Admissibility
+from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+from nonsmooth.runtime.orbits.nearby import followed
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.simulation.last_cycle import itinerary_of
+from nonsmooth.runtime.simulation.recurrence import Candidate, Itinerary, canonical
+from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth.runtime.simulation.starting import on_circles
+
+__all__ = ["KnownResponses", "responses_at", "settled_from", "survey", "survey_of"]
+
+_TRANSITIONS = 600  # after which a motion has settled
+_STARTS = 6  # at random, at each point
+_SEARCHED = 60  # starts of a search for an orbit that is told
+_SHORTEST = 0.25  # step of the way to other parameters: then a response is lost
+_MOST = 6  # responses that are remembered at a point
+
+Point = Mapping[str, Any]
+"""All parameters of one steady state."""
+
+
+class KnownResponses:
+    """Responses that were found so far at each of several points, where others are begun from."""
+
+    def __init__(self) -> None:
+        self._orbits: dict[tuple[int, int], list[OrbitDerivatives]] = {}
+
+    def at(self, experiment: int, place: int) -> list[OrbitDerivatives]:
+        """Those of a point of an experiment.
+
+        Parameters
+        ----------
+        experiment, place : int
+
+        Returns
+        -------
+        list of OrbitDerivatives
+        """
+        return self._orbits.get((experiment, place), [])
+
+    def keep(self, experiment: int, place: int, orbits: Sequence[OrbitDerivatives]) -> None:
+        """Remember responses in place of those that were known, the latest ones first.
+
+        Parameters
+        ----------
+        experiment, place : int
+        orbits : sequence of OrbitDerivatives
+        """
+        self._orbits[experiment, place] = list(orbits[:_MOST])
+
+    def known(self, experiment: int) -> bool:
+        """Whether an experiment's responses were looked for.
+
+        Parameters
+        ----------
+        experiment : int
+
+        Returns
+        -------
+        bool
+        """
+        return any(known == experiment for known, _ in self._orbits)
+
+
+def responses_at(
+    kernels: SystemKernels,
+    parameters: Point,
+    by: Sequence[str],
+    known: Sequence[OrbitDerivatives],
+    *,
+    unstable: bool,
+) -> tuple[list[OrbitDerivatives], list[OrbitDerivatives]]:
+    """Follow responses to other parameters; where the first is lost, see what takes its place.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    parameters : mapping of str to number
+        All of them.
+    by : sequence of str
+        Those by which it is differentiated.
+    known : sequence of OrbitDerivatives
+        Responses at parameters nearby, the one that was chosen first.
+    unstable : bool
+        Whether unstable ones count: those of an itinerary that was told.
+
+    Returns
+    -------
+    found : list of OrbitDerivatives
+        Each response once.
+    lost : list of OrbitDerivatives
+        Those known that could not be followed, for later.
+    """
+    found: list[OrbitDerivatives] = []
+    lost: list[OrbitDerivatives] = []
+    orbits: list[Orbit] = []
+
+    def add(derivatives: OrbitDerivatives) -> None:
+        count = len(orbits)
+        add_orbit(orbits, derivatives.orbit)
+        if len(orbits) > count:
+            found.append(derivatives)
+
+    for reference in known:
+        try:
+            there = _followed(reference, parameters, by)
+            if _counts(there.orbit, unstable=unstable):
+                add(there)
+                continue
+        except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
+            pass
+        lost.append(reference)
+    for reference in lost[:1] if not unstable and lost and lost[0] is known[0] else []:
+        orbit = reference.orbit
+        start, configuration = orbit.states[0].astype(float).tolist(), orbit.itinerary[0][0]
+        for other in settled_from(kernels, parameters, start, configuration):
+            try:
+                add(other.derivatives(list(by)))
+            except NonsmoothError:
+                continue
+    return found, lost
+
+
+def settled_from(
+    kernels: SystemKernels,
+    parameters: Point,
+    start: Sequence[float],
+    configuration: str | None = None,
+) -> list[Orbit]:
+    """Find the response on which a motion settles.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    parameters : mapping of str to number
+    start : sequence (N,) of float
+    configuration : str, optional
+
+    Returns
+    -------
+    list of Orbit
+        Empty where it does not settle on a periodic one.
+    """
+    try:
+        motion = simulate(kernels, parameters, start, configuration, transitions=_TRANSITIONS)
+        current = motion.structure.kernels or kernels
+        point = motion.system
+        if motion.status == Status.QUIET:
+            orbit = responses(current, point)[int(motion.run.configurations[-1])]
+        elif motion.status == Status.TRANSITIONS:
+            cycle = itinerary_of(motion, since=motion.end / 2)
+            guess = Candidate(cycle.itinerary, cycle.dwell_times, cycle.start, 0.0)
+            orbit = primitive_orbit(current, point, guess)
+        else:
+            return []
+        return [orbit] if orbit is not None and _counts(orbit, unstable=False) else []
+    except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
+        return []
+
+
+def survey(kernels: SystemKernels, points: Sequence[Point]) -> list[list[Orbit]]:
+    """Look for the stable responses at several points.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    points : sequence of mapping
+        All parameters of each, in the order of a sweep.
+
+    Returns
+    -------
+    list of list of Orbit
+    """
+    found: list[list[Orbit]] = [[] for _ in points]
+    for place, parameters in enumerate(points):
+        for start in _starts(piecewise(grown(kernels), parameters)):
+            for orbit in settled_from(kernels, parameters, start):
+                add_orbit(found[place], orbit)
+    up = range(1, len(points))
+    for places, back in ((up, -1), (range(len(points) - 2, -1, -1), 1)):
+        for place in places:
+            for neighbour in found[place + back]:
+                start = neighbour.states[0].astype(float).tolist()
+                for orbit in settled_from(kernels, points[place], start, neighbour.itinerary[0][0]):
+                    add_orbit(found[place], orbit)
+    return found
+
+
+def survey_of(
+    kernels: SystemKernels, points: Sequence[Point], itinerary: Itinerary
+) -> list[list[Orbit]]:
+    """Look for the responses of an itinerary at several points, unstable ones too.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    points : sequence of mapping
+        All parameters of each, in the order of a sweep.
+    itinerary : tuple of (str, str)
+
+    Returns
+    -------
+    list of list of Orbit
+        Followed from point to point, from where one is stable, or found near a motion.
+    """
+    turn = canonical(itinerary)
+    wanted = itinerary[turn:] + itinerary[:turn]
+
+    def is_wanted(orbit: Orbit) -> bool:
+        phases = orbit.itinerary
+        first = canonical(phases)
+        return phases[first:] + phases[:first] == wanted
+
+    found = [[*filter(is_wanted, orbits)] for orbits in survey(kernels, points)]
+    if not any(found):
+        for place, parameters in enumerate(points):
+            orbits = (each.orbit for each in find_orbits(kernels, parameters, _SEARCHED).orbits)
+            found[place] = [*filter(is_wanted, orbits)]
+            if found[place]:
+                break
+    up, down = range(1, len(points)), range(len(points) - 2, -1, -1)
+    for places, back in ((up, -1), (down, 1)):
+        for place in places:
+            for neighbour in found[place + back]:
+                try:
+                    by = [next(iter(points[place]))]
+                    orbit = _followed(neighbour.derivatives(by), points[place], by).orbit
+                    if _counts(orbit, unstable=True):
+                        add_orbit(found[place], orbit)
+                except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
+                    continue
+    return found
+
+
+def _starts(system: PiecewiseLinear) -> list[list[float]]:
+    """Rest, and a few states at random."""
+    limits = start_box(system)
+    generator = np.random.default_rng(0)
+    drawn = generator.uniform(limits[:, 0], limits[:, 1], (_STARTS, len(limits)))
+    states = np.concatenate([np.zeros((1, len(limits))), drawn])
+    angles = np.concatenate([[0.0], generator.uniform(0, 2 * np.pi, _STARTS)])
+    return [state.tolist() for state in on_circles(system, states, angles)]
+
+
+def _followed(
+    reference: OrbitDerivatives, parameters: Point, by: Sequence[str]
+) -> OrbitDerivatives:
+    """The same response at other parameters, differentiated."""
+    given = reference.orbit.given
+    target = {name: float(value) for name, value in parameters.items()}
+    moved = [name for name, value in given.items() if float(value) != target[name]]
+    changing = tuple(dict.fromkeys([*by, *moved]))
+    if reference.by != changing:
+        reference = reference.orbit.derivatives(changing)
+    there = followed(reference, np.array([target[name] for name in changing]), _SHORTEST)
+    return there if tuple(by) == changing else there.orbit.derivatives(list(by))
+
+
+def _counts(orbit: Orbit, *, unstable: bool) -> bool:
+    """Whether an orbit is a motion that is seen in a test."""
+    if not orbit.converged or not (orbit.dwell_times > 0).all():
+        return False
+    judged: Admissibility = orbit.admissibility
+    if judged.verdict is not True:
+        return False
+    return unstable or orbit.stability.verdict != "unstable"
