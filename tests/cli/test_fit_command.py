@@ -126,7 +126,7 @@ def test_steady_responses_from_a_file() -> None:
     assert float(told["estimates"][0]) == pytest.approx(2.5, abs=1e-8)
     responses = told["experiments"][0]["responses"]
     assert [each["parameters"]["w"] for each in responses] == ["3.0", "3.4", "4.0"]
-    kept = ns.load_fit("fit.json")
+    kept = ns.load("fit.json")
     assert float(kept.response(2).parameters["w"]) == 4.0
     shown = run(f"{command} --responses A=amplitude:x")[1]
     assert "3 steady responses" in shown

@@ -273,7 +273,7 @@ def test_a_fit_of_responses_is_kept_and_drawn(tmp_path: Path) -> None:
     noise = 2e-3 * np.random.default_rng(3).normal(size=len(SWEEP))
     found = fitted({"w": SWEEP, "amplitude:x": amplitudes() + noise}, sigma=2e-3)
     found.save(tmp_path / "fit.json")
-    kept = ns.load_fit(tmp_path / "fit.json")
+    kept = ns.load(tmp_path / "fit.json")
     same = ({n: x for n, x in each.to_json().items() if n != "system"} for each in (kept, found))
     assert next(same) == next(same)
     np.testing.assert_array_equal(

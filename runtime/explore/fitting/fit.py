@@ -327,7 +327,7 @@ def _experiment(
         configurations=motion.configurations,
         boundaries=tuple("+".join(names) for names in motion.boundaries[1:]),
         same_sequence=_same_sequence(experiment, prediction, condition.offset),
-        grazing=nearest_grazing(problem.kernels, motion, unknowns, number, covariance),
+        grazing=nearest_grazing(motion, unknowns, number, covariance),
     )
 
 

@@ -19,10 +19,10 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.errors import NonsmoothError
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits
 from nonsmooth.runtime.explore.fitting.local_maxima import local_maxima
+from nonsmooth.runtime.explore.fitting.table_changes import table_changes
 from nonsmooth.runtime.explore.fitting.unknowns import Unknowns
-from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
-from nonsmooth.runtime.model.table_derivatives import TableDerivatives, table_derivatives
+from nonsmooth.runtime.model.table_derivatives import TableDerivatives
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -72,7 +72,6 @@ class _Approach:
 
 
 def nearest_grazing(
-    kernels: SystemKernels,
     motion: Trajectory,
     unknowns: Unknowns,
     number: int,
@@ -82,7 +81,6 @@ def nearest_grazing(
 
     Parameters
     ----------
-    kernels : SystemKernels
     motion : Trajectory
     unknowns : Unknowns
     number : int
@@ -97,7 +95,7 @@ def nearest_grazing(
     found = sorted(_approaches(motion), key=lambda each: each.margin)[:_KEPT]
     if not found:
         return None
-    gradients = _gradients(kernels, motion, unknowns, number, found)
+    gradients = _gradients(motion, unknowns, number, found)
     return _nearest(motion, found, gradients, covariance)
 
 
@@ -239,7 +237,6 @@ def _arrival(row: np.ndarray, field: np.ndarray, state: np.ndarray) -> tuple[flo
 
 
 def _gradients(
-    kernels: SystemKernels,
     motion: Trajectory,
     unknowns: Unknowns,
     number: int,
@@ -265,7 +262,7 @@ def _gradients(
         states, before = derivatives.states, derivatives.before
     except NonsmoothError:
         return np.full_like(gradients, np.nan)
-    tables = _tables(kernels, motion, by)
+    tables = table_changes(motion, by)
     inside = iter(range(len(missed)))
     for place, each in enumerate(found):
         configuration = int(motion.run.configurations[each.phase])
@@ -297,13 +294,3 @@ def _of_arrival(
     speeds = normals @ rate + rates @ normal
     bends = normals @ matrix @ rate + fields[..., :-1] @ rate @ normal + rates @ matrix.T @ normal
     return np.asarray(speed * speeds / -bend + speed**2 * bends / (2 * bend**2))
-
-
-def _tables(kernels: SystemKernels, motion: Trajectory, by: list[str]) -> TableDerivatives:
-    """Derivatives of the tables by names; zero by those that are no parameters."""
-    names = [table.name for table in kernels.parameters]
-    tables = table_derivatives(kernels, np.array([float(motion.parameters[n]) for n in names]))
-    places = [names.index(name) if name in names else len(names) for name in by]
-    return TableDerivatives(
-        *(np.concatenate([part, np.zeros_like(part[:1])])[places] for part in tables)
-    )

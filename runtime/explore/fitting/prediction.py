@@ -16,6 +16,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.explore.fitting.affine_outputs import Output, output_of
 from nonsmooth.runtime.explore.fitting.measurements import Measured, MeasuredSeries
+from nonsmooth.runtime.explore.fitting.table_changes import table_changes
 from nonsmooth.runtime.explore.fitting.unknowns import FreeNumber, MotionSettings, Unknowns
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.naming import start_names
@@ -104,7 +105,7 @@ def predict(
             if derivatives is not None:
                 changes = np.einsum("mn,mnq->mq", rows[:, :-1], derivatives.states[places])
                 if output.terms:
-                    tables, _ = derivatives.linearisation.directions(tuple(by))
+                    tables = table_changes(motion, by)
                     every = range(len(motion.structure.configurations))
                     moved = [
                         output.derived(motion.structure, tables.fields, tables.rows, c)
