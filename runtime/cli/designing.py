@@ -52,8 +52,8 @@ class Method(StrEnum):
     "nonsmooth design dry-friction/symmetric V=0.6:3 eta=3:5 --minimise spectral_radius"
     ' --subject "period<=4.6" --plot design.png --save design.json\n\n'
     "nonsmooth design dry-friction/symmetric V=0.6:1.3 --solve multiplier=-1\n\n"
-    "nonsmooth design impact_damper.py:struck-twice d=7:10 --minimise peak:x"
-    " --worst-over w=0.95:1.05"
+    "nonsmooth design impact_damper.py:struck-twice r=0.3 zeta=0.05 d=7:9.5"
+    " --minimise peak:x --worst-over w=0.95:1.05"
 )
 @answering
 def design(
