@@ -34,7 +34,7 @@ _PRIOR = re.compile(r"(?P<mean>.+?)\s*(?:\+-|±)\s*(?P<deviation>.+)")
     " v0=-0.3:0.3 --from x=-0.6 --starts 4 --plot fit.png --save fit.json\n\n"
     "nonsmooth fit identification.py impacts.csv:w=2.1 c=0.05 h=0.2 k=2:2.5:3 r=0.5:0.8:1"
     " --from x=-0.6,v=0.1 --sigma 0.002 --prior k=2.5+-0.1 --loss soft_l1\n\n"
-    "nonsmooth fit identification.py sweep.csv h=0.2 k=2:2.5:3 c=0.01:0.05:0.2 r=0.5:0.8:1"
+    "nonsmooth fit identification.py sweep.csv c=0.05 h=0.2 k=2:3 r=0.6:1"
     " --responses A=amplitude:x --plot response.png"
 )
 @answering

@@ -167,7 +167,7 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
         shutil.copy(CHECKOUT / "docs" / "gallery" / "impact_oscillator.py", tmp_path)
         monkeypatch.setenv("NONSMOOTH_CACHE", "")
     elif "identification.py" in example:
-        for name in ("identification.py", "impacts.csv"):
+        for name in ("identification.py", "impacts.csv", "sweep.csv"):
             shutil.copy(CHECKOUT / "docs" / "gallery" / name, tmp_path)
         monkeypatch.setenv("NONSMOOTH_CACHE", "")
     elif "my_oscillator.py" in example:

@@ -34,7 +34,8 @@ def response_curves(
     values : array (count,)
         Of the parameter that was varied; of the rows alone, where none was.
     responses : dict of str to array (count,)
-        Of each column; NaN where the response of the row that is nearest does not reach.
+        Of each column; NaN where the response of the row that is nearest does not reach, and
+        between responses of different phases.
 
     Raises
     ------
@@ -64,7 +65,10 @@ def response_curves(
     every = range(len(found.responses))
     orbits = [fit.response(row, experiment).derivatives(by) for row in every]
     curves = {name: np.full(len(values), np.nan) for name in quantities}
+    own = [each.orbit.itinerary for each in orbits]
     for place, (row, point) in enumerate(zip(rows.tolist(), points, strict=True)):
+        if place and own[row] != own[rows[place - 1]]:
+            continue  # no line joins responses of different phases
         there, _ = responses_at(kernels, point, by, [orbits[row]], unstable=True)
         for each in there:
             for name, quantity in quantities.items():
