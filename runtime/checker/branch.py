@@ -15,10 +15,10 @@ from flint import arb, arb_mat, ctx
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
 from nonsmooth.runtime.checker.motion import Border, admissibility, time_of_touch
-from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.orbit import CheckedOrbit, trace_of
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import BRANCH, check_shape
-from nonsmooth.runtime.checker.stability import characteristic, products_less_one, stability
+from nonsmooth.runtime.checker.stability import characteristic, paired, products_less_one, stability
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 
@@ -346,10 +346,15 @@ class _CheckedEvent:
             self._verdicts()
             self._passes(event["kind"], None)
         else:
+            kinds = [kind for kind, *_ in event["also"]]
+            demand(not {*kinds} & {*_MULTIPLIERS}, "a multiplier beside a border")
             self._border()
         with ctx.workprec(_SHARP):
             middle, half = (self.low + self.high) / 2, (self.high - self.low) / 2
             found = tile.at(arb(middle) + arb(0, arb(half)))
+            if event["kind"] == "neimark-sacker":
+                polynomial = characteristic(curve.orbit(found).section)
+                demand(paired(polynomial), "it may be a neutral saddle, where two are real")
             demand(event["enclosures"].keys() == {*curve.names}, "not every unknown is enclosed")
             told = dict(zip(curve.names, found, strict=True))
             for name, stated in event["enclosures"].items():
@@ -371,6 +376,8 @@ class _CheckedEvent:
         demand(orbit.declared.alone, "one-sided maps")
         if orbit.declared.stability == "neutral":
             demand(kind == "flip" and orbit.declared.size == 4, "more than one pair")
+            total = range_of(trace_of(orbit.section)) - 1  # m + 1/m of the pair
+            demand(total > 2 or total < 2, "the pair may meet at 1")
             return
         polynomial = characteristic(orbit.section)
         for other in _MULTIPLIERS:

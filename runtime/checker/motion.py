@@ -141,6 +141,8 @@ def time_of_touch(orbit: CheckedOrbit, border: Border, window: tuple[Any, Any] |
     demand(bend < 0 and abs(moved) <= radius, "the time of a grazing is not known")
     found = time + moved
     demand(found > window[0] and found < window[1], "a grazing is outside of its window")
+    behind = range_of(orbit.dwell[border.phase] - found)
+    demand(found > 0 and behind > 0, "a grazing is outside of its phase")
     return found
 
 

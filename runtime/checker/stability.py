@@ -131,8 +131,13 @@ def characteristic(square: Any) -> list[Any]:
 def _inside(polynomial: list[Any]) -> str:
     """Whether all roots lie inside the unit circle: Schur (1917) and Cohn (1922).
 
-    Of z^n + ... + k, with |k| < 1, p(z) - k z^n p(1/z) has as many roots outside.
+    Of z^n + ... + k, with |k| < 1, p(z) - k z^n p(1/z) has as many roots outside. Where p(1) or
+    (-1)^n p(-1) is negative a real root is outside, as p is positive far out.
     """
+    ahead = sum(polynomial, arb(0))
+    behind = sum((c * (-1) ** k for k, c in enumerate(polynomial)), arb(0))
+    if ahead < 0 or behind < 0:
+        return "refuted"
     while len(polynomial) > 1:
         last = polynomial[-1]
         if abs(last) > 1:

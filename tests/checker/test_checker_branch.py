@@ -128,11 +128,15 @@ def an_event_of_its_own(content: Content) -> None:
     tile["event"] = {**copy.deepcopy(with_event(content, "flip")["event"])}
 
 
+def a_flip_beside_a_grazing(content: Content) -> None:
+    with_event(content, "grazing")["event"]["also"] = [["flip", 1, "", ""]]
+
+
 ATTACKS: list[Callable[[Content], None]] = [
     drop_a_tile, drop_an_event, hide_both_sides, exchange_the_sides, another_kind, a_fold,
     move_the_event, sharpen_the_event, move_the_window, move_the_tube, widen_the_tube,
     reverse_a_tile, shorten_a_tile, widen_the_interval, call_it_stable, call_a_tile_undecided,
-    forget_an_end, another_phase, an_event_of_its_own,
+    forget_an_end, another_phase, an_event_of_its_own, a_flip_beside_a_grazing,
 ]  # fmt: skip
 
 

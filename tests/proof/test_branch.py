@@ -6,24 +6,31 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 import sympy as sp
 from flint import arb
 
 import nonsmooth as ns
+from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
-from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-from nonsmooth.runtime.proof.branch.certify_branch import _begin
+from nonsmooth.runtime.proof.branch.certified_branch import (
+    FINISHED,
+    BranchTile,
+    CertifiedBranch,
+)
+from nonsmooth.runtime.proof.branch.certify_branch import _begin, _event, _record
 from nonsmooth.runtime.proof.branch.crossing import crossing_of
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
 from nonsmooth.runtime.proof.branch.look import UNDECIDED, look
 from nonsmooth.runtime.proof.branch.tube import orbit_at, proved_piece
 from nonsmooth.runtime.proof.events.certify_event import certify_event
 from nonsmooth.runtime.proof.orbit_to_prove import subject_near
+from tests.explore import test_continuation_forced as impacts
 
 
 @pytest.fixture(scope="module")
@@ -196,6 +203,79 @@ def test_another_orbit_is_not_taken_for_the_one_that_is_known() -> None:
     moved = [x + arb("1e-6") for x in others]
     assert isinstance(proved_piece(curve, last, ends, others, (begin[last], moved)), str)
     assert not isinstance(proved_piece(curve, last, ends, others, (begin[last], others)), str)
+
+
+def forged(
+    orbit: Any, parameter: str, ends: tuple[str, str], near: tuple[str, str], kind: str
+) -> CertifiedBranch:
+    """One tile, unstable beside an event that was found in a smaller one."""
+    low, high = Fraction(ends[0]), Fraction(ends[1])
+    box = {parameter: (low, high)}
+    known, chosen = with_open_ones(orbit, box)
+    curve = OrbitCurve(region_of(known, box))
+    last, begin = curve.parameter, _begin(curve)
+    piece = proved_piece(curve, last, (low, high), curve.others(last, begin), None)
+    assert not isinstance(piece, str), piece
+    small = Fraction(near[0]), Fraction(near[1])
+    with flint_precision(64):
+        guess = [x.mid() for x in piece.tube.at(arb(float(sum(small) / 2)))]
+    place = proved_piece(curve, last, small, guess, None)
+    assert not isinstance(place, str), place
+    event = crossing_of(curve, place, kind)
+    assert event is not None
+    tile = BranchTile(
+        coordinate=parameter,
+        lower=low,
+        upper=high,
+        forwards=True,
+        before="unstable",
+        after="unstable",
+        reason="",
+        centre=piece.tube.centre,
+        radii=piece.tube.radii,
+        event=_event(curve, event),
+    )
+    empty = _record(known, box, chosen, curve)
+    return replace(empty, tiles=(tile,), ends=(FINISHED, FINISHED))
+
+
+def test_a_pair_that_leaves_the_circle_at_both_ends_is_not_one_flip(tmp_path: Path) -> None:
+    """With a period that is given m + 1/m may pass 2 where the equations stay regular."""
+    values = {"m2": "1.13", "k1": "7.74", "k2": "0.85", "T": "7.425"}
+    orbit = ns.solve("rigid-stop/one-impact", values)
+    assert orbit.stability.verdict == "neutral"
+    found = forged(orbit, "T", ("7.11", "7.74"), ("7.242", "7.243"), "flip")
+    assert found.complete
+    found.save(tmp_path / "flip.json")
+    check = ns.check_certificate(tmp_path / "flip.json")
+    assert "may meet at 1" in str(check.difference)
+
+
+def test_a_neutral_saddle_is_no_torus(tmp_path: Path) -> None:
+    """Two real multipliers whose product passes 1 do not pass the circle."""
+    found = forged(impacts.orbit(-0.05), "c", ("-0.2", "0.1"), ("-0.2", "-0.197"), "neimark-sacker")
+    found.save(tmp_path / "saddle.json")
+    check = ns.check_certificate(tmp_path / "saddle.json")
+    assert "neutral saddle" in str(check.difference)
+    # without that event it is what it is
+    branch = ns.continue_orbit(impacts.orbit(-0.05), "c", (-0.2, 0.1), step=0.02)
+    found = ns.certify_branch(branch, interval=("-0.2", "0.1"))
+    assert [part.verdict for part in found.intervals] == ["unstable"]
+    found.save(tmp_path / "plain.json")
+    assert ns.check_certificate(tmp_path / "plain.json").claims == {"branch": "proved"}
+
+
+def test_a_torus_is_an_event(tmp_path: Path) -> None:
+    branch = ns.continue_orbit(impacts.orbit(-0.5), "c", (-0.4, 0.4), step=0.02)
+    found = ns.certify_branch(branch, interval=("-0.2", "0.1"))
+    assert [part.verdict for part in found.intervals] == ["unstable", "stable"]
+    (event,) = found.events
+    assert event.kind == "neimark-sacker"
+    with mpmath.workprec(200):
+        closed = 2 * mpmath.log(mpmath.mpf(8) / 10) / (2 * mpmath.pi / (mpmath.mpf(28) / 10))
+        assert event.enclosures["c"].ball.contains(exact_ball(closed))
+    found.save(tmp_path / "torus.json")
+    assert ns.check_certificate(tmp_path / "torus.json").claims == {"branch": "proved"}
 
 
 def test_what_is_asked_wrongly_is_told(branch: Any) -> None:

@@ -13,8 +13,11 @@ from nonsmooth.runtime.proof.branch.crossing import SHARP, EventCrossing, Which,
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
 from nonsmooth.runtime.proof.branch.passage import CyclePassage, multiplier
 from nonsmooth.runtime.proof.branch.tube import Piece, orbit_at
+from nonsmooth.runtime.proof.events.augmented_system import check_pair
 from nonsmooth.runtime.proof.exact_tables import rational_of
+from nonsmooth.runtime.proof.multipliers import trace_of
 from nonsmooth.runtime.proof.orbit_claims import NOT_CONSERVED
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -124,7 +127,9 @@ def _multipliers(curve: OrbitCurve, piece: Piece, passage: CyclePassage) -> Look
     if passage.section is None or curve.region.cycle.one_sided:
         return _undecided(reason)
     if curve.region.closing.form is not None:
-        pair = passage.equations.size == _PAIR
+        # where m + 1/m is 2 it leaves the circle too, and is no fold if the period is given
+        total = range_of(trace_of(passage.section)) - 1
+        pair = passage.equations.size == _PAIR and (total > 2 or total < 2)
         return (
             _event(curve, piece, "flip", _at_ends(curve, piece), reason)
             if pair
@@ -178,6 +183,12 @@ def _event(
     found = crossing_of(curve, piece, which, window)
     if found is None:
         return _undecided(reason)
+    if which == "neimark-sacker":
+        with flint_precision(SHARP):
+            try:
+                check_pair(range_of(CyclePassage(curve.region, found.enclosures).section))
+            except NotCovered:
+                return _undecided(reason)
     return Look(ends[0], ends[1], "", found)
 
 

@@ -140,7 +140,8 @@ def time_of_touch(
 ) -> Any | None:
     """When a boundary function has its maximum in a window of time in which it is concave.
 
-    By an interval Newton step around an approximation.
+    It has to lie inside the phase too, whose end the window may pass where that moves. It is
+    enclosed by an interval Newton step around an approximation.
 
     Parameters
     ----------
@@ -186,7 +187,8 @@ def time_of_touch(
     if not abs(moved) <= radius:
         return None
     found = time + moved
-    inside = bool(found > window[0] and found < window[1])
+    behind = range_of(passage.dwell[place] - found)
+    inside = bool(found > window[0] and found < window[1] and found > 0 and behind > 0)
     return found if inside else None
 
 

@@ -20,7 +20,7 @@ from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 if TYPE_CHECKING:
     from flint import arb, arb_mat
 
-__all__ = ["Augmented", "augmented", "determinant", "instant_of", "pair_products"]
+__all__ = ["Augmented", "augmented", "check_pair", "determinant", "instant_of", "pair_products"]
 
 _LARGEST_MAP = 6  # multipliers
 
@@ -162,7 +162,7 @@ def _multiplier(sign: int) -> Callable[[_Here], list[Any]]:
 def _pair(here: _Here) -> list[Any]:
     """Two multipliers with the product 1 that are not real, by the bialternate product."""
     found = _map(here)
-    _check_pair(range_of(found))
+    check_pair(range_of(found))
     return [pair_products(found)]
 
 
@@ -187,8 +187,19 @@ def pair_products(square: Any) -> Any:
     return determinant([[entry(*left, *right) for right in pairs] for left in pairs])
 
 
-def _check_pair(found: arb_mat) -> None:
-    """Refuse a product 1 of real multipliers: every pair that may have it is not real."""
+def check_pair(found: arb_mat) -> None:
+    """Refuse a product 1 of real multipliers: every pair that may have it is not real.
+
+    Parameters
+    ----------
+    found : arb_mat (n, n)
+        Whose eigenvalues they are.
+
+    Raises
+    ------
+    NotCovered
+        If that is not proved: it may be a neutral saddle.
+    """
     from flint import acb_mat
 
     try:
