@@ -163,12 +163,11 @@ def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
             (tmp_path / name).write_bytes(content)
     if "--check certificate.json" in example:
         nonsmooth.certify(nonsmooth.solve(ORBIT)).save("certificate.json")
-    if "impact_oscillator.py" in example:
-        shutil.copy(CHECKOUT / "docs" / "gallery" / "impact_oscillator.py", tmp_path)
-        monkeypatch.setenv("NONSMOOTH_CACHE", "")
-    elif "identification.py" in example:
-        for name in ("identification.py", "impacts.csv", "sweep.csv"):
-            shutil.copy(CHECKOUT / "docs" / "gallery" / name, tmp_path)
+    gallery = CHECKOUT / "docs" / "gallery"
+    shown = [name for name in re.findall(r"\w+\.(?:py|csv)", example) if (gallery / name).exists()]
+    if shown:
+        for name in shown:
+            shutil.copy(gallery / name, tmp_path)
         monkeypatch.setenv("NONSMOOTH_CACHE", "")
     elif "my_oscillator.py" in example:
         if "--compile" in example and shutil.which("cc") is None:
