@@ -17,7 +17,7 @@ from nonsmooth.runtime.proof.chaos.coverings import Coverings, coverings
 from nonsmooth.runtime.proof.chaos.entropy import growth
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart
-from nonsmooth.runtime.proof.chaos.images import SectionMap
+from nonsmooth.runtime.proof.chaos.images import PassedTransition, SectionMap
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
 from nonsmooth.runtime.proof.chaos.section_choice import sampled_sections
 from nonsmooth.runtime.proof.chaos.sections import MapSection
@@ -96,8 +96,9 @@ def certify_chaos(
 
     Examples
     --------
+    >>> import nonsmooth as ns
     >>> data = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1", "ur1": "4", "ur2": "2"}
-    >>> found = certify_chaos("dry-friction", data, [5, 4, 0.5, 0.25], attempts=1)
+    >>> found = ns.certify_chaos("dry-friction", data, [5, 4, 0.5, 0.25], attempts=1)
     >>> found.claim, bool(found.reason)
     ('undecided', True)
     """
@@ -211,6 +212,9 @@ class _ChaosQuestion:
         }
         phase = () if section.phase is None else tuple(map(str, section.phase))
         passages = [p for k in kept for p in found[k].passages]
+        if section.phase is None:
+            reached = tuple(sorted(section.boundaries))
+            passages.append(PassedTransition(section.source, reached, section.configuration))
         return ChaosCertificate(
             system=structure.name,
             parameters=self.system.values,
@@ -232,7 +236,7 @@ class _ChaosQuestion:
             images={sets[k].name: found[k].parts for k in kept},
             tried=tuple(self.tried),
             bits=self.system.bits,
-            declaration=visited_declaration(self.kernels, self.system, passages, section),
+            declaration=visited_declaration(self.kernels, self.system, passages),
         )
 
     def undecided(self) -> ChaosCertificate:

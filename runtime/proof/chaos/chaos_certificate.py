@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
+from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
@@ -65,7 +67,8 @@ class ChaosCertificate(Shown):
     bits : int
         Precision of the proof.
     declaration : dict
-        The system, as functions of its parameters, as in the file.
+        The system, as functions of its parameters, as in the file; empty where a contact law
+        decides what follows.
     """
 
     system: str
@@ -176,7 +179,14 @@ class ChaosCertificate(Shown):
             "boundary": self.boundary,
             "coordinates": list(self.coordinates),
             "iterates": self.iterates,
-            "h_sets": [asdict(h_set) for h_set in self.h_sets],
+            "h_sets": [
+                {
+                    "name": h_set.name,
+                    "centre": list(h_set.centre),
+                    "sides": [list(side) for side in h_set.sides],
+                }
+                for h_set in self.h_sets
+            ],
             "coverings": [list(pair) for pair in self.coverings],
             "itineraries": {
                 name: [list(passage) for passage in found]
@@ -187,6 +197,44 @@ class ChaosCertificate(Shown):
             "tried": list(self.tried),
             "bits": self.bits,
         }
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draw the h-sets, the boxes that contain their images, and the graph of the coverings.
+
+        Parameters
+        ----------
+        axes : matplotlib Axes, optional
+            Where to draw the sets, without the graph; a figure of its own by default.
+
+        Returns
+        -------
+        matplotlib Figure or Axes
+            The figure, or the Axes that were given.
+
+        Raises
+        ------
+        InputError
+            If nothing is proved, or the section has more than two coordinates.
+        MissingExtra
+            Without matplotlib: ``pip install "nonsmooth[plot]"``.
+        """
+        return registered("draw_chaos")(self, axes)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the certificate to a file; `nonsmooth.load` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be written, or the motions were proved with a contact law, which
+            a file of chaos cannot state.
+        """
+        registered("save_chaos")(self, path)
 
 
 def _check_steps(steps: object) -> None:

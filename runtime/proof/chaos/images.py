@@ -160,6 +160,8 @@ class SectionMap:
         if len(passages) >= _MOST:
             raise Undecided(f"there are more than {_MOST} transitions", digits=False)
         exact = system.exact
+        if len(reached) > 1:
+            raise Undecided("boundaries are reached together", digits=False)
         if not dwell.is_zero():
             rows = [exact.rows[system.structure.boundaries[here][b].row] for b in reached]
             states = states.reach(self._fields[here], _timed(rows[0]), dwell)
