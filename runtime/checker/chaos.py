@@ -23,7 +23,7 @@ from nonsmooth.runtime.checker.exact import (
     reduced,
 )
 from nonsmooth.runtime.checker.parameters import values_of
-from nonsmooth.runtime.checker.sets import Phase, StateSet, TooWide, matrix_of
+from nonsmooth.runtime.checker.sets import CarryingPhase, StateSet, TooWide, matrix_of
 from nonsmooth.runtime.checker.shape import CHAOS, check_bits, check_shape
 
 __all__ = ["check_chaos"]
@@ -101,12 +101,12 @@ class _Motions:
         demand(len({*self.states}) == self.size, "two states have one name")
         zero = (fmpq(0),) * self.size
         self.fields: dict[str, Any] = {}
-        self.phases: dict[str, Phase] = {}
+        self.phases: dict[str, CarryingPhase] = {}
         self.held: dict[str, Any] = {}
         for name, entry in declared["configurations"].items():
             self.fields[name] = [*self._rows(entry["field"]), (*zero, fmpq(0))]
             rows = {boundary: self._row(row) for boundary, row in entry["boundaries"].items()}
-            self.phases[name] = Phase(self.fields[name], rows)
+            self.phases[name] = CarryingPhase(self.fields[name], rows)
             self.held[name] = [*map(self._row, entry["held"])]
         self.transitions: dict[tuple[str, str], list[Any]] = {}
         for entry in declared["transitions"]:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import arb, arb_mat
 
-__all__ = ["Phase", "StateSet", "TooWide", "matrix_of"]
+__all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of"]
 
 _ORDER = 7  # of Taylor's polynomials
 _DEEPEST = 14  # halvings of a phase
@@ -95,7 +95,7 @@ class StateSet(NamedTuple):
         return StateSet.of(matrix * self.centre, matrix * self.sides, matrix * self.box)
 
 
-class Phase:
+class CarryingPhase:
     """One configuration along which sets are carried.
 
     Parameters

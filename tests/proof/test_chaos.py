@@ -73,8 +73,8 @@ def test_states_of_the_sets_go_where_their_images_are_said_to_be(chaos):
         centre, sides = h_set.near
         for share in random.uniform(-1, 1, 12):
             image = returned(float(centre[0] + share * sides[0, 0]), chaos.iterates)
-            boxes = chaos.images[h_set.name]
-            assert any(low - 1e-9 <= image <= high + 1e-9 for ((low, high),) in boxes)
+            parts = chaos.images[h_set.name]
+            assert any(low - 1e-9 <= image <= high + 1e-9 for (low,), (high,) in parts)
 
 
 def test_words_are_periodic_motions(chaos):

@@ -117,6 +117,14 @@ def load_chaos_certificate(path: str | os.PathLike[str]) -> ChaosCertificate:
     ------
     InputError
         If the file cannot be read, or is cut, edited or foreign. The message names it.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1", "ur1": "4", "ur2": "2"}
+    >>> ns.certify_chaos("dry-friction", data, [5, 4, 0.5, 0.25], attempts=1).save("chaos.json")
+    >>> ns.load("chaos.json").proved
+    False
     """
     with naming(path) as file:
         return chaos_of(CHAOS.read(file))

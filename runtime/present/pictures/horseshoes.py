@@ -54,7 +54,7 @@ def chaos_figure(found: ChaosCertificate) -> Figure:
 
 
 def draw_chaos(found: ChaosCertificate, axes: Any = None) -> Figure | Axes:
-    """Draw the h-sets, the boxes that contain their images, and the graph of the coverings.
+    """Draw the h-sets, what contains their images, and the graph of the coverings.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def _draw_sets(axes: Axes, found: ChaosCertificate) -> None:
     corners = [h_set.corners for h_set in found.h_sets]
     for number, (h_set, own) in enumerate(zip(found.h_sets, corners, strict=True)):
         color = _COLORS[number % len(_COLORS)]
-        boxes = np.array(found.images.get(h_set.name, ()))
+        parts = found.images.get(h_set.name, ())
         if flat:
             low, high = own.min(), own.max()
             axes.plot([low, high], [0, 0], color=color, linewidth=7, solid_capstyle="butt")
@@ -108,15 +108,22 @@ def _draw_sets(axes: Axes, found: ChaosCertificate) -> None:
                 ha="center",
                 color=color,
             )
-            if len(boxes):
-                ends = [boxes[:, 0, 0].min(), boxes[:, 0, 1].max()]
+            if parts:
+                ends = [min(low for (low,), _ in parts), max(high for _, (high,) in parts)]
                 label = f"image of {h_set.name}"
                 axes.plot(ends, 2 * [number + 1], color=color, linewidth=2, label=label)
             continue
-        axes.fill(*own.T, facecolor=color, alpha=0.35, edgecolor=color)
-        axes.annotate(h_set.name, own.mean(axis=0), ha="center", va="center", color="0.1")
-        if len(boxes):
-            _draw_boxes(axes, boxes, color)
+        axes.fill(*own.T, facecolor=color, alpha=0.35, edgecolor=color, linewidth=1.5)
+        axes.annotate(
+            h_set.name,
+            own[np.argmax(own[:, 1])],
+            (0, 3),
+            textcoords="offset points",
+            ha="center",
+            color=color,
+        )
+        if parts:
+            _draw_parts(axes, parts, color)
     every = np.concatenate(corners)
     middle, half = every.mean(axis=0), np.ptp(every, axis=0) / 2
     axes.set_xlabel(units.label(found.coordinates[0]))
@@ -132,17 +139,12 @@ def _draw_sets(axes: Axes, found: ChaosCertificate) -> None:
     finish(axes, f"{shown_name(found.system)}{power}")
 
 
-def _draw_boxes(axes: Axes, boxes: np.ndarray, color: str) -> None:
-    from matplotlib.collections import PatchCollection
-    from matplotlib.patches import Rectangle
+def _draw_parts(axes: Axes, parts: Any, color: str) -> None:
+    from matplotlib.collections import PolyCollection
 
-    sizes = boxes[:, :, 1] - boxes[:, :, 0]
-    patches = [
-        Rectangle((float(x), float(y)), float(w), float(h))
-        for (x, y), (w, h) in zip(boxes[:, :, 0], sizes, strict=True)
-    ]
+    corners = [np.array(part) for part in parts]
     axes.add_collection(
-        PatchCollection(patches, facecolors="none", edgecolors=color, linewidths=0.4)
+        PolyCollection(corners, facecolors="none", edgecolors=color, linewidths=0.4)
     )
 
 

@@ -60,8 +60,9 @@ class ChaosCertificate(Shown):
         The spectral radius of the graph is no less: a fraction.
     entropy : str
         The topological entropy of P is no less: log(growth) / k, rounded down.
-    images : dict of str to tuple of tuple of (float, float)
-        Boxes that contain the image of each h-set, for pictures; empty for what was loaded.
+    images : dict of str to tuple of tuple of tuple of float
+        For pictures, of the image of each h-set the corners of the parts that contain it; empty
+        for what was loaded, and on sections of more than two coordinates.
     tried : tuple of str
         What was looked for, line by line.
     bits : int
@@ -199,7 +200,7 @@ class ChaosCertificate(Shown):
         }
 
     def plot(self, axes: Any = None) -> Any:
-        """Draw the h-sets, the boxes that contain their images, and the graph of the coverings.
+        """Draw the h-sets, what contains their images, and the graph of the coverings.
 
         Parameters
         ----------

@@ -10,15 +10,14 @@ the image of each part, and the sides by themselves.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
+
+import numpy as np
 
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.chaos.affine_sets import AffineSet
 from nonsmooth.runtime.proof.chaos.h_sets import Box, HSet, piece
 from nonsmooth.runtime.proof.chaos.images import PassedTransition, SectionMap
-
-if TYPE_CHECKING:
-    from flint import arb
 
 __all__ = ["Coverings", "coverings"]
 
@@ -34,15 +33,15 @@ class Coverings(NamedTuple):
         Those that it covers.
     passages : tuple of PassedTransition
         The transitions on the way, the same for all its states.
-    parts : tuple of tuple of (float, float)
-        Of the image, for each part the ranges of the section's coordinates.
+    parts : tuple of tuple of tuple of float
+        Of the image, for each part the corners of what contains it.
     reason : str
         Why others are not proved to be covered.
     """
 
     targets: tuple[int, ...]
     passages: tuple[PassedTransition, ...]
-    parts: tuple[tuple[tuple[float, float], ...], ...]
+    parts: tuple[tuple[tuple[float, ...], ...], ...]
     reason: str
 
 
@@ -104,7 +103,7 @@ class _SetImages:
         self.mapped, self.h_set, self.others = mapped, h_set, others
         self.left, self.progress = most, progress
         self.passages: tuple[PassedTransition, ...] | None = None
-        self.parts: list[tuple[tuple[float, float], ...]] = []
+        self.parts: list[tuple[tuple[float, ...], ...]] = []
 
     def image(self, box: Box) -> AffineSet | None:
         """Coordinates of the image of a part; None if it has to be divided."""
@@ -159,7 +158,7 @@ class _SetImages:
                         left[k] = "the image comes to a stable side of it"
                     undecided |= k not in left
                 if not undecided:
-                    self.parts.append(_ranges(image))
+                    self.parts.append(_outline(image))
                     continue
             boxes += _halves(box, self._longest(box, image))
 
@@ -197,6 +196,22 @@ def _coordinates(states: AffineSet, free: Sequence[int]) -> AffineSet:
     return AffineSet(arb_mat([columns[k] for k in places]), arb_mat([rest[k] for k in places]))
 
 
-def _ranges(image: AffineSet) -> tuple[tuple[float, float], ...]:
-    found: list[arb] = image.ranges[:-1]
-    return tuple((float(x.lower()), float(x.upper())) for x in found)
+def _outline(image: AffineSet) -> tuple[tuple[float, ...], ...]:
+    """Corners of what contains an image, for pictures; none of more than two coordinates."""
+    columns = [[float(x.mid()) for x in row] for row in image.columns.tolist()[:-1]]
+    spread = [float(x.rad()) for x in image.rest.entries()[:-1]]
+    if len(columns) == 1:
+        (own,) = columns
+        reach = sum(map(abs, own[1:])) + spread[0]
+        return ((own[0] - reach,), (own[0] + reach,))
+    if len(columns) > 2:
+        return ()
+    centre, *sides = np.array(columns).T
+    sides.sort(key=lambda side: -float(np.linalg.norm(side)))
+    around = np.abs(sides[2:]).sum(axis=0) + np.array(spread)
+    every = np.array([*sides[:2], [around[0], 0.0], [0.0, around[1]]])
+    every[(every[:, 1] < 0) | ((every[:, 1] == 0) & (every[:, 0] < 0))] *= -1
+    every = every[np.argsort(np.arctan2(every[:, 1], every[:, 0]))]
+    steps = 2 * np.concatenate([np.zeros((1, 2)), every, -every[:-1]])
+    corners = centre - every.sum(axis=0) + np.cumsum(steps, axis=0)
+    return tuple((float(x), float(y)) for x, y in corners)
