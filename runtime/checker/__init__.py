@@ -22,11 +22,14 @@ functions. The table is in the order in which to read.
 `events`       bifurcations and limits of admissibility
 `branch`       a branch: tiles that follow each other, and the events between them
 `census`       orbits that were counted
+`sets`         sets of states through the phases of a motion
+`chaos`        sets that cover each other, and the entropy of their graph
 =============  ===========================================================
 """
 
 from nonsmooth.runtime.checker.branch import check_branch
 from nonsmooth.runtime.checker.census import check_census
+from nonsmooth.runtime.checker.chaos import check_chaos
 from nonsmooth.runtime.checker.events import check_events
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.checker.points import check
@@ -39,6 +42,7 @@ __all__ = [
     "check",
     "check_branch",
     "check_census",
+    "check_chaos",
     "check_events",
     "check_tiles",
 ]

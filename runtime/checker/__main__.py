@@ -3,7 +3,14 @@
 import json
 import sys
 
-from nonsmooth.runtime.checker import check, check_branch, check_census, check_events, check_tiles
+from nonsmooth.runtime.checker import (
+    check,
+    check_branch,
+    check_census,
+    check_chaos,
+    check_events,
+    check_tiles,
+)
 
 with open(sys.argv[1], encoding="utf-8") as file:
     content = json.load(file)
@@ -13,6 +20,8 @@ elif "tiles" in content:
     check_tiles(content)
 elif "events" in content:
     check_events(content)
+elif "h_sets" in content:
+    check_chaos(content)
 elif "orbits" in content:
     check_census(content)
 else:

@@ -14,6 +14,7 @@ __all__ = [
     "BRANCH",
     "CENSUS",
     "CERTIFICATE",
+    "CHAOS",
     "EVENTS",
     "MAP",
     "Malformed",
@@ -236,6 +237,28 @@ BRANCH = {
             ),
         }
     ],
+}
+CHAOS = {
+    **_FILE,
+    "system": str,
+    "tables": Either((type(None), dict)),
+    "parameters": Named(str),
+    "claim": re.compile("proved|undecided"),
+    "reason": str,
+    "configuration": str,
+    "phase": [NUMBER],
+    "source": str,
+    "boundary": str,
+    "coordinates": [str],
+    "iterates": int,
+    "h_sets": [{"name": str, "centre": [NUMBER], "sides": [[NUMBER]]}],
+    "coverings": [(str, str)],
+    "itineraries": Named([(str, str, str)]),
+    "growth": re.compile(r"\d+(/[1-9]\d*)?", re.ASCII),
+    "entropy": NUMBER,
+    "tried": [str],
+    "bits": int,
+    "declaration": Either(({}, _DECLARATION, {**_DECLARATION, **_CONSTANTS[1]})),
 }
 _BOUNDS = Named((NUMBER, NUMBER))
 CENSUS = {

@@ -9,6 +9,7 @@
 `certifying_boxes`      `certify` over ranges of parameters
 `certifying_branches`   `certify --branch`
 `certifying_events`     `certify --events`
+`chaos`                 `chaos`
 `charting`              `chart`
 `continuing`            `continue`
 `counting`              `certify --all`

@@ -14,17 +14,20 @@ from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import FINISHED, CertifiedBranch
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 
 __all__ = [
     "STYLES",
     "UNIFORM",
     "branch_table",
+    "chaos_lines",
     "enclosure_table",
     "share_table",
     "show_box",
     "show_branch",
     "show_certificate",
+    "show_chaos",
     "show_derivatives",
     "show_events",
 ]
@@ -275,6 +278,62 @@ def branch_table(found: CertifiedBranch) -> Table:
         table.add_row(Text(part.verdict, style=style), told, why, str(part.tiles))
         before = part.verdict
     return table
+
+
+def show_chaos(found: ChaosCertificate) -> None:
+    """Show what is proved of chaos, and else what was tried.
+
+    Parameters
+    ----------
+    found : ChaosCertificate
+        As `certify_chaos` gives it.
+    """
+    out = console_as_wide()
+    out.print(Text(f"{shown_name(found.system)}, {found.bits} bits", style="bold"))
+    table = listing("claim", "", "")
+    table.add_row("chaos", Text(found.claim, style=STYLES[found.claim]), found.reason)
+    show_table(table, out)
+    if not found.proved:
+        for line in found.tried:
+            out.print(f"tried: {line}")
+        return
+    for line in chaos_lines(found):
+        out.print(line)
+
+
+def chaos_lines(found: ChaosCertificate) -> list[str]:
+    """What is proved of chaos, in lines.
+
+    Parameters
+    ----------
+    found : ChaosCertificate
+        A proved one.
+
+    Returns
+    -------
+    list of str
+    """
+    if found.phase:
+        cosine, sine = found.phase
+        where = f"in {found.configuration} where the forcing has the phase ({cosine}, {sine})"
+        once = "over one period of the forcing"
+    else:
+        where = f"behind {found.source} by {found.boundary} for {found.configuration}"
+        once = "from one passage of this transition to the next"
+    lines = [
+        f"the map P {once}, states {where}",
+        f"topological entropy of P at least {found.entropy}",
+    ]
+    power = "P" if found.iterates == 1 else f"P^{found.iterates}"
+    for h_set in found.h_sets:
+        targets = [other for one, other in found.coverings if one == h_set.name]
+        centre = ", ".join(
+            f"{name} = {x}" for name, x in zip(found.coordinates, h_set.centre, strict=True)
+        )
+        lines.append(f"{h_set.name} about {centre} covers {', '.join(targets)} by {power}")
+    counts = ", ".join(str(found.periodic_points(steps)) for steps in range(1, 7))
+    lines.append(f"points that come back after 1 to 6 times {power}, at least: {counts}")
+    return lines
 
 
 def _decimal(found: BoxCertificate) -> list[tuple[str, tuple[float, float]]]:

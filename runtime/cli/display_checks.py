@@ -12,6 +12,7 @@ from nonsmooth.runtime.cli.display_certificates import (
     STYLES,
     UNIFORM,
     branch_table,
+    chaos_lines,
     enclosure_table,
     share_table,
     show_derivatives,
@@ -23,6 +24,7 @@ from nonsmooth.runtime.present.checking.check_file import Check
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 
@@ -59,6 +61,8 @@ def show_check(found: Check) -> None:
             _show_branch(out, branch, compared=found.compared)
         case Census() as census:
             _show_census(out, census, compared=found.compared)
+        case ChaosCertificate() as chaos:
+            _show_chaos(out, chaos)
         case tuple() as events:
             _show_events(out, events, compared=found.compared)
 
@@ -156,6 +160,16 @@ def _show_census(out: Console, census: Census, *, compared: bool) -> None:
         show_table(table, out)
     for certificate in found[:1]:
         _show_point_values(out, certificate, compared=compared)
+
+
+def _show_chaos(out: Console, found: ChaosCertificate) -> None:
+    if not found.proved:
+        out.print(Text("nothing is claimed", style="bold"))
+        return
+    out.print(Text(shown_name(found.system), style="bold"))
+    _show_values(out, found.parameters)
+    for line in chaos_lines(found):
+        out.print(line)
 
 
 def _show_point_values(out: Console, certificate: Certificate, *, compared: bool) -> None:

@@ -17,6 +17,7 @@ import typer
 
 from nonsmooth.runtime.cli import (  # noqa: F401 - their commands join the application
     certifying,
+    chaos,
     charting,
     continuing,
     designing,

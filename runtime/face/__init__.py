@@ -46,6 +46,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.branch.certify_branch import certify_branch
     from nonsmooth.runtime.proof.certificate import Certificate
     from nonsmooth.runtime.proof.certify_orbit import certify
+    from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
+    from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
     from nonsmooth.runtime.proof.counting.census import Census
     from nonsmooth.runtime.proof.counting.certify_all import certify_all
     from nonsmooth.runtime.proof.events.certify_event import certify_event
@@ -68,6 +70,7 @@ __all__ = [
     "Census",
     "Certificate",
     "CertifiedBranch",
+    "ChaosCertificate",
     "Check",
     "Design",
     "DifferentiableFunction",
@@ -96,6 +99,7 @@ __all__ = [
     "certify_all",
     "certify_box",
     "certify_branch",
+    "certify_chaos",
     "certify_event",
     "chart",
     "check_certificate",
@@ -126,6 +130,7 @@ _HOMES = {
     "Check": "present.checking.check_file",
     "Certificate": "proof.certificate",
     "CertifiedBranch": "proof.branch.certified_branch",
+    "ChaosCertificate": "proof.chaos.chaos_certificate",
     "DifferentiableFunction": "core.differentiable",
     "Branch": "explore.continuation.branch",
     "Design": "explore.design.optimum",
@@ -152,6 +157,7 @@ _HOMES = {
     "certify": "proof.certify_orbit",
     "certify_box": "proof.boxes.certify_box",
     "certify_branch": "proof.branch.certify_branch",
+    "certify_chaos": "proof.chaos.certify_chaos",
     "certify_event": "proof.events.certify_event",
     "certify_all": "proof.counting.certify_all",
     "check_certificate": "present.checking.check_file",
@@ -183,6 +189,7 @@ register(
     {
         "design_json": "present.files.designs",
         "draw_box": "present.pictures.proven_maps",
+        "draw_chaos": "present.pictures.horseshoes",
         "draw_branch": "present.pictures.branches",
         "draw_certified_branch": "present.pictures.certified_branches",
         "draw_design": "present.pictures.designs",
@@ -201,6 +208,7 @@ register(
         "plot_trajectory": "present.pictures.scenes",
         "save_box": "present.files.box_certificates",
         "save_branch": "present.files.branches",
+        "save_chaos": "present.files.chaos_certificates",
         "save_census": "present.files.censuses",
         "save_certificate": "present.files.certificates",
         "save_certified_branch": "present.files.certified_branches",

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
     from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
     from nonsmooth.runtime.proof.certificate import Certificate
+    from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
     from nonsmooth.runtime.proof.counting.census import Census
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof
@@ -395,6 +396,18 @@ def _event_certificate(proof: EventCertificate) -> Summary:
     ]
 
 
+def _chaos(found: ChaosCertificate) -> Summary:
+    verdict = f"{found.claim}: {found.reason}" if found.reason else found.claim
+    rows = [("claim", [verdict])]
+    if found.proved:
+        pairs = [f"{one} covers {other}" for one, other in found.coverings]
+        power = f"by {found.iterates} iterates of the map"
+        rows.append(("entropy", [f"at least {found.entropy}"]))
+        rows.append(("sets", [_many(len(found.h_sets), "set"), power, *_first(pairs)]))
+    rows += [("tried", _first(found.tried)), ("given", _given(found.parameters))]
+    return f"certificate of chaos of {shown_name(found.system)}", rows
+
+
 def _proof(proof: Proof) -> Summary:
     rows = [("times", _first(_stated({"t": t})[0] for t in proof.times))]
     if proof.reason:
@@ -423,6 +436,7 @@ _KINDS: Mapping[str, Callable[[Any], Summary]] = {
     "CertifiedBranch": _certified_branch,
     "Check": _check,
     "Design": _design,
+    "ChaosCertificate": _chaos,
     "DifferentiableFunction": _differentiable_function,
     "Event": _event,
     "EventCertificate": _event_certificate,

@@ -3,6 +3,7 @@
 ==========================  =======================================================================
 `boxes`                     proofs for all parameters of a box
 `branch`                    whole branches: every interval, every event, and that there is no other
+`chaos`                     symbolic dynamics by sets that cover each other, and its entropy
 `counting`                  all orbits of an itinerary in a box of dwell times, each proved
 `events`                    events of branches, enclosed to any precision
 `motion`                    the sequence of configurations of a simulated motion, proved

@@ -32,6 +32,10 @@ FIT = (
     " --sigma 0.01"
 )
 DESIGN = "design dry-friction/symmetric V=2.6:2.8 --minimise spectral_radius"
+CHAOS = (
+    "chaos dry-friction chi=0.34 eta=2.88 V=1.23 us1=0.75 us2=1.19 ur1=2.04 ur2=1.83"
+    " --from x1=1.93,x2=7.18,v1=1.18,v2=1.18"
+)
 # each option that names a file or a folder to be written, and a command that asks for little
 WRITERS = {
     ("equations", "--out"): "equations mine.py --format markdown --out TARGET",
@@ -42,6 +46,8 @@ WRITERS = {
     ("regenerate", "--out"): "regenerate rigid-stop --out TARGET",
     ("certify", "--save"): f"certify {ORBIT} V=0.99:1.01 --tiles 1 --save TARGET",
     ("certify", "--plot"): f"certify {ORBIT} V=0.99:1.01 --tiles 1 --plot TARGET.png",
+    ("chaos", "--save"): f"{CHAOS} --save TARGET",
+    ("chaos", "--plot"): f"{CHAOS} --plot TARGET.png",
     ("chart", "--out"): f"chart {ORBIT} V=0.99:1.01:2 --out TARGET",
     ("continue", "--plot"): f"continue {ORBIT} V=0.99:1.01 --plot TARGET.png",
     ("continue", "--save"): f"continue {ORBIT} V=0.99:1.01 --save TARGET",

@@ -82,6 +82,9 @@ def result(kind: str) -> Any:
             return ns.certify_box(result("Orbit"), {"V": ("0.999", "1.001")})
         case "CertifiedBranch":
             return ns.certify_branch(branch())
+        case "ChaosCertificate":
+            words = {**DATA, "chi": "0.5"}
+            return ns.certify_chaos("dry-friction", words, REST, iterates=1, attempts=1)
         case "Census":
             return ns.certify_all(ORBIT, {"us1": 1, "us2": 1}, {"tau": (1.9, 2.1), "tau1": (3, 4)})
         case "EventCertificate":

@@ -1,4 +1,4 @@
-"""The check of certificates, maps, events and censuses in files.
+"""The check of certificates, maps, events, censuses and chaos in files.
 
 A file is checked in three ways: its checksum and its shape; the checker proves every claim again
 from the file alone; and names, values and declaration are compared with those of the system: of the
@@ -20,6 +20,7 @@ from nonsmooth.runtime.checker import (
     check,
     check_branch,
     check_census,
+    check_chaos,
     check_events,
     check_tiles,
 )
@@ -36,6 +37,7 @@ from nonsmooth.runtime.present.checking.compare_declarations import (
     compare_branch,
     compare_census,
     compare_certificate,
+    compare_chaos,
     compare_events,
 )
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
@@ -50,6 +52,7 @@ from nonsmooth.runtime.present.files.certified_branches import (
     certified_branch_entries,
     certified_branch_of,
 )
+from nonsmooth.runtime.present.files.chaos_certificates import CHAOS, chaos_entries, chaos_of
 from nonsmooth.runtime.present.files.event_certificates import (
     EVENTS,
     event_entries,
@@ -58,12 +61,20 @@ from nonsmooth.runtime.present.files.event_certificates import (
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate, events_claim
 
 __all__ = ["Check", "check_certificate"]
 
-Proven = Certificate | BoxCertificate | CertifiedBranch | Census | tuple[EventCertificate, ...]
+Proven = (
+    Certificate
+    | BoxCertificate
+    | CertifiedBranch
+    | Census
+    | ChaosCertificate
+    | tuple[EventCertificate, ...]
+)
 _HELD = "{} is the system as the file holds it: no declaration was run"
 _NOT_CALLED = "what the orbit and its unknowns are called was not compared"
 _NOT_COUNTED = "that there are no other orbits was NOT proved again"
@@ -79,7 +90,8 @@ class Check(Shown):
         What is wrong with it; None if every claim was proved again.
     note : str or None
         What is not compared, or not proved again.
-    certificate : Certificate, BoxCertificate, CertifiedBranch, Census, tuple or None
+    certificate : Certificate, BoxCertificate, CertifiedBranch, Census, ChaosCertificate, tuple,
+        or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
         Reasons why a claim is undecided, which parameters were chosen, and of a census all but
         its orbits are as the file says.
@@ -128,6 +140,10 @@ _KINDS = {
         ),
         _Kind(EVENTS, check_events, events_of, event_entries, events_claim, compare_events),
         _Kind(CENSUS, check_census, census_of, census_entries, _listed, compare_census),
+        _Kind(
+            CHAOS, check_chaos, chaos_of, chaos_entries,
+            lambda found: {"chaos": found.claim}, compare_chaos,
+        ),
     )
 }  # fmt: skip
 

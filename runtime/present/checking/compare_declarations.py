@@ -14,12 +14,16 @@ from typing import Any
 
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.core.errors import NoConvergence
-from nonsmooth.runtime.core.json_codec import given_value
+from nonsmooth.runtime.core.json_codec import decode, given_value
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.model.completion import complete, system_parameters
+from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in
 from nonsmooth.runtime.proof.certificate import GUARD
+from nonsmooth.runtime.proof.chaos.images import PassedTransition
+from nonsmooth.runtime.proof.chaos.visited_declaration import visited_declaration
 from nonsmooth.runtime.proof.exact_tables import exact_tables, irrational_texts
+from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, physical_values
 from nonsmooth.runtime.proof.parametric_declaration import (
     PERIOD,
@@ -33,6 +37,7 @@ __all__ = [
     "compare_branch",
     "compare_census",
     "compare_certificate",
+    "compare_chaos",
     "compare_events",
 ]
 
@@ -177,6 +182,48 @@ def compare_census(content: Content) -> bool:
         period = None if named.derived is None else given.get(named.period)
         if period is not None and period.text != found["given_period"]:
             raise Failure("an orbit has not the period of the census")
+    return True
+
+
+def compare_chaos(content: Content) -> bool:
+    """Compare the system of a certificate of chaos.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Returns
+    -------
+    bool
+        True.
+
+    Raises
+    ------
+    Failure
+        If the declaration is another one.
+    """
+    tables = content["tables"]
+    kernels = system_in(content["system"], None if tables is None else decode(SavedSystem, tables))
+    given = system_parameters(kernels, _given_values(content["parameters"]))
+    if content["claim"] != "proved":
+        return True
+    with flint_precision(content["bits"]):
+        system = enclosed_system(kernels, given)(content["bits"])
+        structure = system.structure
+
+        def passed(source: str, boundary: str, target: str) -> PassedTransition:
+            here = structure.configuration(source)
+            reached = tuple(structure.boundary(here, name) for name in boundary.split("+"))
+            return PassedTransition(here, reached, structure.configuration(target))
+
+        ways = [
+            passed(*each) for h in content["h_sets"] for each in content["itineraries"][h["name"]]
+        ]
+        if not structure.forcing:
+            ways.append(passed(content["source"], content["boundary"], content["configuration"]))
+        if visited_declaration(kernels, system, ways) != content["declaration"]:
+            raise Failure(f"the declaration is not that of {content['system']}")
     return True
 
 

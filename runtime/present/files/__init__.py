@@ -8,6 +8,7 @@
 `censuses`            censuses
 `certificates`        certificates of one orbit
 `certified_branches`  certified branches
+`chaos_certificates`  certificates of chaos
 `claim_entries`       entries that the files of all proofs share
 `declared_table`      the table of an orbit without kernels, as a declaration would have it
 `declaring`           found orbits as named itineraries in the file that declares their system

@@ -135,11 +135,35 @@ class _WatchedBoundary:
             last = self.function.at(0, self._place(2)) if slope > 0 else None
             if last is not None and last > 0:
                 return self._newton(places, slope)
+            if last is not None and not last < 0:
+                found = self._about_end(slope)
+                if found is not None:
+                    return found
             if last is None or not last < 0:
                 self._halve("is reached tangentially, or comes closer than the digits tell")
                 return None
         self._pass()
         return None
+
+    def _about_end(self, slope: arb) -> tuple[arb, list[arb]] | None:
+        """The one crossing in a window and the next one, as long, over which it rises too.
+
+        Of many states some cross in the one and some in the other, however short they are.
+        """
+        from flint import arb
+
+        width = arb(2) ** (1 - self.depth)
+        begin, end = self._place(0), self._place(2)
+        function = self.function
+        if end == 1:
+            function, end = self.flow.expansion(self.row, self.segment + 1, self.state), arb(-1)
+        beyond = end + width
+        rates = function.over(end.union(beyond)).rates
+        if not (rates > 0 and function.at(0, beyond) > 0):
+            return None
+        times = self.function.time(begin).union(function.time(beyond))
+        rate = (slope / self.function.half).union(rates / function.half)
+        return self.flow.crossing(self.row, self.state, times, rate)
 
     def _newton(self, places: arb, slope: arb) -> tuple[arb, list[arb]]:
         """The one crossing in a ball of places over which the slope is positive."""
@@ -168,6 +192,7 @@ def first_crossing(
     invariants: Invariants,
     lasting: Invariants,
     state: Sequence[arb],
+    until: arb | None = None,
 ) -> PhaseEnd | None:
     """When a phase ends, and which boundaries are reached then; None if it never does.
 
@@ -181,6 +206,8 @@ def first_crossing(
         Of the start, and those that stay true along the phase.
     state : sequence of arb
         The start.
+    until : arb, optional
+        Nothing is looked for behind this time, exact: None if nothing is reached up to it.
 
     Returns
     -------
@@ -225,7 +252,7 @@ def first_crossing(
     def never(search: _WatchedBoundary) -> bool:
         return stays_negative(exact.rows[search.row], field, lasting, state, search.time)
 
-    found = _earliest(searches, never)
+    found = _earliest(searches, never, until)
     if found is None:
         return None
     time, behind, search = found
@@ -234,12 +261,16 @@ def first_crossing(
 
 
 def _earliest(
-    searches: list[_WatchedBoundary], never: Callable[[_WatchedBoundary], bool]
+    searches: list[_WatchedBoundary],
+    never: Callable[[_WatchedBoundary], bool],
+    until: arb | None = None,
 ) -> tuple[arb, list[arb], _WatchedBoundary] | None:
     best: tuple[arb, list[arb], _WatchedBoundary] | None = None
     while searches:
         search = min(searches, key=lambda s: s.time)
         if best is not None and search.time > best[0]:
+            break
+        if until is not None and search.time > until:
             break
         if search.segment >= LONGEST_SEARCH:
             raise Undecided(

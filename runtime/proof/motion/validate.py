@@ -27,7 +27,7 @@ from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof, exactl
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["BallJudge", "Enclosure", "Proof", "validate"]
+__all__ = ["BallJudge", "Enclosure", "Proof", "transition_behind", "validate"]
 
 _FEWEST_BITS = 64
 _MOST_IMMEDIATE = 64  # transitions without any time between them
@@ -168,7 +168,7 @@ class _Motion:
             state = invariants.tighten(state)
         judge = BallJudge(system, here, invariants, state)
         try:
-            target, reset = self._next(reached, judge)
+            target, reset = transition_behind(system, here, reached, judge)
         except Undecided as trouble:
             raise Undecided(trouble.reason, dwell, digits=trouble.digits) from None
         matrix = exact.resets[reset]
@@ -179,27 +179,6 @@ class _Motion:
         self.sets.append(reached)
         self.times.append(time)
         self.states.append(self.state)
-
-    def _next(self, reached: tuple[int, ...], judge: BallJudge) -> tuple[int, int]:
-        """Target and reset of what follows a set, in whatever order its stops act."""
-        structure = self.system.structure
-        choice = choose(structure, self.configuration, frozenset(reached), judge)
-        transition = choice.transition
-        if choice.verdict == "undeclared":
-            raise Undecided(f"no transition is declared for {self._names(reached)}", digits=False)
-        if choice.verdict == "ambiguous":
-            both = self._names(reached, " and ")
-            raise Undecided(f"the orders in which {both} act need not agree", digits=False)
-        if transition is None:
-            raise Undecided(f"what the contact law says at {self._names(reached)}")
-        if choice.verdict == "undecided":
-            target = structure.configurations[transition.target]
-            raise Undecided(f"at {self._names(reached)}, whether {target} follows: {choice.open}")
-        return transition.target, transition.reset
-
-    def _names(self, reached: tuple[int, ...], between: str = " with ") -> str:
-        found = self.system.structure.boundaries[self.configuration]
-        return between.join(found[b].name for b in reached)
 
     def proof(self) -> Proof:
         """What was found, by name."""
@@ -234,6 +213,49 @@ class _Motion:
             instant,
             bits,
         )
+
+
+def transition_behind(
+    system: EnclosedSystem, source: int, reached: tuple[int, ...], judge: BallJudge
+) -> tuple[int, int]:
+    """Target and reset of what follows a set of boundaries, in whatever order its stops act.
+
+    Parameters
+    ----------
+    system : EnclosedSystem
+    source : int
+        The configuration in which they are reached.
+    reached : tuple of int
+    judge : BallJudge
+        What is known of the state.
+
+    Returns
+    -------
+    tuple of (int, int)
+
+    Raises
+    ------
+    Undecided
+        If it is not proved what follows.
+    """
+    structure = system.structure
+    choice = choose(structure, source, frozenset(reached), judge)
+    transition = choice.transition
+
+    def names(between: str = " with ") -> str:
+        return between.join(structure.boundaries[source][b].name for b in reached)
+
+    if choice.verdict == "undeclared":
+        raise Undecided(f"no transition is declared for {names()}", digits=False)
+    if choice.verdict == "ambiguous":
+        both = names(" and ")
+        raise Undecided(f"the orders in which {both} act need not agree", digits=False)
+    if transition is None:
+        raise Undecided(f"what the contact law says at {names()}")
+    if choice.verdict == "undecided":
+        target = structure.configurations[transition.target]
+        raise Undecided(f"at {names()}, whether {target} follows: {choice.open}")
+    return transition.target, transition.reset
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,429 @@
+"""The check of chaos: covering relations of sets on a section, each proved again.
+
+N covers M if the map is continuous on N, its image meets no stable side of M, and the images of
+the unstable sides of N lie beyond opposite unstable sides of M (Zgliczynski and Gidea 2004). Here
+the transitions on the way are those that the file states; each set is divided until its parts
+are shown to take them.
+"""
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from flint import arb, arb_mat, ctx, fmpq, fmpq_mat
+
+from nonsmooth.runtime.checker.exact import (
+    Elimination,
+    Failure,
+    check_sum,
+    demand,
+    exact,
+    leading,
+    number_of,
+    reduced,
+)
+from nonsmooth.runtime.checker.parameters import values_of
+from nonsmooth.runtime.checker.sets import CarryingPhase, StateSet, TooWide, matrix_of
+from nonsmooth.runtime.checker.shape import CHAOS, check_bits, check_shape
+
+__all__ = ["check_chaos"]
+
+_BITS = 80
+_FINEST = fmpq(1, 2**22)  # of a set: narrower parts are not tried
+_MOST = 20_000  # parts of a set
+_ROUNDS = 300  # of the powers of a matrix
+
+Box = tuple[tuple[Any, Any], ...]
+
+
+def check_chaos(content: dict[str, Any]) -> None:
+    """Prove the symbolic dynamics of a file again; Failure says what cannot be.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Raises
+    ------
+    Failure
+        If something that is claimed is not proved.
+    Malformed
+        If the file has another shape.
+    """
+    check_shape(content, CHAOS)
+    check_sum(content)
+    check_bits(content)
+    if content["claim"] != "proved":
+        told = ("configuration", "phase", "source", "boundary", "coordinates", "h_sets")
+        more = ("coverings", "itineraries", "declaration", "iterates")
+        demand(not any(content[name] for name in (*told, *more)), "numbers of no claim")
+        demand(content["growth"] == content["entropy"] == "0", "an entropy of no claim")
+        return
+    demand(not content["reason"], "a reason why it is not proved")
+    with ctx.workprec(_BITS):
+        motions = _Motions(content)
+        _check_apart(motions.sets)
+        for name in motions.sets:
+            _check_coverings(motions, name)
+        _check_entropy(content)
+
+
+class _Set(NamedTuple):
+    """An h-set: exact centre and sides, and the matrix to its own coordinates."""
+
+    centre: list[Any]
+    sides: list[list[Any]]
+    inward: Any
+
+    def seen(self, image: StateSet) -> list[Any]:
+        """Balls around the coordinates in it of a set of (coordinates, 1)."""
+        found: list[Any] = image.through(self.inward).hull.entries()
+        return found
+
+
+class _Motions:
+    """The system, section, sets and ways of a file, exactly."""
+
+    def __init__(self, content: dict[str, Any]) -> None:
+        declared = content["declaration"]
+        demand("law" not in declared, "coverings with a contact law are not checked")
+        values, stated, constants = values_of(
+            content["parameters"], (), declared.get("constants", [])
+        )
+        demand(not constants, "a parameter is not rational")
+        names = declared["parameters"]
+        bound = sorted(names) == sorted(values)
+        demand(bound, "the declaration is not over the parameters that are named")
+        self.variables = [*(values[name] for name in names), *stated]
+        self.size, self.exactly = len(declared["states"]), Elimination()
+        self.states, self.forcing = declared["states"], declared["forcing"]
+        demand(len({*self.states}) == self.size, "two states have one name")
+        zero = (fmpq(0),) * self.size
+        self.fields: dict[str, Any] = {}
+        self.phases: dict[str, CarryingPhase] = {}
+        self.held: dict[str, Any] = {}
+        for name, entry in declared["configurations"].items():
+            self.fields[name] = [*self._rows(entry["field"]), (*zero, fmpq(0))]
+            rows = {boundary: self._row(row) for boundary, row in entry["boundaries"].items()}
+            self.phases[name] = CarryingPhase(self.fields[name], rows)
+            self.held[name] = [*map(self._row, entry["held"])]
+        self.transitions: dict[tuple[str, str], list[Any]] = {}
+        for entry in declared["transitions"]:
+            demand("order" not in entry and "steps" not in entry, "a transition of another kind")
+            demand(len(entry["boundaries"]) == 1, "boundaries that are reached together")
+            reset = [*self._rows(entry["reset"]), (*zero, fmpq(1))]
+            conditions = [(self._row(r), along, holds) for r, along, holds in entry["conditions"]]
+            demand(all(a in self.fields for _, a, _ in conditions), "a configuration is missing")
+            key = entry["source"], entry["boundaries"][0]
+            found = conditions, reset, matrix_of(reset, runs=False), entry["target"]
+            self.transitions.setdefault(key, []).append(found)
+        self.here, self.iterates = content["configuration"], content["iterates"]
+        demand(self.here in self.fields, "the section's configuration is not declared")
+        demand(self.iterates > 0, "no iterate of the map")
+        self.section = content["source"], content["boundary"], self.here
+        self.facts = self._facts(content)
+        pivots = {next(k for k, x in enumerate(row) if x) for row in self.facts}
+        demand(self.size not in pivots, "the section is empty")
+        self.free = [k for k in range(self.size) if k not in pivots]
+        named = [self.states[k] for k in self.free]
+        demand(content["coordinates"] == named, "the coordinates are not those of the section")
+        self.sets = dict(self._sets(content["h_sets"]))
+        self.ways = content["itineraries"]
+        demand(self.ways.keys() == self.sets.keys(), "the ways of other sets")
+        pairs = [tuple(pair) for pair in content["coverings"]]
+        demand(len({*pairs}) == len(pairs), "a covering is there twice")
+        demand(all({*pair} <= self.sets.keys() for pair in pairs), "a covering of no set")
+        self.targets = {name: [m for n, m in pairs if n == name] for name in self.sets}
+
+    def _row(self, entries: list[Any]) -> tuple[Any, ...]:
+        demand(len(entries) == self.size + 1, "a row of another size")
+        found = tuple(number_of(entry, self.variables) for entry in entries)
+        demand(all(isinstance(x, fmpq) for x in found), "the declaration is not rational")
+        return found
+
+    def _rows(self, entries: list[Any]) -> list[Any]:
+        demand(len(entries) == self.size, "a matrix of another size")
+        return [*map(self._row, entries)]
+
+    def _facts(self, content: dict[str, Any]) -> Any:
+        """What is exactly true on the section; of a forcing also that it comes back there."""
+        if not self.forcing:
+            source, boundary, target = self.section
+            demand(not content["phase"], "a phase of no forcing")
+            demand((source, boundary) in self.transitions, "no such transition")
+            ways = [way for way in self.transitions[source, boundary] if way[3] == target]
+            demand(ways, "no such transition")
+            reached = self.phases[source].rows
+            demand(boundary in reached, "no such boundary")
+            before = self.exactly.echelon([*self.held[source], reached[boundary]])
+            return self._behind(before, ways[0][1])
+        demand(not content["source"] and not content["boundary"], "a section of two kinds")
+        demand(len(self.forcing) == 1 and len(content["phase"]) == 2, "not one forcing")
+        ((c, s),), phase = self.forcing, [*map(exact, content["phase"])]
+        demand(c != s and {c, s} <= {*range(self.size)}, "no such forcing")
+        demand(phase[0] ** 2 + phase[1] ** 2 == 1, "the phase is no point of the circle")
+        unit = [[fmpq(int(j == k)) for j in range(self.size)] for k in range(self.size)]
+        speed = self.fields[self.here][s][c]
+        demand(speed, "the forcing stands still")
+        for field in self.fields.values():
+            turned = [[speed * x for x in unit[c]], [-speed * x for x in unit[s]]]
+            even = [*map(list, (field[s], field[c]))] == [[*row, fmpq(0)] for row in turned]
+            demand(even, "an uneven forcing")
+        for _, reset, _, _ in (way for ways in self.transitions.values() for way in ways):
+            kept = all(list(reset[k]) == [*unit[k], fmpq(0)] for k in (c, s))
+            demand(kept, "a reset forcing")
+        self.speed = abs(speed)
+        self.forced = [(*unit[k], -x) for k, x in zip((c, s), phase, strict=True)]
+        return self.exactly.echelon([*self.forced, *self.held[self.here]])
+
+    def _behind(self, facts: Any, reset: Any) -> Any:
+        """Facts behind a reset."""
+        return self.exactly.echelon(
+            self.exactly.left_kernel([reduced(row, facts) for row in reset])
+        )
+
+    def _sets(self, entries: list[Any]) -> Iterator[tuple[str, _Set]]:
+        size = len(self.free)
+        demand(size, "the section is one point")
+        demand(len({entry["name"] for entry in entries}) == len(entries), "two sets of one name")
+        for entry in entries:
+            centre, sides = [*map(exact, entry["centre"])], entry["sides"]
+            fits = len(centre) == len(sides) == size and all(len(x) == size for x in sides)
+            demand(fits, "a set has a centre and as many sides as coordinates")
+            rows = [[*map(exact, side)] for side in sides]
+            matrix = fmpq_mat(rows).transpose()
+            demand(matrix.det() != 0, "the sides of a set are not independent")
+            inverse = matrix.inv()
+            shift = (inverse * fmpq_mat([[-x] for x in centre])).tolist()
+            inward = [[*own, *last] for own, last in zip(inverse.tolist(), shift, strict=True)]
+            yield entry["name"], _Set(centre, rows, arb_mat(fmpq_mat(inward)))
+
+    def part(self, name: str, box: Box) -> StateSet:
+        """States of a part of a set, the time 0 and 1."""
+        own, d = self.sets[name], len(self.free)
+        middles = [(a + b) / 2 for a, b in box]
+        points = [
+            [x + sum((m * side[k] for m, side in zip(middles, own.sides, strict=True)), fmpq(0))]
+            + [(b - a) / 2 * side[k] for (a, b), side in zip(box, own.sides, strict=True)]
+            for k, x in enumerate(own.centre)
+        ]
+        given = {next(k for k, x in enumerate(row) if x): row for row in self.facts}
+        rows = []
+        for k in range(self.size):
+            if k in given:
+                shares = [-given[k][j] for j in self.free]
+                last = [-given[k][-1], *(fmpq(0) for _ in range(d))]
+                rows.append([
+                    sum((s * points[i][j] for i, s in enumerate(shares)), last[j])
+                    for j in range(d + 1)
+                ])  # fmt: skip
+            else:
+                rows.append(points[self.free.index(k)])
+        rows += [[fmpq(0)] * (d + 1), [fmpq(1), *(fmpq(0) for _ in range(d))]]
+        whole = arb_mat(fmpq_mat(rows)).tolist()
+        centre, sides = arb_mat([row[:1] for row in whole]), arb_mat([row[1:] for row in whole])
+        return StateSet.of(centre, sides, arb_mat(self.size + 2, 1))
+
+    def image(self, name: str, box: Box) -> StateSet:
+        """Coordinates and 1 of the image of a part of a set; TooWide if it is not shown."""
+        here, facts, states = self.here, self.facts, self.part(name, box)
+        passed = 0
+        for source, boundary, target in self.ways[name]:
+            demand(source == here, "a way does not lead from configuration to configuration")
+            demand((source, boundary) in self.transitions, "no such transition")
+            phase = self.phases[source]
+            row = phase.timed(phase.rows[boundary])
+            about = phase.guess(states.centre, row, float("inf"))
+            if about is None:
+                raise TooWide
+            arrived, before, after = phase.arrive(states, row, about)
+            watched = self._watched(source, facts, states)
+            if boundary not in watched:
+                raise Failure(f"{boundary} is zero all along {source}")
+            phase.clear(states, before, {boundary: watched.pop(boundary)}, boundary)
+            phase.clear(states, after, watched)
+            lasting = self.exactly.lasting(facts, self.fields[source])
+            facts = self.exactly.echelon([*lasting, phase.rows[boundary]])
+            reset, matrix = self._taken(source, boundary, target, facts, arrived)
+            demand(target in self.fields, "a configuration is not declared")
+            states, facts, here = arrived.through(matrix), self._behind(facts, reset), target
+            passed += (source, boundary, target) == self.section
+        if self.forcing:
+            states, facts = self._to_phase(here, facts, states)
+        else:
+            last = tuple(self.ways[name][-1]) if self.ways[name] else ()
+            back = passed == self.iterates and last == self.section
+            demand(back, "a way does not lead back to the section")
+        demand(here == self.here, "a way does not lead back to the section")
+        demand(all(not any(reduced(row, facts)) for row in self.facts), "off the section")
+        places = [*self.free, self.size + 1]
+        return StateSet(*(arb_mat([part.tolist()[k] for k in places]) for part in states))
+
+    def _to_phase(self, here: str, facts: Any, states: StateSet) -> tuple[StateSet, Any]:
+        """On to where the forcing comes back, with no boundary on the way."""
+        phase = self.phases[here]
+        whole = self.iterates * 2 * arb.pi() / arb(self.speed)
+        clock = arb_mat([[*(arb(0) for _ in range(self.size)), arb(1), -whole]])
+        left = whole - states.centre[self.size, 0]
+        if not left > 0:
+            raise TooWide
+        arrived, _, after = phase.arrive(states, clock, float(left.mid()))
+        phase.clear(states, after, self._watched(here, facts, states))
+        lasting = self.exactly.lasting(facts, self.fields[here])
+        return arrived, self.exactly.echelon([*lasting, *self.forced])
+
+    def _watched(self, here: str, facts: Any, states: StateSet) -> dict[str, int]:
+        """Boundaries that are not zero all along, with the order in which they are left."""
+        found = {}
+        hull = states.hull.tolist()
+        hull.pop(self.size)
+        for name, row in self.phases[here].rows.items():
+            order, begins = leading(row, self.fields[here], facts, 0)
+            if begins is None:
+                continue
+            if not (arb_mat([[*map(arb, begins)]]) * arb_mat(hull))[0, 0] < 0:
+                raise TooWide
+            found[name] = order
+        return found
+
+    def _taken(
+        self, source: str, boundary: str, target: str, facts: Any, states: StateSet
+    ) -> tuple[Any, Any]:
+        """The reset of the transition that follows for all states; it leads to the target."""
+        hull = states.hull.tolist()
+        hull.pop(self.size)
+        own = self.phases[source].rows[boundary]
+        for conditions, reset, matrix, leads in self.transitions[source, boundary]:
+            held = True
+            for row, along, holds in conditions:
+                order = int(row == own)
+                _, begins = leading(row, self.fields[along], facts, order)
+                if begins is None:
+                    positive = False
+                else:
+                    value = (arb_mat([[*map(arb, begins)]]) * arb_mat(hull))[0, 0]
+                    if not (value > 0 or value < 0):
+                        raise TooWide
+                    positive = bool(value > 0)
+                if positive != holds:
+                    held = False
+                    break
+            if held:
+                demand(leads == target, "another transition follows than the file states")
+                return reset, matrix
+        raise Failure("no transition follows")
+
+
+def _check_apart(sets: dict[str, _Set]) -> None:
+    """No two sets have a point in common."""
+    names = [*sets]
+    for k, one in enumerate(names):
+        for other in names[:k]:
+            found = False
+            for a, b in ((sets[one], sets[other]), (sets[other], sets[one])):
+                size = len(b.centre)
+                rows = [[*b.centre, fmpq(1)], *([*side, fmpq(0)] for side in b.sides)]
+                columns = arb_mat(fmpq_mat(rows).transpose()).tolist()
+                centre, sides = ([r[:1] for r in columns], [r[1:] for r in columns])
+                seen = StateSet.of(arb_mat(centre), arb_mat(sides), arb_mat(size + 1, 1))
+                found = found or any(x > 1 or x < -1 for x in a.seen(seen))
+            demand(found, f"{one} and {other} may have a point in common")
+
+
+def _check_coverings(motions: _Motions, name: str) -> None:
+    """A set covers those that the file states."""
+    targets, size = motions.targets[name], len(motions.free)
+    whole: Box = ((fmpq(-1), fmpq(1)),) * size
+    beyond: dict[str, list[int]] = {target: [] for target in targets}
+    for end in (fmpq(-1), fmpq(1)):
+        signs: dict[str, set[int]] = {target: set() for target in targets}
+        for image in _images(motions, name, ((end, end), *whole[1:]), targets, True):
+            for target in targets:
+                signs[target].add(1 if motions.sets[target].seen(image)[0] > 1 else -1)
+        for target in targets:
+            demand(len(signs[target]) == 1, f"{name} does not cover {target}")
+            beyond[target] += signs[target]
+    for target in targets:
+        opposite = sum(beyond[target]) == 0
+        demand(opposite, f"{name} does not cover {target}: its ends are mapped to one side of it")
+    for _ in _images(motions, name, whole, targets, False):
+        pass
+
+
+def _images(
+    motions: _Motions, name: str, whole: Box, targets: Sequence[str], side: bool
+) -> Iterator[StateSet]:
+    """Images of parts of a set that are all beyond its targets, or else between their sides."""
+    boxes, looked = [whole], 0
+    while boxes:
+        box, image = boxes.pop(), None
+        looked += 1
+        demand(looked <= _MOST, f"{name} has too many parts")
+        try:
+            image = motions.image(name, box)
+            good = all(_placed(motions.sets[m].seen(image), side) for m in targets)
+        except TooWide:
+            good = False
+        if good and image is not None:
+            yield image
+            continue
+        lengths = [b - a for a, b in box]
+        wide = max(lengths)
+        demand(wide > _FINEST, f"what {name} covers is not proved")
+        weights = [
+            float(length) * sum(abs(float(x.p) / float(x.q)) for x in own)
+            for length, own in zip(lengths, motions.sets[name].sides, strict=True)
+        ]
+        if image is not None:
+            moved = image.sides.tolist()
+            weights = [sum(abs(float(row[k].mid())) for row in moved) for k in range(len(box))]
+        usable = [k for k, length in enumerate(lengths) if length > _FINEST]
+        k = max(usable, key=weights.__getitem__)
+        middle = (box[k][0] + box[k][1]) / 2
+        for half in ((middle, box[k][1]), (box[k][0], middle)):
+            boxes.append((*box[:k], half, *box[k + 1 :]))
+
+
+def _placed(seen: list[Any], side: bool) -> bool:
+    """Whether a part's image lies beyond a set, or, but for a side's, between its stable sides."""
+    unstable, *stable = seen
+    beyond = bool(unstable > 1 or unstable < -1)
+    return beyond or (not side and all(abs(x) < 1 for x in stable))
+
+
+def _check_entropy(content: dict[str, Any]) -> None:
+    """The spectral radius of the graph is no less than stated, nor is the entropy."""
+    names = [entry["name"] for entry in content["h_sets"]]
+    matrix = [[int([a, b] in content["coverings"]) for b in names] for a in names]
+    told = Fraction(content["growth"])
+    demand(told > 1, "a graph that does not grow")
+    demand(told <= _radius(matrix), "the graph grows less than stated")
+    entropy = exact(content["entropy"])
+    demand(entropy > 0, "no positive entropy")
+    growth = arb(fmpq(told.numerator, told.denominator)).log() / content["iterates"]
+    demand(growth >= arb(entropy), "the entropy is larger than what follows")
+
+
+def _radius(matrix: list[list[int]]) -> Fraction:
+    """A lower bound of the spectral radius: of one strong part, by a power of 1 + A."""
+    best, count = Fraction(0), len(matrix)
+    reach = [{j for j in range(count) if matrix[i][j]} for i in range(count)]
+    for _ in range(count):
+        reach = [own.union(*(reach[j] for j in own)) for own in reach]
+    for first in range(count):
+        part = [j for j in sorted(reach[first]) if first in reach[j]]
+        if first not in part or part[0] != first:
+            continue
+        vector = [1] * len(part)
+        for _ in range(_ROUNDS):
+            vector = [
+                v + sum(matrix[i][j] * w for j, w in zip(part, vector, strict=True))
+                for i, v in zip(part, vector, strict=True)
+            ]
+        quotients = [
+            Fraction(sum(matrix[i][j] * w for j, w in zip(part, vector, strict=True)), v)
+            for i, v in zip(part, vector, strict=True)
+        ]
+        best = max(best, min(quotients))
+    return best

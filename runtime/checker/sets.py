@@ -1,0 +1,317 @@
+"""Sets of states through the phases of a motion, for the check of coverings.
+
+A set is c + G e + b: a centre, sides G with e in [-1, 1]^m, and a small box b; of the states, the
+time and 1. When the centre reaches a boundary is guessed in double precision; then it is shown
+that every state of the set does about then, and nothing else before.
+"""
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from flint import arb, arb_mat
+
+__all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of"]
+
+_ORDER = 7  # of Taylor's polynomials
+_DEEPEST = 14  # halvings of a phase
+_WIDER = 1.25  # windows of times are so much wider than they have to be
+_LEAST = 2.0**-44
+_GRID, _LONGEST = 0.1, 100_000  # steps of the guess, in radians of the fastest motion
+
+
+class TooWide(Exception):
+    """Nothing is shown of a set: of parts of it, perhaps."""
+
+
+def matrix_of(rows: Sequence[Sequence[Any]], runs: bool) -> Any:
+    """A field, along which time runs, or a reset, over the states, the time and 1.
+
+    Parameters
+    ----------
+    rows : rows (N + 1, N + 1)
+        Exact, over the states and 1.
+    runs : bool
+        Whether time does.
+
+    Returns
+    -------
+    arb_mat (N + 2, N + 2)
+    """
+    size = len(rows) - 1
+    found = arb_mat(size + 2, size + 2)
+    for i, row in enumerate(rows):
+        for j, x in enumerate(row):
+            found[i + (i == size), j + (j == size)] = arb(x)
+    if runs:
+        found[size, size + 1] = arb(1)
+    else:
+        found[size, size] = arb(1)
+    return found
+
+
+class StateSet(NamedTuple):
+    """Centre (n, 1), sides (n, m), and the box (n, 1) of roundings around zero."""
+
+    centre: Any
+    sides: Any
+    box: Any
+
+    @staticmethod
+    def of(centre: Any, sides: Any, box: Any) -> "StateSet":
+        """The set of matrices whose entries need not be exact.
+
+        Parameters
+        ----------
+        centre, sides, box : arb_mat
+
+        Returns
+        -------
+        StateSet
+            Exact but for the box.
+        """
+        exact, straight = centre.mid(), sides.mid()
+        ones = arb_mat(sides.ncols(), 1, [arb(0, 1)] * sides.ncols())
+        return StateSet(exact, straight, box + (centre - exact) + (sides - straight) * ones)
+
+    @property
+    def hull(self) -> Any:
+        """A box (n, 1) around it."""
+        ones = arb_mat(self.sides.ncols(), 1, [arb(0, 1)] * self.sides.ncols())
+        return self.centre + self.sides * ones + self.box
+
+    def through(self, matrix: Any) -> "StateSet":
+        """Its image under a matrix.
+
+        Parameters
+        ----------
+        matrix : arb_mat
+
+        Returns
+        -------
+        StateSet
+        """
+        return StateSet.of(matrix * self.centre, matrix * self.sides, matrix * self.box)
+
+
+class CarryingPhase:
+    """One configuration along which sets are carried.
+
+    Parameters
+    ----------
+    field : rows (N + 1, N + 1)
+        Exact.
+    rows : dict of str to row
+        Boundaries: negative inside.
+    """
+
+    def __init__(self, field: Any, rows: dict[str, Any]) -> None:
+        self.exact, self.rows = field, rows
+        self.matrix = matrix_of(field, runs=True)
+        self.near = _near(self.matrix)
+        self.size = len(field) + 1
+        self._taylor: dict[Any, Any] = {}
+
+    def flow(self, time: Any) -> Any:
+        """The flow over a time.
+
+        Parameters
+        ----------
+        time : arb
+
+        Returns
+        -------
+        arb_mat
+        """
+        return (self.matrix * time).exp()
+
+    def timed(self, row: Any) -> Any:
+        """A row (N + 1) over the states, the time and 1.
+
+        Parameters
+        ----------
+        row : sequence
+
+        Returns
+        -------
+        arb_mat (1, N + 2)
+        """
+        return arb_mat([[*(arb(x) for x in row[:-1]), arb(0), arb(row[-1])]])
+
+    def guess(self, centre: Any, row: Any, latest: float) -> float | None:
+        """About when a function of the centre rises through zero, after it was negative.
+
+        Parameters
+        ----------
+        centre : arb_mat (N + 2, 1)
+        row : arb_mat (1, N + 2)
+        latest : float
+            Not looked for beyond.
+
+        Returns
+        -------
+        float or None
+        """
+        step, ahead = self._ahead
+        state = np.array([float(x.mid()) for x in centre.entries()])
+        normal = np.array([float(x.mid()) for x in row.entries()])
+        value, time = float(normal @ state), 0.0
+        for _ in range(_LONGEST):
+            behind = ahead @ state
+            after = float(normal @ behind)
+            if value < 0 < after or (time > 0 and value == 0 < after):
+                return time + self._root(state, normal, step * value / (value - after))
+            state, value, time = behind, after, time + step
+            if time > latest:
+                break
+        return None
+
+    @cached_property
+    def _ahead(self) -> tuple[float, Any]:
+        """A step of time, and the flow over it."""
+        sizes = np.abs(np.linalg.eigvals(self.near))
+        fast = max(float(sizes.max()), 0.05 * float(np.abs(self.near).sum(axis=1).max()), 1e-6)
+        return _GRID / fast, _near(self.flow(arb(_GRID / fast)))
+
+    def _root(self, state: Any, normal: Any, part: float) -> float:
+        """Newton's method for when a function is zero, from about then."""
+        for _ in range(4):
+            there = _near(self.flow(arb(part))) @ state
+            part -= float(normal @ there) / float(normal @ self.near @ there)
+        return part
+
+    def clear(
+        self, states: StateSet, until: Any, watched: dict[str, int], ends: str | None = None
+    ) -> None:
+        """Show that no boundary is reached up to a time.
+
+        A window in which a function rises is left to the next one, or to the end where it is
+        known to be negative.
+
+        Parameters
+        ----------
+        states : StateSet
+        until : arb
+            Exact.
+        watched : dict of str to int
+            Boundaries, with the order of the first derivative that is not zero at the start.
+        ends : str, optional
+            The one that is known to be negative at the end.
+
+        Raises
+        ------
+        TooWide
+            If it is not shown.
+        """
+        windows = [(arb(0), until, 0, sorted(watched))]
+        while windows:
+            begin, end, depth, names = windows.pop()
+            middle = ((begin + end) / 2).mid()
+            radius = arb(0, (end - begin).abs_upper() / 2)
+            moved = states.through(self.flow(middle)).hull
+            over = self.flow(radius) * moved
+            left = []
+            for name in names:
+                first = watched[name] if begin == 0 else 0
+                if self._over(name, first, moved, over, radius) < 0:
+                    continue
+                rises = name == ends or end < until
+                if not (rises and self._over(name, 1, moved, over, radius) > 0):
+                    left.append(name)
+            if left and depth == _DEEPEST:
+                raise TooWide
+            if left:
+                windows.append((middle, end, depth + 1, left))
+                windows.append((begin, middle, depth + 1, left))
+
+    def _over(self, name: str, first: int, moved: Any, over: Any, radius: Any) -> Any:
+        """A derivative of a function over a window: Taylor's polynomial and a bound of the rest."""
+        rows, last = self._derivatives(name, first)
+        found = (last * over)[0, 0]
+        for value in reversed((rows * moved).entries()):
+            found = found * radius + value
+        return found
+
+    def _derivatives(self, name: str, first: int) -> tuple[Any, Any]:
+        """Taylor's coefficients from a derivative on, and the one that bounds the rest."""
+        if (name, first) not in self._taylor:
+            row = self.timed(self.rows[name])
+            for _ in range(first):
+                row = row * self.matrix
+            found = []
+            for k in range(_ORDER):
+                found.append(row.entries())
+                row = row * self.matrix / (k + 1)
+            self._taylor[name, first] = arb_mat(found), row
+        rows, last = self._taylor[name, first]
+        return rows, last
+
+    def arrive(self, states: StateSet, row: Any, about: float) -> tuple[StateSet, Any, Any]:
+        """The states where a function is zero, which each of them reaches once near a time.
+
+        Parameters
+        ----------
+        states : StateSet
+        row : arb_mat (1, N + 2)
+        about : float
+
+        Returns
+        -------
+        tuple of (StateSet, arb, arb)
+            With the first and the last of the times between which that is shown.
+
+        Raises
+        ------
+        TooWide
+            If it is not shown.
+        """
+        time = arb(about)
+        moved = states.through(self.flow(time))
+        hull = moved.hull
+        level = moved.through(row).hull[0, 0]
+        rate = (row * (self.matrix * hull))[0, 0]
+        if not rate > 0:
+            raise TooWide
+        size = (level / rate).abs_upper() * arb(_WIDER) + arb(_LEAST)
+        late = arb(0, size.upper())
+        shift = self.flow(late)
+        rates = self.matrix * (shift * hull)
+        slope = (row * rates)[0, 0]
+        before, after = time - size.upper(), time + size.upper()
+        if not slope > 0 or not before > 0:
+            raise TooWide
+        first, last = (states.through(row * self.flow(t)).hull[0, 0] for t in (before, after))
+        if not (first < 0 and last > 0):
+            raise TooWide
+        # by the mean value theorem, with what the time of arrival changes by
+        change = shift - rates * (row * shift) / slope
+        straight = change.mid()
+        spread = moved.hull - moved.centre
+        bent = (change - straight) * spread
+        centre = self._centre(moved.centre, row, late)
+        sides = straight * moved.sides
+        size_of = [x.abs_upper() for x in bent.entries()]
+        wide = [k for k, x in enumerate(size_of) if x > 0]
+        columns = [
+            [*own, *(arb(size_of[k]) if i == k else arb(0) for k in wide)]
+            for i, own in enumerate(sides.tolist())
+        ]
+        return StateSet.of(centre, arb_mat(columns), straight * moved.box), before, after
+
+    def _centre(self, centre: Any, row: Any, late: Any) -> Any:
+        """Where one state is when the function is zero, somewhere in a ball of times."""
+        for _ in range(4):
+            at = late.mid()
+            there = self.flow(at) * centre
+            over = self.flow(late - at) * there
+            found = at - (row * there)[0, 0] / (row * (self.matrix * over))[0, 0]
+            if not late.overlaps(found):
+                raise TooWide
+            late = late.intersection(found)
+        return self.flow(late) * centre
+
+
+def _near(matrix: Any) -> Any:
+    """A matrix in double precision."""
+    return np.array([[float(x.mid()) for x in row] for row in matrix.tolist()])

@@ -1,0 +1,148 @@
+"""Certificates of chaos in files."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.json_codec import Exact, decode, encode
+from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
+from nonsmooth.runtime.proof.certificate import VERSION
+from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
+from nonsmooth.runtime.proof.chaos.h_sets import HSet
+
+__all__ = ["CHAOS", "chaos_entries", "chaos_of", "load_chaos_certificate", "save_chaos"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class HSetEntries:
+    """What a file states of one h-set."""
+
+    name: str
+    centre: tuple[Exact, ...]
+    sides: tuple[tuple[Exact, ...], ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ChaosEntries:
+    """What a file of chaos states."""
+
+    system: str
+    tables: SavedSystem | None
+    parameters: Mapping[str, Value]
+    claim: Literal["proved", "undecided"]
+    reason: str
+    configuration: str
+    phase: tuple[Exact, ...]
+    source: str
+    boundary: str
+    coordinates: tuple[str, ...]
+    iterates: int
+    h_sets: tuple[HSetEntries, ...]
+    coverings: tuple[tuple[str, str], ...]
+    itineraries: Mapping[str, tuple[tuple[str, str, str], ...]]
+    growth: Exact
+    entropy: Exact
+    tried: tuple[str, ...]
+    bits: int
+    declaration: Mapping[str, Any]
+
+
+CHAOS = FileFormat(
+    name="nonsmooth chaos certificate",
+    what="certificate of chaos",
+    entries=ChaosEntries,
+    version=VERSION,
+)
+
+
+def save_chaos(found: ChaosCertificate, path: str | os.PathLike[str]) -> None:
+    """Write a certificate of chaos; what was there stays until it is complete.
+
+    Parameters
+    ----------
+    found : ChaosCertificate
+    path : str or path
+        The file.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written, or cannot state the contact law that decides.
+    """
+    if found.proved and not found.declaration:
+        raise InputError("a file of chaos cannot state the contact law by which it was proved")
+    CHAOS.write(path, chaos_entries(found))
+
+
+def chaos_entries(found: ChaosCertificate) -> ChaosEntries:
+    """What a file of chaos states.
+
+    Parameters
+    ----------
+    found : ChaosCertificate
+
+    Returns
+    -------
+    ChaosEntries
+        Ready to be written.
+    """
+    name, _, saved = named(known_system(found.system, None))
+    told = replace(found, system=name).to_json()
+    tables = None if saved is None else encode(saved)
+    return decode(ChaosEntries, {**told, "tables": tables, "declaration": dict(found.declaration)})
+
+
+def load_chaos_certificate(path: str | os.PathLike[str]) -> ChaosCertificate:
+    """Read a certificate of chaos that `ChaosCertificate.save` or the command wrote.
+
+    Nothing is proved again.
+
+    Parameters
+    ----------
+    path : str or path
+
+    Returns
+    -------
+    ChaosCertificate
+        Without the boxes of the images.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or is cut, edited or foreign. The message names it.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1", "ur1": "4", "ur2": "2"}
+    >>> ns.certify_chaos("dry-friction", data, [5, 4, 0.5, 0.25], attempts=1).save("chaos.json")
+    >>> ns.load("chaos.json").proved
+    False
+    """
+    with naming(path) as file:
+        return chaos_of(CHAOS.read(file))
+
+
+def chaos_of(entries: ChaosEntries) -> ChaosCertificate:
+    """The certificate that a file's entries describe.
+
+    Parameters
+    ----------
+    entries : ChaosEntries
+        As they were read.
+
+    Returns
+    -------
+    ChaosCertificate
+    """
+    own = {**vars(entries)}
+    system_in(entries.system, own.pop("tables"))
+    sets = tuple(HSet(h.name, h.centre, h.sides) for h in entries.h_sets)
+    return ChaosCertificate(**{**own, "h_sets": sets, "images": {}})

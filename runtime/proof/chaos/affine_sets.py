@@ -1,0 +1,199 @@
+"""Sets of states that are affine images of cubes, carried along a motion in balls.
+
+A set is y = Z (1, e) + b, e in [-1, 1]^m and b in a small box: a centre, columns that are its
+sides, and what roundings leave. An affine map moves it exactly. Where a boundary is reached at a
+time that depends on the state, the mean value form with the saltation matrix over the whole set
+is used,
+
+    G(z) in G(z0) + DG(Z) (z - z0),    DG = (I - f n / (n f)) e^(B t),
+
+and what DG varies by becomes further sides: only roundings are wrapped in boxes on the way (R.
+Lohner, 1992; W. Kuehn, Rigorously computed orbits of dynamical systems without the wrapping
+effect, Computing 61, 1998). States are followed by the time and by 1, so that the time that has
+passed is known as a function of the state too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.events.leading_derivative import Undecided
+
+if TYPE_CHECKING:
+    from flint import arb, arb_mat
+
+__all__ = ["AffineSet", "affine_set", "with_time"]
+
+_STEPS = 3  # of Newton's method for the time at which the centre arrives
+_LEAST = 2.0**-40  # of the radius of a window of times
+
+
+def with_time(rows: Sequence[Sequence[Any]], rate: int) -> arb_mat:
+    """A matrix that acts on (y, 1) as one that acts on (y, t, 1).
+
+    Parameters
+    ----------
+    rows : rows (N + 1, N + 1)
+        A field, whose time runs, or a reset, at which it stands.
+    rate : {0, 1}
+        1 for a field.
+
+    Returns
+    -------
+    arb_mat (N + 2, N + 2)
+    """
+    from flint import arb_mat, fmpq_mat
+
+    size = len(rows) - 1
+    found = [[*row[:-1], 0, row[-1]] for row in rows]
+    time = [0] * (size + 2)
+    time[size + rate] = 1
+    return arb_mat(fmpq_mat([*found[:-1], time, found[-1]]))
+
+
+class AffineSet(NamedTuple):
+    """y = Z (1, e) + b with all entries of e in [-1, 1].
+
+    Attributes
+    ----------
+    columns : arb_mat (N + 2, 1 + m)
+        Exact: the centre, then the sides, of states, time and 1.
+    rest : arb_mat (N + 2, 1)
+        Balls around zero in which b is.
+    """
+
+    columns: arb_mat
+    rest: arb_mat
+
+    def mapped(self, matrix: arb_mat) -> AffineSet:
+        """The image under a linear map of (y, t, 1).
+
+        Parameters
+        ----------
+        matrix : arb_mat (n, N + 2)
+
+        Returns
+        -------
+        AffineSet
+            Of n rows.
+        """
+        return affine_set(matrix * self.columns, matrix * self.rest)
+
+    @property
+    def ranges(self) -> list[arb]:
+        """Balls around all rows."""
+        rows = zip(self.columns.tolist(), self.rest.entries(), strict=True)
+        return [row[0] + _around(_total(row[1:])) + b for row, b in rows]
+
+    def reach(self, field: arb_mat, row: arb_mat, window: arb) -> AffineSet:
+        """Every state where an affine function of it is zero.
+
+        An interval Newton step shows that each state of the set gets there once about then, and
+        not only those that also meet what is exactly known of the motion.
+
+        Parameters
+        ----------
+        field : arb_mat (N + 2, N + 2)
+        row : arb_mat (1, N + 2)
+            The function.
+        window : arb
+            Times in which each state is proved to get there once.
+
+        Returns
+        -------
+        AffineSet
+
+        Raises
+        ------
+        Undecided
+            If the function's rate may be zero, or the set is too large.
+        """
+        from flint import arb
+
+        middle = window.mid()
+        moved = self.mapped((field * middle).exp())
+        hull = _matrix([[x] for x in moved.ranges])
+        (level,) = moved.mapped(row).ranges
+        late = _late(field, row, hull, level, arb(0, 2 * window.rad() + _LEAST))
+        shift = (field * late).exp()
+        rates = field * (shift * hull)
+        change = shift - (rates / (row * rates)[0, 0]) * (row * shift)
+        middles, listed = change.mid(), moved.columns.tolist()
+        spread = [
+            [_around(_total(entries[1:])) + b]
+            for entries, b in zip(listed, moved.rest.entries(), strict=True)
+        ]
+        wide = ((change - middles) * _matrix(spread)).entries()
+        carried = (middles * moved.columns).tolist()
+        centre = _arrived(field, row, _matrix([[entries[0]] for entries in listed]), late)
+        added = [k for k, x in enumerate(wide) if not x.is_zero()]
+        columns = [
+            [c, *entries[1:], *(wide[k].abs_upper() if i == k else 0 * c.mid() for k in added)]
+            for i, (c, entries) in enumerate(zip(centre.entries(), carried, strict=True))
+        ]
+        return affine_set(_matrix(columns), middles * moved.rest)
+
+
+def affine_set(columns: arb_mat, rest: arb_mat) -> AffineSet:
+    """A set by columns that need not be exact: what is not certain of them goes to the box.
+
+    Parameters
+    ----------
+    columns : arb_mat (N + 2, 1 + m)
+    rest : arb_mat (N + 2, 1)
+
+    Returns
+    -------
+    AffineSet
+    """
+    middle = columns.mid()
+    unsure = [[_around(_total(row))] for row in (columns - middle).tolist()]
+    return AffineSet(middle, rest + _matrix(unsure))
+
+
+def _late(field: arb_mat, row: arb_mat, hull: arb_mat, level: arb, late: arb) -> arb:
+    """Times in which each state of a hull gets to the function's zero, once, in a ball of times."""
+    from flint import arb
+
+    first = late
+    for _ in range(3):
+        between = late.union(arb(0))  # the level is that at time 0
+        slope = (row * (field * ((field * between).exp() * hull)))[0, 0]
+        if not (slope > 0 or slope < 0):
+            raise Undecided("the rate at which a boundary is reached is not known")
+        newton = -level / slope
+        if late is first and not first.contains_interior(newton):
+            raise Undecided("the set reaches a boundary at times too far apart")
+        late = late.intersection(newton)
+    return late
+
+
+def _arrived(field: arb_mat, row: arb_mat, centre: arb_mat, late: arb) -> arb_mat:
+    """Where the centre gets to the function's zero, at a time that is inside a ball."""
+    for _ in range(_STEPS):
+        middle = late.mid()
+        there = (field * middle).exp() * centre
+        rates = field * ((field * (late - middle)).exp() * there)
+        late = late.intersection(middle - (row * there)[0, 0] / (row * rates)[0, 0])
+    middle = late.mid()
+    return (field * (late - middle)).exp() * ((field * middle).exp() * centre)
+
+
+def _total(row: Sequence[arb]) -> arb:
+    from flint import arb
+
+    return sum((abs(x) for x in row), arb(0))
+
+
+def _around(size: arb) -> arb:
+    """All numbers that are no larger."""
+    from flint import arb
+
+    return arb(0, size.abs_upper())
+
+
+def _matrix(rows: Sequence[Sequence[arb]]) -> arb_mat:
+    from flint import arb_mat
+
+    return arb_mat([list(row) for row in rows])

@@ -1,0 +1,250 @@
+"""What is proved of chaos: sets, which of them cover which, and the entropy that follows."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.json_codec import Exact
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.proof.chaos.h_sets import HSet
+
+__all__ = ["ChaosCertificate"]
+
+_MOST_STEPS = 512  # of a word
+
+
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class ChaosCertificate(Shown):
+    """Symbolic dynamics of a system at one parameter point, proved by covering relations.
+
+    P is the map from a section to itself: over one period of the forcing, or from one passage
+    of a transition to the next. Where N and M are h-sets and N covers M by P^k, each walk
+    through the graph is the itinerary of a motion, and each closed one that of a periodic
+    motion, unstable or not. On the set of these motions P has at least the topological entropy
+    that is stated.
+
+    Attributes
+    ----------
+    system : str
+    parameters : dict of str to Value
+        All of the system, exactly.
+    claim : {"proved", "undecided"}
+        Whether the entropy is proved to be positive.
+    reason : str
+        Why it is undecided.
+    configuration : str
+        In which states on the section are; empty where nothing is claimed.
+    phase : tuple of str
+        Cosine and sine of the forcing on the section; empty without a forcing.
+    source, boundary : str
+        What the transition of the section leaves and by what; empty with a forcing.
+    coordinates : tuple of str
+        States that are the coordinates of the section.
+    iterates : int
+        k.
+    h_sets : tuple of HSet
+        They have no point in common.
+    coverings : tuple of (str, str)
+        Which one covers which, by name.
+    itineraries : dict of str to tuple of (configuration, boundary, configuration)
+        The transitions from each h-set to its image.
+    growth : str
+        The spectral radius of the graph is no less: a fraction.
+    entropy : str
+        The topological entropy of P is no less: log(growth) / k, rounded down.
+    images : dict of str to tuple of tuple of tuple of float
+        For pictures, of the image of each h-set the corners of the parts that contain it; empty
+        for what was loaded, and on sections of more than two coordinates.
+    tried : tuple of str
+        What was looked for, line by line.
+    bits : int
+        Precision of the proof.
+    declaration : dict
+        The system, as functions of its parameters, as in the file; empty where a contact law
+        decides what follows.
+    """
+
+    system: str
+    parameters: Mapping[str, Value]
+    claim: str
+    reason: str
+    configuration: str
+    phase: tuple[str, ...]
+    source: str
+    boundary: str
+    coordinates: tuple[str, ...]
+    iterates: int
+    h_sets: tuple[HSet, ...]
+    coverings: tuple[tuple[str, str], ...]
+    itineraries: Mapping[str, tuple[tuple[str, str, str], ...]]
+    growth: Exact
+    entropy: Exact
+    images: Mapping[str, Any] = field(repr=False)
+    tried: tuple[str, ...] = field(repr=False)
+    bits: int
+    declaration: Mapping[str, Any] = field(repr=False)
+
+    @property
+    def proved(self) -> bool:
+        """Whether there is chaos: the entropy is proved to be positive."""
+        return self.claim == "proved"
+
+    @property
+    def matrix(self) -> np.ndarray:
+        """Whether each h-set covers each other one: (n, n) of 0 and 1."""
+        names = [h_set.name for h_set in self.h_sets]
+        found = np.zeros((len(names), len(names)), dtype=int)
+        for one, other in self.coverings:
+            found[names.index(one), names.index(other)] = 1
+        return found
+
+    def periodic_points(self, steps: int) -> int:
+        """How many points that come back after some steps of P^k are proved, at least.
+
+        Parameters
+        ----------
+        steps : int
+            From 1 to 512.
+
+        Returns
+        -------
+        int
+            The trace of the power of the matrix: closed walks of so many steps.
+
+        Raises
+        ------
+        InputError
+            For another number of steps.
+        """
+        _check_steps(steps)
+        matrix = self.matrix.astype(object)
+        power = matrix
+        for _ in range(steps - 1):
+            power = power @ matrix
+        return int(sum(power[k, k] for k in range(len(matrix))))
+
+    def words(self, steps: int) -> list[tuple[str, ...]]:
+        """Periodic motions by the h-sets that they visit: closed walks, each from one start.
+
+        Parameters
+        ----------
+        steps : int
+            Of P^k, until the motion comes back.
+
+        Returns
+        -------
+        list of tuple of str
+            Words that repeat no shorter one, the first of their rotations in order.
+
+        Raises
+        ------
+        InputError
+            For another number of steps than 1 to 512, or more than 100000 walks.
+        """
+        _check_steps(steps)
+        if self.matrix.any() and self.periodic_points(steps) > 100_000:
+            raise InputError(f"there are more than 100000 words of {steps} steps")
+        ahead: dict[str, list[str]] = {}
+        for one, other in self.coverings:
+            ahead.setdefault(one, []).append(other)
+        walks: list[tuple[str, ...]] = [(h_set.name,) for h_set in self.h_sets]
+        for _ in range(steps - 1):
+            walks = [(*w, other) for w in walks for other in ahead.get(w[-1], ())]
+        closed = [w for w in walks if (w[-1], w[0]) in self.coverings]
+        return [w for w in closed if _first(w)]
+
+    def to_json(self) -> dict[str, Any]:
+        """Give the certificate as JSON: numbers as decimal strings or fractions.
+
+        Returns
+        -------
+        dict
+            The certificate, ready for `json.dumps`.
+        """
+        return {
+            "system": self.system,
+            "parameters": {name: value.text for name, value in self.parameters.items()},
+            "claim": self.claim,
+            "reason": self.reason,
+            "configuration": self.configuration,
+            "phase": list(self.phase),
+            "source": self.source,
+            "boundary": self.boundary,
+            "coordinates": list(self.coordinates),
+            "iterates": self.iterates,
+            "h_sets": [
+                {
+                    "name": h_set.name,
+                    "centre": list(h_set.centre),
+                    "sides": [list(side) for side in h_set.sides],
+                }
+                for h_set in self.h_sets
+            ],
+            "coverings": [list(pair) for pair in self.coverings],
+            "itineraries": {
+                name: [list(passage) for passage in found]
+                for name, found in self.itineraries.items()
+            },
+            "growth": self.growth,
+            "entropy": self.entropy,
+            "tried": list(self.tried),
+            "bits": self.bits,
+        }
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draw the h-sets, what contains their images, and the graph of the coverings.
+
+        Parameters
+        ----------
+        axes : matplotlib Axes, optional
+            Where to draw the sets, without the graph; a figure of its own by default.
+
+        Returns
+        -------
+        matplotlib Figure or Axes
+            The figure, or the Axes that were given.
+
+        Raises
+        ------
+        InputError
+            If nothing is proved, or the section has more than two coordinates.
+        MissingExtra
+            Without matplotlib: ``pip install "nonsmooth[plot]"``.
+        """
+        return registered("draw_chaos")(self, axes)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the certificate to a file; `nonsmooth.load` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be written, or the motions were proved with a contact law, which
+            a file of chaos cannot state.
+        """
+        registered("save_chaos")(self, path)
+
+
+def _check_steps(steps: object) -> None:
+    if isinstance(steps, bool) or not isinstance(steps, int) or not 1 <= steps <= _MOST_STEPS:
+        raise InputError(f"steps = {steps!r} is not an integer from 1 to {_MOST_STEPS}")
+
+
+def _first(word: Sequence[str]) -> bool:
+    """Whether a word is the first of its rotations, and no power of a shorter one."""
+    own = tuple(word)
+    turned = [own[k:] + own[:k] for k in range(1, len(own))]
+    return all(own < other for other in turned)

@@ -1,0 +1,202 @@
+"""Sets with a direction that is stretched: parallelepipeds on a section.
+
+An h-set is N = {c + A x, |x_i| <= 1} (P. Zgliczynski and M. Gidea, Covering relations for
+multidimensional dynamical systems, J. Differential Equations 202, 2004), here with the first
+of its coordinates unstable and the others stable.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.proof.chaos.affine_sets import AffineSet, affine_set
+from nonsmooth.runtime.proof.chaos.sections import MapSection
+from nonsmooth.runtime.proof.statement import rational
+
+if TYPE_CHECKING:
+    from flint import arb, arb_mat
+
+__all__ = ["Box", "HSet", "apart", "decimal_set", "piece"]
+
+Box = tuple[tuple[float, float], ...]  # of coordinates of an h-set, within -1 and 1
+
+
+@dataclass(frozen=True)
+class HSet:
+    """A parallelepiped on a section: decimal texts, exactly.
+
+    Attributes
+    ----------
+    name : str
+    centre : tuple of str
+        In the coordinates of the section.
+    sides : tuple of tuple of str
+        The sides, each in the coordinates of the section: the first is the one that is
+        stretched.
+    """
+
+    name: str
+    centre: tuple[str, ...]
+    sides: tuple[tuple[str, ...], ...]
+
+    @cached_property
+    def near(self) -> tuple[np.ndarray, np.ndarray]:
+        """Centre (d,) and sides as columns (d, d), about."""
+        return np.array(self.centre, dtype=float), np.array(self.sides, dtype=float).T
+
+    @property
+    def corners(self) -> np.ndarray:
+        """Corners (2^d, d), about, those of two coordinates around their parallelogram."""
+        centre, sides = self.near
+        signs = np.array(np.meshgrid(*[[-1.0, 1.0]] * len(centre), indexing="ij"))
+        signs = signs.reshape(len(centre), -1).T
+        if len(centre) == 2:
+            signs = signs[[0, 1, 3, 2]]
+        return np.asarray(centre + signs @ sides.T)
+
+    def exactly(self) -> tuple[list[Any], list[list[Any]]]:
+        """Centre and sides as rational numbers.
+
+        Returns
+        -------
+        tuple of (list of fmpq, list of list of fmpq)
+
+        Raises
+        ------
+        InputError
+            If they are no numbers, or not as many sides as coordinates.
+        """
+        size = len(self.centre)
+        if not size or len(self.sides) != size or any(len(side) != size for side in self.sides):
+            raise InputError("an h-set has a centre and as many sides as coordinates")
+        try:
+            return [*map(rational, self.centre)], [[*map(rational, side)] for side in self.sides]
+        except (ValueError, ZeroDivisionError):
+            raise InputError("the centre and the sides of an h-set are decimal texts") from None
+
+    def seen(self, coordinates: AffineSet) -> list[arb]:
+        """Balls around the coordinates in this set of the states of another one.
+
+        Parameters
+        ----------
+        coordinates : AffineSet
+            Rows (d + 1) of a set: the section's coordinates and 1.
+
+        Returns
+        -------
+        list of arb, length d
+        """
+        return coordinates.mapped(self._inward).ranges
+
+    @cached_property
+    def _inward(self) -> arb_mat:
+        """From the section's coordinates and 1 to those of the set: (d, d + 1)."""
+        from flint import arb_mat, fmpq_mat
+
+        centre, sides = self.exactly()
+        matrix = fmpq_mat(sides).transpose()
+        try:
+            inverse = matrix.inv()
+        except ZeroDivisionError:
+            raise InputError("the sides of an h-set are not independent") from None
+        shift = inverse * fmpq_mat([[-x] for x in centre])
+        rows = zip(inverse.tolist(), shift.tolist(), strict=True)
+        return arb_mat(fmpq_mat([[*row, *last] for row, last in rows]))
+
+
+def piece(h_set: HSet, section: MapSection, box: Box) -> AffineSet:
+    """States of a part of an h-set, with the time 0.
+
+    Parameters
+    ----------
+    h_set : HSet
+    section : MapSection
+    box : Box
+        The part: lower and upper value of each coordinate, exactly.
+
+    Returns
+    -------
+    AffineSet
+    """
+    from flint import arb_mat, fmpq, fmpq_mat
+
+    centre, sides = h_set.exactly()
+    low, high = ([fmpq(*float(x[k]).as_integer_ratio()) for x in box] for k in (0, 1))
+    middles = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
+    halves = [(b - a) / 2 for a, b in zip(low, high, strict=True)]
+    rows = []
+    for k, x in enumerate(centre):
+        shares = [side[k] for side in sides]
+        middle = x + sum((m * y for m, y in zip(middles, shares, strict=True)), fmpq(0))
+        rows.append([middle, *(h * y for h, y in zip(halves, shares, strict=True))])
+    rows.append([fmpq(1), *(fmpq(0) for _ in sides)])
+    states = (fmpq_mat([list(row) for row in section.lift]) * fmpq_mat(rows)).tolist()
+    found = [*states, [fmpq(0)] * len(rows[-1]), rows[-1]]
+    return affine_set(arb_mat(fmpq_mat(found)), arb_mat(len(found), 1))
+
+
+def apart(one: HSet, other: HSet) -> bool:
+    """Whether two h-sets are proved to have no point in common.
+
+    Parameters
+    ----------
+    one, other : HSet
+
+    Returns
+    -------
+    bool
+    """
+    return any(
+        bool(x > 1 or x < -1)
+        for first, second in ((one, other), (other, one))
+        for x in first.seen(_coordinates(second))
+    )
+
+
+def _coordinates(h_set: HSet) -> AffineSet:
+    from flint import arb_mat, fmpq_mat
+
+    centre, sides = h_set.exactly()
+    rows = [[x, *column] for x, column in zip(centre, zip(*sides, strict=True), strict=True)]
+    rows.append([1, *(0 for _ in sides)])
+    return affine_set(arb_mat(fmpq_mat(rows)), arb_mat(len(rows), 1))
+
+
+def decimal_set(name: str, centre: Sequence[float], sides: np.ndarray, digits: int = 7) -> HSet:
+    """An h-set near one in double precision.
+
+    Parameters
+    ----------
+    name : str
+    centre : array (d,)
+    sides : array (d, d)
+        As columns.
+    digits : int
+        Of each side, relative to its length; of the centre relative to the shortest side.
+
+    Returns
+    -------
+    HSet
+    """
+    lengths = np.linalg.norm(sides, axis=0)
+    least = float(lengths.min())
+    return HSet(
+        name,
+        tuple(_text(x, least, digits) for x in centre),
+        tuple(
+            tuple(_text(x, size, digits) for x in side)
+            for side, size in zip(sides.T, lengths, strict=True)
+        ),
+    )
+
+
+def _text(x: float, unit: float, digits: int) -> str:
+    """A decimal text that is right to so many digits of a unit."""
+    places = digits - 1 - int(np.floor(np.log10(unit)))
+    return f"{x:.{max(places, 0)}f}"

@@ -1,0 +1,305 @@
+"""Sets that cover each other, looked for in double precision along a chaotic motion.
+
+Many small parallelepipeds stand about points of the motion, each with its long side in the
+direction that is stretched. Their images under powers of the map lie along the motion too: where
+one crosses another set from end to end, and between its other sides, there is an edge of a
+graph. Two closed walks through one vertex are what is looked for: a homoclinic chain, as short as
+there is one. Nothing here is a proof.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import product
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.proof.chaos.entropy import growth
+from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set
+
+__all__ = ["Horseshoe", "StretchedOrbits", "candidates", "orbits_on"]
+
+_SEED = 3
+_ORBITS, _LENGTH = 40, 10
+_TURNING = 8  # iterates in which directions turn to the one that is stretched
+_RADII = (0.12, 0.06, 0.03)  # half the long sides, in units of the motion's range
+_WIDTHS = (0.5, 1.5)  # the other sides, in units of the long one
+_LINE, _ACROSS = 25, 3  # samples of a set
+_FINE = (401, 5)  # of one that may be proved
+_EDGE = 1.1  # where the images of the ends are to lie
+_INSIDE = 0.85  # of a set's width that images may have
+_UNEVEN = 6.0  # how much more than in the mean images may be stretched
+_GAP = 1.02  # between sets
+_ASLANT = 0.05  # cosine between the long side and what is stretched
+_LONGEST = 10  # sets on a closed walk
+_ORDERS = 16  # in which disjoint sets are taken
+_KEPT = 6  # pairs of walks for each size of the sets
+
+
+class StretchedOrbits(NamedTuple):
+    """Motions on a section: coordinates, derivatives, and directions that are stretched.
+
+    Attributes
+    ----------
+    points : array (m, orbits, d)
+        In units of `sizes`.
+    directions : array (m, orbits, d)
+        Of length 1 in these units.
+    sizes : array (d,)
+        Half the ranges of the coordinates.
+    middle : array (d,)
+    growth : float
+        Of the logarithm of what is stretched most, in one iterate.
+    """
+
+    points: np.ndarray
+    directions: np.ndarray
+    sizes: np.ndarray
+    middle: np.ndarray
+    growth: float
+
+
+class Horseshoe(NamedTuple):
+    """Sets that seem to cover each other under a power of the map."""
+
+    iterates: int
+    h_sets: tuple[HSet, ...]
+    edges: tuple[tuple[int, int], ...]
+    unevenness: float  # of how the sets are stretched, all together
+
+    @property
+    def entropy(self) -> float:
+        """What would be proved, for one iterate of the map."""
+        return math.log(max(float(growth(len(self.h_sets), self.edges)[0]), 1.0)) / self.iterates
+
+
+def orbits_on(section: FloatSection, points: np.ndarray) -> StretchedOrbits | None:
+    """Follow some motions on a section, with the direction that is stretched most.
+
+    Parameters
+    ----------
+    section : FloatSection
+    points : array (n, d)
+        Of a long motion.
+
+    Returns
+    -------
+    StretchedOrbits or None
+        None where the motions do not stay on the section, or the section is one point.
+    """
+    low, high = points.min(axis=0), points.max(axis=0)
+    sizes, middle = (high - low) / 2, (high + low) / 2
+    if not (sizes > 1e-9 * (1 + np.abs(middle))).all():
+        return None
+    now = points[np.linspace(0, len(points) - 1, _ORBITS).astype(int)]
+    random = np.random.default_rng(_SEED)
+    vectors = random.normal(size=now.shape)
+    rates, found, directions = [], [], []
+    for step in range(_TURNING + _LENGTH):
+        mapped, slopes = section.jacobians(now, sizes)
+        slopes = slopes * sizes / sizes[:, None]
+        vectors = np.einsum("nij,nj->ni", slopes, vectors)
+        lengths = np.linalg.norm(vectors, axis=1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            vectors = vectors / lengths[:, None]
+            if step >= _TURNING:
+                rates.append(np.log(lengths))
+        now = mapped.points
+        lost = ~np.isfinite(vectors).all(axis=1)
+        vectors[lost] = random.normal(size=(lost.sum(), now.shape[1]))
+        if step >= _TURNING:
+            found.append((now - middle) / sizes)
+            directions.append(np.where(lost[:, None], np.nan, vectors))
+    rated = np.array(rates)
+    rated = rated[np.isfinite(rated)]
+    if rated.size < _LENGTH:
+        return None
+    return StretchedOrbits(
+        np.array(found), np.array(directions), sizes, middle, float(rated.mean())
+    )
+
+
+def candidates(
+    section: FloatSection, orbits: StretchedOrbits, most_iterates: int, bases: int
+) -> Iterator[Horseshoe]:
+    """Look for sets that cover each other along two closed walks.
+
+    Parameters
+    ----------
+    section : FloatSection
+    orbits : StretchedOrbits
+    most_iterates : int
+    bases : int
+        Points of the motion about which sets stand.
+
+    Yields
+    ------
+    Horseshoe
+        Those that are cheap to prove first.
+    """
+    size = orbits.points.shape[-1]
+    points, directions = (x.reshape(-1, size) for x in (orbits.points, orbits.directions))
+    good = np.isfinite(points).all(axis=1) & np.isfinite(directions).all(axis=1)
+    chosen = np.random.default_rng(_SEED).permutation(np.flatnonzero(good))[:bases]
+    scaled = _ScaledMap(section, orbits)
+    for iterates in range(1, most_iterates + 1):
+        across = scaled.contracted(points[chosen], directions[chosen], iterates)
+        sound = np.isfinite(across).all(axis=(1, 2))
+        centres, along = points[chosen][sound], directions[chosen][sound]
+        found = []
+        for radius, width in product(_RADII, _WIDTHS if size > 1 else _WIDTHS[:1]):
+            frames = radius * np.concatenate([along[:, :, None], width * across[sound]], axis=2)
+            covers, _ = _covers(scaled, centres, frames, iterates, _LINE, _ACROSS)
+            for walk in _walks(covers, centres, frames):
+                kept = np.array(walk)
+                fine = _covers(scaled, centres[kept], frames[kept], iterates, *_FINE)
+                candidate = _candidate(scaled, centres[kept], frames[kept], *fine, iterates)
+                if candidate is not None:
+                    found.append(candidate)
+        yield from sorted(found, key=lambda c: c.unevenness)
+
+
+def _candidate(
+    scaled: _ScaledMap,
+    centres: np.ndarray,
+    frames: np.ndarray,
+    covers: np.ndarray,
+    uneven: np.ndarray,
+    iterates: int,
+) -> Horseshoe | None:
+    """The sets of a graph that grows, in the section's own units."""
+    edges = [(int(i), int(j)) for i, j in np.argwhere(covers)]
+    bound, kept, _ = growth(len(centres), edges)
+    if bound <= 1:
+        return None
+    sets = tuple(
+        decimal_set(
+            f"N{place}",
+            centres[k] * scaled.sizes + scaled.middle,
+            frames[k] * scaled.sizes[:, None],
+        )
+        for place, k in enumerate(kept, 1)
+    )
+    number = {k: place for place, k in enumerate(kept)}
+    inner = tuple((number[i], number[j]) for i, j in edges if i in number and j in number)
+    return Horseshoe(iterates, sets, inner, float(uneven[list(kept)].sum()))
+
+
+class _ScaledMap:
+    """The map in units of the motion's ranges."""
+
+    def __init__(self, section: FloatSection, orbits: StretchedOrbits) -> None:
+        self.section, self.middle, self.sizes = section, orbits.middle, orbits.sizes
+
+    def map(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Images of points (n, d), and their ways."""
+        mapped = self.section.map(points * self.sizes + self.middle)
+        return (mapped.points - self.middle) / self.sizes, mapped.ways
+
+    def contracted(self, points: np.ndarray, along: np.ndarray, iterates: int) -> np.ndarray:
+        """Directions (n, d, d - 1) that are contracted most; NaN where `along` is one of them."""
+        count, size = points.shape
+        now = points * self.sizes + self.middle
+        total = np.broadcast_to(np.eye(size), (count, size, size))
+        for _ in range(iterates if size > 1 else 0):
+            mapped, slopes = self.section.jacobians(now, self.sizes)
+            total = (slopes * self.sizes / self.sizes[:, None]) @ total
+            now = mapped.points
+        sound = np.asarray(np.isfinite(total).all(axis=(1, 2)))
+        _, _, right = np.linalg.svd(np.where(sound[:, None, None], total, 0.0))
+        cosines = np.abs(np.asarray(np.einsum("nd,nd->n", right[:, 0], along)))
+        found = right[:, 1:].transpose(0, 2, 1)
+        usable = sound & (cosines > _ASLANT) if size > 1 else sound
+        return np.where(usable[:, None, None], found, np.nan)
+
+
+def _covers(
+    scaled: _ScaledMap,
+    centres: np.ndarray,
+    frames: np.ndarray,
+    iterates: int,
+    line: int,
+    across: int,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Whether each set seems to cover each other one (n, n), and how unevenly it is stretched (n,).
+
+    From samples of their images.
+    """
+    count, size = centres.shape
+    axes = [np.linspace(-1, 1, line), *[np.linspace(-1, 1, across)] * (size - 1)]
+    grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, size)
+    now = (centres[:, None] + grid @ frames.transpose(0, 2, 1)).reshape(-1, size)
+    whole = np.ones(count, dtype=bool)
+    for _ in range(iterates):
+        now, ways = scaled.map(now)
+        ways = ways.reshape(count, -1)
+        whole &= (ways == ways[:, :1]).all(axis=1) & (ways[:, 0] >= 0)
+    images, inverses = now.reshape(count, -1, size), np.linalg.inv(frames)
+    # next to where the map is not smooth the image of a set is stretched unevenly
+    steps = np.linalg.norm(np.diff(images.reshape(count, line, -1, size), axis=1), axis=-1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        uneven = (steps.max(axis=1) / steps.mean(axis=1)).max(axis=1)
+        whole &= np.less_equal(uneven, _UNEVEN)
+    found = np.zeros((count, count), dtype=bool)
+    for i in np.flatnonzero(whole):
+        seen = np.einsum("jab,jpb->jpa", inverses, images[i] - centres[:, None])
+        ends = seen[..., 0].reshape(count, line, -1)
+        first, last = ends[:, 0], ends[:, -1]
+        crosses = (first < -_EDGE).all(axis=1) & (last > _EDGE).all(axis=1)
+        crosses |= (first > _EDGE).all(axis=1) & (last < -_EDGE).all(axis=1)
+        away = (np.abs(seen[..., 0]) > _EDGE)[..., None] | (np.abs(seen[..., 1:]) < _INSIDE)
+        found[i] = crosses & away.all(axis=(1, 2))
+    return found, uneven
+
+
+def _walks(covers: np.ndarray, centres: np.ndarray, frames: np.ndarray) -> list[list[int]]:
+    """Vertices of pairs of closed walks through one vertex, of disjoint sets: the shortest."""
+    meets = _meets(centres, frames)
+    random = np.random.default_rng(_SEED)
+    useful = np.flatnonzero(covers.any(axis=0) & covers.any(axis=1))
+    found: dict[tuple[int, ...], int] = {}
+    for _ in range(_ORDERS):
+        alone: list[int] = []
+        for k in random.permutation(useful).tolist():
+            if not meets[k, alone].any():
+                alone.append(k)
+        graph = covers[np.ix_(alone, alone)]
+        for start in range(len(alone)):
+            if graph[start].sum() < 2:
+                continue
+            paths = (_path(graph, first, start) for first in np.flatnonzero(graph[start]))
+            ways = sorted((path for path in paths if path), key=len)
+            if len(ways) > 1 and len(ways[1]) <= _LONGEST:
+                members = {*ways[0], *ways[1]}
+                found[tuple(sorted(alone[k] for k in members))] = len(members)
+    best = sorted(found, key=lambda members: found[members])[:_KEPT]
+    return [list(members) for members in best]
+
+
+def _path(graph: np.ndarray, first: Any, last: int) -> list[int] | None:
+    """Vertices of a shortest path, both ends among them."""
+    behind: dict[int, int] = {int(first): -1}
+    queue = [int(first)]
+    for vertex in queue:
+        if vertex == last:
+            path = [vertex]
+            while behind[path[-1]] >= 0:
+                path.append(behind[path[-1]])
+            return path
+        for other in np.flatnonzero(graph[vertex]).tolist():
+            if other not in behind:
+                behind[other] = vertex
+                queue.append(other)
+    return None
+
+
+def _meets(centres: np.ndarray, frames: np.ndarray) -> np.ndarray:
+    """Whether sets (n, n) meet, or nearly so: no side's direction separates them."""
+    inverses = np.linalg.inv(frames)
+    between = np.einsum("iab,ijb->ija", inverses, centres[None] - centres[:, None])
+    reach = np.abs(np.einsum("iab,jbc->ijac", inverses, frames)).sum(axis=-1)
+    apart = (np.abs(between) - reach > _GAP).any(axis=-1)
+    return np.asarray(~(apart | apart.T))

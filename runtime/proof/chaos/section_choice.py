@@ -1,0 +1,110 @@
+"""Sections of a motion: where to look for chaos, the most promising ones first."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.model.boundary_sets import members_of
+from nonsmooth.runtime.proof.chaos.sections import (
+    MapSection,
+    forcing_section,
+    phases,
+    transition_section,
+)
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
+from nonsmooth.runtime.simulation.simulate import follow
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["Sampled", "sampled_sections"]
+
+_PHASES = 16
+_PERIODS, _TRANSIENT = 400, 150
+_TRANSITIONS = 6000
+_FEWEST = 60  # points on a section
+_TRIED = 4  # sections
+
+
+class Sampled(NamedTuple):
+    """A section, and points (n, d) of a motion on it."""
+
+    section: MapSection
+    points: np.ndarray
+
+
+def sampled_sections(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
+    """Sections that a long motion visits, those first on which little is close to a boundary.
+
+    Parameters
+    ----------
+    system : EnclosedSystem
+    motion : Trajectory
+        Its start, and the system in double precision.
+
+    Yields
+    ------
+    Sampled
+    """
+    if system.structure.forcing:
+        yield from _forced(system, motion)
+    else:
+        yield from _passed(system, motion)
+
+
+def _forced(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
+    numbers, structure = motion.system, system.structure
+    c, s = structure.forcing[0]
+    speed = float(numbers.fields[0, s, c])
+    period = 2 * np.pi / abs(speed)
+    end = (_PERIODS + 1) * period
+    run = follow(numbers, motion.states[0], int(motion.run.configurations[0]), end)
+    long = Trajectory(numbers, run)
+    if not long.end >= end * (1 - 1e-9):
+        return
+    start = np.arctan2(motion.states[0, s], motion.states[0, c])
+    found = []
+    for phase in phases(_PHASES):
+        angle = np.arctan2(
+            float(phase[1].p) / float(phase[1].q), float(phase[0].p) / float(phase[0].q)
+        )
+        first = ((angle - start) / speed) % period
+        times = first + period * np.arange(_TRANSIENT, _PERIODS)
+        states, where = long(times), np.array(long.configuration(times))
+        names, counts = np.unique(where, return_counts=True)
+        name = str(names[np.argmax(counts)])
+        configuration = structure.configuration(name)
+        states = states[where == name]
+        rows = numbers.rows[[b.row for b in structure.boundaries[configuration]]]
+        values = states @ rows[:, :-1].T + rows[:, -1]
+        near = (values.max(axis=0) / values.std(axis=0)).max() if len(states) > 2 else 0.0
+        if len(states) >= _FEWEST:
+            found.append((-counts.max() / counts.sum(), near, phase, configuration, states))
+    found.sort(key=lambda entry: entry[:2])
+    for _, _, phase, configuration, states in found[:_TRIED]:
+        section = forcing_section(system, configuration, phase)
+        yield Sampled(section, states[:, list(section.free)])
+
+
+def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
+    start, first = motion.states[0], int(motion.run.configurations[0])
+    run = follow(motion.system, start, first, transitions=_TRANSITIONS)
+    entries = range(len(run.times) // 2, len(run.times))
+    ways = [
+        (int(run.configurations[e - 1]), int(run.sets[e]), int(run.configurations[e]))
+        for e in entries
+    ]
+    found = []
+    for way, count in Counter(ways).items():
+        source, mask, target = way
+        if count < _FEWEST:
+            continue
+        section = transition_section(system, source, frozenset(members_of(mask)), target)
+        if section.free:
+            found.append((len(section.free), -count, way, section))
+    found.sort(key=lambda entry: entry[:3])
+    for _, _, way, section in found[:_TRIED]:
+        places = [e for e, other in zip(entries, ways, strict=True) if other == way]
+        yield Sampled(section, run.states[places][:, list(section.free)])

@@ -1,0 +1,193 @@
+"""Sections on which chaos is proved: where states are taken, and what is exactly true there.
+
+With a forcing states are taken once in each period, at one phase of the forcing, in one
+configuration. Else they are taken behind a transition: what its source holds and the boundary
+that is reached are facts, carried by the reset. The coordinates that facts leave free are those
+of the section: a mass that sticks takes away one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import gcd
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["MapSection", "forcing_section", "phases", "transition_section"]
+
+
+@dataclass(frozen=True)
+class MapSection:
+    """Where states are taken.
+
+    Attributes
+    ----------
+    configuration : int
+        In which states on the section are.
+    facts : Invariants
+        What is exactly true of these states.
+    phase : tuple of (fmpq, fmpq) or None
+        Cosine and sine of the forcing; None for a transition.
+    source, boundaries : int, frozenset of int
+        What the transition leaves and by what; -1 and empty for a forcing.
+    """
+
+    configuration: int
+    facts: Invariants
+    phase: tuple[Any, Any] | None
+    source: int = -1
+    boundaries: frozenset[int] = frozenset()
+
+    @cached_property
+    def free(self) -> tuple[int, ...]:
+        """The states that are its coordinates."""
+        size = len(self.facts.rows[0]) - 1
+        return tuple(k for k in range(size) if k not in self.facts.pivots)
+
+    @cached_property
+    def lift(self) -> tuple[Row, ...]:
+        """Each state as an affine function of the coordinates: rows (N, d + 1)."""
+        from flint import fmpq
+
+        size = len(self.facts.rows[0]) - 1
+        given = dict(zip(self.facts.pivots, self.facts.rows, strict=True))
+        return tuple(
+            tuple(-given[k][j] for j in (*self.free, size))
+            if k in given
+            else (*(fmpq(int(j == k)) for j in self.free), fmpq(0))
+            for k in range(size)
+        )
+
+    def period(self, system: EnclosedSystem) -> arb:
+        """How long the forcing takes to come back, at the working precision.
+
+        Parameters
+        ----------
+        system : EnclosedSystem
+
+        Returns
+        -------
+        arb
+            In the system's units.
+        """
+        from flint import arb
+
+        return 2 * arb.pi() / abs(arb(_speed(system)))
+
+
+def forcing_section(system: EnclosedSystem, configuration: int, phase: Sequence[Any]) -> MapSection:
+    """The section at one phase of the forcing.
+
+    Parameters
+    ----------
+    system : EnclosedSystem
+    configuration : int
+    phase : (fmpq, fmpq)
+        Cosine and sine, a rational point of the unit circle.
+
+    Returns
+    -------
+    MapSection
+
+    Raises
+    ------
+    InputError
+        If there is not exactly one forcing, or the phase is on no circle.
+    """
+    from flint import fmpq
+
+    cosine, sine = phase
+    if cosine**2 + sine**2 != 1:
+        raise InputError("the phase is no point of the unit circle")
+    _speed(system)
+    (c, s), size = system.structure.forcing[0], len(system.structure.states)
+    rows = [
+        tuple(-x if j == size else fmpq(int(j == k)) for j in range(size + 1))
+        for k, x in ((c, cosine), (s, sine))
+    ]
+    held = [system.exact.rows[row] for row in system.structure.constraints[configuration]]
+    facts = Invariants.of([*rows, *held])
+    return MapSection(configuration, facts, (cosine, sine))
+
+
+def transition_section(
+    system: EnclosedSystem, source: int, boundaries: frozenset[int], target: int
+) -> MapSection:
+    """The section behind a transition.
+
+    Parameters
+    ----------
+    system : EnclosedSystem
+    source : int
+    boundaries : frozenset of int
+        Those that are reached.
+    target : int
+
+    Returns
+    -------
+    MapSection
+
+    Raises
+    ------
+    InputError
+        If there is no such transition, or there is a forcing.
+    """
+    structure, exact = system.structure, system.exact
+    if structure.forcing:
+        raise InputError("with a forcing states are taken at one of its phases")
+    held = [exact.rows[row] for row in structure.constraints[source]]
+    reached = [exact.rows[structure.boundaries[source][b].row] for b in sorted(boundaries)]
+    before = Invariants.of([*held, *reached])
+    for transition in structure.transitions_to(source, boundaries, target):
+        facts = before.reset(exact.resets[transition.reset])
+        return MapSection(target, facts, None, source, boundaries)
+    name = structure.configurations
+    raise InputError(f"no such transition leads from {name[source]} to {name[target]}")
+
+
+def phases(count: int) -> list[tuple[Any, Any]]:
+    """Rational points of the unit circle, about evenly spread.
+
+    Parameters
+    ----------
+    count : int
+        A multiple of 4.
+
+    Returns
+    -------
+    list of (fmpq, fmpq)
+        Cosines and sines.
+    """
+    from flint import fmpq
+
+    part = count // 4
+    quarter = []
+    for k in range(part):
+        # m/n is near the tangent of half the angle, which the quarter shares out
+        m, n = round(16 * k / (2 * part - k * k / part)), 16
+        shared = gcd(m, n)
+        m, n = m // shared, n // shared
+        below = m * m + n * n
+        quarter.append((fmpq(n * n - m * m, below), fmpq(2 * m * n, below)))
+    found = list(quarter)
+    for _ in range(3):
+        quarter = [(-s, c) for c, s in quarter]
+        found += quarter
+    return found
+
+
+def _speed(system: EnclosedSystem) -> Any:
+    """Angular frequency of the one forcing, the same in every configuration."""
+    forcing = system.structure.forcing
+    if len(forcing) != 1:
+        raise InputError(f"{system.structure.name} has {len(forcing)} forcings, not one")
+    c, s = forcing[0]
+    return system.exact.fields[0][s][c]

@@ -1,0 +1,66 @@
+"""The declaration of a system as far as some motions visit it, as a file states it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.structure import TransitionShape
+from nonsmooth.runtime.proof.chaos.images import PassedTransition
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
+from nonsmooth.runtime.proof.parametric_declaration import system_declaration
+from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
+
+__all__ = ["visited_declaration"]
+
+
+def visited_declaration(
+    kernels: SystemKernels,
+    system: EnclosedSystem,
+    passages: Sequence[PassedTransition],
+) -> dict[str, Any]:
+    """Configurations and transitions of some passages, with all their numbers.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    system : EnclosedSystem
+    passages : sequence of PassedTransition
+
+    Returns
+    -------
+    dict
+        As `declaration_json` gives it: its phases are the passages, each once. Empty where a
+        contact law decides what follows.
+    """
+    structure = system.structure
+    found = list(
+        dict.fromkeys(p._replace(boundaries=tuple(sorted(p.boundaries))) for p in passages)
+    )
+    taken = [_transition(system, passage) for passage in found]
+    if any(transition is None for transition in taken):
+        return {}
+    itinerary = tuple(
+        (
+            structure.configurations[p.source],
+            "+".join(structure.boundaries[p.source][b].name for b in p.boundaries),
+        )
+        for p in found
+    )
+    cycle = ItineraryShape(
+        structure,
+        itinerary,
+        tuple(p.source for p in found),
+        tuple(p.boundaries[0] for p in found),
+        tuple(t for t in taken if t is not None),
+    )
+    dwell = [f"phase {number}" for number in range(1, len(found) + 1)]
+    start = structure.states
+    return system_declaration(kernels, cycle, system.exact, start, dwell, timed=False)
+
+
+def _transition(system: EnclosedSystem, passage: PassedTransition) -> TransitionShape | None:
+    """A transition that is listed for a passage; None if the law of contacts decides."""
+    listed = system.structure.listed(passage.source, frozenset(passage.boundaries))
+    return next((t for t in listed if t.target == passage.target), None)

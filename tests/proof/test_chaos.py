@@ -1,0 +1,184 @@
+"""Chaos that is proved: images of sets hold what moves, and nothing is called chaos that is not."""
+
+import math
+
+import numpy as np
+import pytest
+from flint import arb_mat
+
+import nonsmooth as ns
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.events.leading_derivative import Undecided
+from nonsmooth.runtime.proof.chaos.affine_sets import affine_set
+from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
+from nonsmooth.runtime.proof.chaos.coverings import coverings
+from nonsmooth.runtime.proof.chaos.entropy import growth
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart, piece
+from nonsmooth.runtime.proof.chaos.images import SectionMap
+from nonsmooth.runtime.proof.chaos.sections import transition_section
+from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+
+# two masses on a belt, both of which stick in turn
+DATA = {
+    "chi": "0.34",
+    "eta": "2.88",
+    "V": "1.23",
+    "us1": "0.75",
+    "us2": "1.19",
+    "ur1": "2.04",
+    "ur2": "1.83",
+}
+START = (1.93, 7.18, 1.18, 1.18)
+
+
+@pytest.fixture(scope="module")
+def chaos():
+    return certify_chaos("dry-friction", DATA, START, iterates=3)
+
+
+def section_of(system):
+    structure = system.structure
+    source = structure.configuration("stick-stick")
+    boundary = structure.boundary(source, "first-breaks-forward")
+    target = structure.configuration("slip-stick")
+    return transition_section(system, source, frozenset({boundary}), target)
+
+
+def returned(x2, passages):
+    """The section's coordinate after so many passages, by exact simulation."""
+    x1 = float(DATA["chi"]) * x2 + float(DATA["ur1"])
+    V = float(DATA["V"])
+    motion = ns.simulate("dry-friction", DATA, [x1, x2, V, V], "slip-stick", transitions=60)
+    names, through = motion.configurations, motion.boundaries
+    places = [
+        k
+        for k in range(1, len(names))
+        if (names[k - 1], through[k], names[k])
+        == ("stick-stick", ("first-breaks-forward",), "slip-stick")
+    ]
+    return motion.states[places[passages - 1]][1]
+
+
+def test_two_masses_on_a_belt_are_chaotic(chaos):
+    assert chaos.proved
+    assert float(chaos.entropy) > 0
+    rate = max(abs(np.linalg.eigvals(chaos.matrix.astype(float))))
+    assert float(chaos.entropy) <= math.log(rate) / chaos.iterates + 1e-15
+    assert float(chaos.entropy) > math.log(rate) / chaos.iterates - 1e-5
+
+
+def test_states_of_the_sets_go_where_their_images_are_said_to_be(chaos):
+    random = np.random.default_rng(7)
+    for h_set in chaos.h_sets:
+        centre, sides = h_set.near
+        for share in random.uniform(-1, 1, 12):
+            image = returned(float(centre[0] + share * sides[0, 0]), chaos.iterates)
+            parts = chaos.images[h_set.name]
+            assert any(low - 1e-9 <= image <= high + 1e-9 for (low,), (high,) in parts)
+
+
+def test_words_are_periodic_motions(chaos):
+    # each closed walk has a periodic point in its first set: bisection finds it
+    sets = {h_set.name: h_set for h_set in chaos.h_sets}
+    for word in chaos.words(2) + chaos.words(3):
+        low, high = -1.0, 1.0
+        parts = [(low, high)]
+        centre, side = (float(x.ravel()[0]) for x in sets[word[0]].near)
+
+        def miss(share, word=word, centre=centre, side=side):
+            x = start = centre + share * side
+            for name in word:
+                c, s = (float(y.ravel()[0]) for y in sets[name].near)
+                if not abs(x - c) <= abs(s) * (1 + 1e-9):
+                    return None
+                x = returned(x, chaos.iterates)
+            return x - start
+
+        shares = np.linspace(low, high, 400)
+        missed = [miss(share) for share in shares]
+        parts = [
+            (a, b)
+            for a, b, u, v in zip(shares, shares[1:], missed, missed[1:], strict=False)
+            if u is not None and v is not None and u * v <= 0
+        ]
+        assert parts, word
+
+
+def test_a_stable_motion_is_not_called_chaos():
+    stable = {**DATA, "V": "0.3", "ur1": "1.5", "ur2": "1.5", "eta": "1"}
+    found = certify_chaos("dry-friction", stable, [1.0, 1.2, 0.1, 0.1], iterates=2, attempts=2)
+    assert found.claim == "undecided"
+    assert found.tried
+    assert found.entropy == "0"
+
+
+def test_sets_that_do_not_cover_each_other_are_not_said_to(chaos):
+    with flint_precision(80):
+        system = enclosed_system("dry-friction", DATA)(80)
+        mapped = SectionMap(system, section_of(system), chaos.iterates)
+        first = chaos.h_sets[0]
+        # a set as wide as the image of the whole motion is covered by nothing
+        wide = HSet("wide", first.centre, (("5",),))
+        assert coverings(mapped, first, [wide], [0], 200).targets == ()
+
+
+def test_an_image_holds_all_motions_from_a_set(chaos):
+    with flint_precision(80):
+        system = enclosed_system("dry-friction", DATA)(80)
+        mapped = SectionMap(system, section_of(system), 1)
+        found = mapped.image(piece(chaos.h_sets[0], mapped.section, ((0.0, 2.0**-9),)))
+        (place,) = mapped.section.free
+        ball = found.states.ranges[place]
+    centre, sides = chaos.h_sets[0].near
+    for share in np.linspace(0, 2.0**-9, 9):
+        image = returned(float(centre[0] + share * sides[0, 0]), 1)
+        assert float(ball.lower()) - 1e-9 <= image <= float(ball.upper()) + 1e-9
+    assert float(ball.rad()) < 0.01
+
+
+def test_a_set_that_is_too_large_is_not_mapped(chaos):
+    with flint_precision(80):
+        system = enclosed_system("dry-friction", DATA)(80)
+        mapped = SectionMap(system, section_of(system), 1)
+        whole = piece(
+            HSet("all", chaos.h_sets[0].centre, (("3",),)), mapped.section, ((-1.0, 1.0),)
+        )
+        with pytest.raises(Undecided):
+            mapped.image(whole)
+
+
+def test_a_time_that_depends_on_the_state_moves_the_set_with_it():
+    # x' = v, v' = 0, to x = 0: the time is -x / v
+    with flint_precision(80):
+        field = arb_mat([[0, 1, 0, 0], [0, 0, 0, 0], [0, 0, 0, 1], [0, 0, 0, 0]])
+        columns = arb_mat([[-1, 0.125, 0], [2, 0, 0.0625], [0, 0, 0], [1, 0, 0]])
+        row = arb_mat([[1, 0, 0, 0]])
+        from flint import arb
+
+        found = affine_set(columns, arb_mat(4, 1)).reach(field, row, arb(0.5, 0.1))
+        x, v, time, _ = found.ranges
+    assert x.contains(0)
+    assert float(x.rad()) < 0.03
+    for start, speed in ((-1.125, 1.9375), (-0.875, 2.0625), (-1.125, 2.0625), (-0.875, 1.9375)):
+        assert time.contains(-start / speed)
+        assert v.contains(speed)
+
+
+def test_growth_is_below_the_spectral_radius():
+    assert growth(2, [(0, 1), (1, 0)])[0] == 1
+    assert growth(3, [(0, 1), (1, 2)])[0] == 0
+    golden = growth(2, [(0, 0), (0, 1), (1, 0)])[0]
+    assert golden < (1 + 5**0.5) / 2 < float(golden) + 1e-5
+
+
+def test_sets_apart():
+    one = HSet("a", ("0", "0"), (("1", "0"), ("0", "1")))
+    assert apart(one, HSet("b", ("2.5", "0"), (("1", "1"), ("0", "0.1")))) is True
+    assert apart(one, HSet("c", ("1.5", "0"), (("1", "1"), ("0", "0.1")))) is False
+
+
+def test_wrong_input_is_told():
+    with pytest.raises(ns.InputError, match="iterates"):
+        certify_chaos("dry-friction", DATA, START, iterates=0)
+    with pytest.raises(ns.InputError, match="rational"):
+        certify_chaos("dry-friction", {**DATA, "V": "sqrt(2)"}, START)
