@@ -220,6 +220,12 @@ def certified() -> Any:
     return ns.certify_branch(looped())
 
 
+def chaotic() -> Any:
+    data = {"us1": "0.75", "us2": "1.19", "ur1": "2.04", "ur2": "1.83"}
+    data |= {"chi": "0.34", "eta": "2.88", "V": "1.23"}
+    return ns.certify_chaos("dry-friction", data, (1.93, 7.18, 1.18, 1.18))
+
+
 def proven_map() -> Any:
     return ns.certify_box(loop(), {"r": ("2/5", "3/5")})
 
@@ -237,6 +243,7 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth box certificate": proven_map,
     "nonsmooth event certificate": event,
     "nonsmooth certified branch": certified,
+    "nonsmooth chaos certificate": chaotic,
     "nonsmooth census": census,
 }
 # what the file of a proof holds for the checker, and an answer that is shown

@@ -31,6 +31,7 @@ TYPES: dict[str, type] = {
     "nonsmooth box certificate": ns.BoxCertificate,
     "nonsmooth event certificate": tuple,
     "nonsmooth certified branch": ns.CertifiedBranch,
+    "nonsmooth chaos certificate": ns.ChaosCertificate,
     "nonsmooth census": ns.Census,
 }
 WITHOUT_PICTURE = {"nonsmooth certificate", "nonsmooth event certificate", "nonsmooth census"}
