@@ -410,3 +410,17 @@ def test_a_way_is_followed_up_to_the_end_of_the_branch() -> None:
     reached = follower.reach(follower.first, np.array([1.3]))
     assert reached.reason == "ta goes to zero"
     assert end - 2e-3 < follower.parameters(reached.numbers)[0] < end
+
+
+@pytest.mark.parametrize("start", [{}, {"V": 1.1, "eta": 3.5}, {"V": 2, "eta": 3}])
+def test_the_optimum_does_not_depend_on_where_it_begins(start: dict[str, float]) -> None:
+    """From some starts the optimiser passes what is allowed, and leaves it again."""
+    design = ns.design(
+        ns.solve("dry-friction/symmetric", start),
+        minimise="spectral_radius",
+        over={"V": (0.6, 3), "eta": (3, 5)},
+        subject_to=["period<=4.6"],
+    )
+    assert design.converged
+    assert design.after["V"] == pytest.approx(3)
+    assert design.after["eta"] == pytest.approx(4.23229159609, abs=1e-7)

@@ -1,7 +1,8 @@
 """SciPy's constrained optimisers along a branch of orbits.
 
 Where a trial lies beyond the branch the optimiser begins again at the best orbit that was
-visited, in a smaller box around it; where it ends at a side of such a box, in a larger one.
+visited, in a smaller box around it, and so where it ends at one that misses a condition by more
+than another; where it ends at a side of such a box, in a larger one.
 """
 
 from __future__ import annotations
@@ -120,6 +121,11 @@ def _optimised(points: Trials, aim: Aim, method: Method, most: int, history: lis
             if box < _LEAST_BOX:
                 break
             continue
+        if aim.missed(found) > _MISSED:
+            nearest = min(points.visited, key=merit)
+            if nearest is not found and box / 2 >= _LEAST_BOX:  # it went away from what is allowed
+                best, box = nearest, box / 2
+                continue
         sides = (place - lower < _SIDE) & (lower > 0) | (upper - place < _SIDE) & (upper < 1)
         gained = merit(best) - merit(found)
         best = found if gained >= 0 else best

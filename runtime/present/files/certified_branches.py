@@ -159,7 +159,8 @@ def load_certified_branch(path: str | os.PathLike[str]) -> CertifiedBranch:
     Examples
     --------
     >>> import nonsmooth as ns
-    >>> branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.9, 1.1))
+    >>> orbit = ns.solve("dry-friction/symmetric", {"V": 1})
+    >>> branch = ns.continue_orbit(orbit, "V", (0.9, 1.1))
     >>> ns.certify_branch(branch).save("branch.json")
     >>> [event.kind for event in ns.load("branch.json").events]
     ['flip']

@@ -68,8 +68,8 @@ def load_sweep(path: str | os.PathLike[str]) -> Sweep:
     >>> ns.sweep(
     ...     "dry-friction", data, "V", [0.9, 1.0], dict(x1=0, x2=0, v1=0, v2=0),
     ...     state="x1", configuration="stick-stick", transient=40, samples=12,
-    ... ).save("diagram.npz")
-    >>> ns.load("diagram.npz").parameter
+    ... ).save("diagram.json")
+    >>> ns.load("diagram.json").parameter
     'V'
     """
     with naming(path) as file:
