@@ -156,6 +156,8 @@ class CarryingPhase:
         step, ahead = self._ahead
         state = np.array([float(x.mid()) for x in centre.entries()])
         normal = np.array([float(x.mid()) for x in row.entries()])
+        if not np.isfinite(state).all():
+            return None
         value, time = float(normal @ state), 0.0
         for _ in range(_LONGEST):
             behind = ahead @ state
@@ -208,7 +210,7 @@ class CarryingPhase:
         while windows:
             begin, end, depth, names = windows.pop()
             middle = ((begin + end) / 2).mid()
-            radius = arb(0, (end - begin).abs_upper() / 2)
+            radius = (begin - middle).union(end - middle)  # the middle is rounded
             moved = states.through(self.flow(middle)).hull
             over = self.flow(radius) * moved
             left = []

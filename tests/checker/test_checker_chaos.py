@@ -86,6 +86,26 @@ def test_a_set_that_is_moved_is_refused(written, tmp_path):
     assert changed(written, tmp_path, move).difference
 
 
+def test_a_set_out_of_the_range_of_doubles_is_refused(written, tmp_path):
+    def far(content):
+        content["h_sets"][0]["centre"][0] = "1e5000"
+
+    assert "not proved" in changed(written, tmp_path, far).difference
+
+
+def test_fractions_are_as_good_as_decimals(written, tmp_path):
+    def rewrite(content):
+        for own in content["h_sets"]:
+            own["centre"] = [str(Fraction(x)) for x in own["centre"]]
+            own["sides"] = [[str(Fraction(x)) for x in side] for side in own["sides"]]
+
+    found = changed(written, tmp_path, rewrite)
+    assert found.difference is None
+    for own, other in zip(ns.load(written).h_sets, found.certificate.h_sets, strict=True):
+        assert "/" in other.centre[0]
+        assert own.corners.tolist() == other.corners.tolist()
+
+
 def test_sets_that_meet_are_refused(written, tmp_path):
     def meet(content):
         first, second = content["h_sets"]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -29,7 +30,7 @@ Box = tuple[tuple[float, float], ...]  # of coordinates of an h-set, within -1 a
 
 @dataclass(frozen=True)
 class HSet:
-    """A parallelepiped on a section: decimal texts, exactly.
+    """A parallelepiped on a section: decimal texts or fractions, exactly.
 
     Attributes
     ----------
@@ -48,7 +49,8 @@ class HSet:
     @cached_property
     def near(self) -> tuple[np.ndarray, np.ndarray]:
         """Centre (d,) and sides as columns (d, d), about."""
-        return np.array(self.centre, dtype=float), np.array(self.sides, dtype=float).T
+        sides = [[float(Fraction(x)) for x in side] for side in self.sides]
+        return np.array([float(Fraction(x)) for x in self.centre]), np.array(sides).T
 
     @property
     def corners(self) -> np.ndarray:
