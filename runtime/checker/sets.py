@@ -7,9 +7,9 @@ that every state of the set does about then, and nothing else before.
 
 from collections.abc import Sequence
 from functools import cached_property
+from math import hypot, isfinite
 from typing import Any, NamedTuple
 
-import numpy as np
 from flint import arb, arb_mat
 
 __all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of"]
@@ -154,14 +154,14 @@ class CarryingPhase:
         float or None
         """
         step, ahead = self._ahead
-        state = np.array([float(x.mid()) for x in centre.entries()])
-        normal = np.array([float(x.mid()) for x in row.entries()])
-        if not np.isfinite(state).all():
+        state = [float(x.mid()) for x in centre.entries()]
+        normal = [float(x.mid()) for x in row.entries()]
+        if not all(map(isfinite, state)):
             return None
-        value, time = float(normal @ state), 0.0
+        value, time = _product(normal, state), 0.0
         for _ in range(_LONGEST):
-            behind = ahead @ state
-            after = float(normal @ behind)
+            behind = _moved(ahead, state)
+            after = _product(normal, behind)
             if value < 0 < after or (time > 0 and value == 0 < after):
                 return time + self._root(state, normal, step * value / (value - after))
             state, value, time = behind, after, time + step
@@ -170,17 +170,21 @@ class CarryingPhase:
         return None
 
     @cached_property
-    def _ahead(self) -> tuple[float, Any]:
+    def _ahead(self) -> tuple[float, list[list[float]]]:
         """A step of time, and the flow over it."""
-        sizes = np.abs(np.linalg.eigvals(self.near))
-        fast = max(float(sizes.max()), 0.05 * float(np.abs(self.near).sum(axis=1).max()), 1e-6)
+        rates = arb_mat(self.near).eig(algorithm="approx")
+        fastest = max(hypot(float(x.real.mid()), float(x.imag.mid())) for x in rates)
+        fast = max(fastest, 0.05 * max(sum(map(abs, row)) for row in self.near), 1e-6)
         return _GRID / fast, _near(self.flow(arb(_GRID / fast)))
 
-    def _root(self, state: Any, normal: Any, part: float) -> float:
+    def _root(self, state: list[float], normal: list[float], part: float) -> float:
         """Newton's method for when a function is zero, from about then."""
         for _ in range(4):
-            there = _near(self.flow(arb(part))) @ state
-            part -= float(normal @ there) / float(normal @ self.near @ there)
+            there = _moved(_near(self.flow(arb(part))), state)
+            slope = _product(normal, _moved(self.near, there))
+            if not slope:
+                break
+            part -= _product(normal, there) / slope
         return part
 
     def clear(
@@ -314,6 +318,14 @@ class CarryingPhase:
         return self.flow(late) * centre
 
 
-def _near(matrix: Any) -> Any:
+def _near(matrix: Any) -> list[list[float]]:
     """A matrix in double precision."""
-    return np.array([[float(x.mid()) for x in row] for row in matrix.tolist()])
+    return [[float(x.mid()) for x in row] for row in matrix.tolist()]
+
+
+def _product(one: Sequence[float], other: Sequence[float]) -> float:
+    return sum(a * b for a, b in zip(one, other, strict=True))
+
+
+def _moved(matrix: list[list[float]], state: list[float]) -> list[float]:
+    return [_product(row, state) for row in matrix]

@@ -26,7 +26,7 @@ from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import exact
-from nonsmooth.runtime.checker.motion import _below, _first
+from nonsmooth.runtime.checker.motion import _below, _first, _Shape
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import number_at, values_of
 from nonsmooth.runtime.checker.stability import _inside, _neutral, characteristic
@@ -441,7 +441,9 @@ def test_pairs_on_the_unit_circle_are_told_from_others(
 
 RUNTIME = files("nonsmooth.runtime")
 # of `core`, with tests of their own
-ARITHMETIC = {"taylor_models", "dual_balls", "rational_functions", "irrational_numbers"}
+ARITHMETIC = {
+    "taylor_models", "jets", "dual_balls", "rational_functions", "irrational_numbers"
+}  # fmt: skip
 
 
 def sources() -> dict[str, str]:
@@ -558,10 +560,10 @@ def test_functions_are_below_zero_if_and_only_if_samples_are(seed: int) -> None:
             chain=SimpleNamespace(fields=[field]), dwell=[arb(length)],
             now=SimpleNamespace(starts=[start]), numbers=arb_mat,
         )  # fmt: skip
-        assert _below(orbit, 0, [(watched, arb(0))]) == verdict
+        assert _below(orbit, 0, [(watched, arb(0), _Shape())]) == verdict
         if excess < 0:  # a distance is kept as far as it is one
-            assert _below(orbit, 0, [(watched, arb(-excess / 2))]) == -1
-            assert _below(orbit, 0, [(watched, arb(-2 * excess))]) is None
+            assert _below(orbit, 0, [(watched, arb(-excess / 2), _Shape())]) == -1
+            assert _below(orbit, 0, [(watched, arb(-2 * excess), _Shape())]) is None
 
 
 @of("rigid", "elastic")
