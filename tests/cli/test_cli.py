@@ -135,7 +135,7 @@ def _found_in_page() -> dict[str, bytes]:
 
 def engine_needed(example: str) -> bool:
     """Thousands of motions or orbits, which take minutes in Python."""
-    slow = "nonsmooth chart", "nonsmooth find", "nonsmooth sweep"
+    slow = "nonsmooth chart", "nonsmooth find", "nonsmooth sweep", "nonsmooth chaos"
     return example.startswith(slow) or "found.json" in example
 
 

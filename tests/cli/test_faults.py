@@ -71,10 +71,11 @@ FAULTED = (
     *(("find", "--save"), ("sweep", "--save")),
 )
 LONG = ("certify", "continue", "find", "sweep")  # what is done is kept before Ctrl-C is looked at
-SLOW_IN_PYTHON = ("find", "--plot")  # a basin is many motions
+# a basin is many motions, and sets that cover each other are looked for along many
+SLOW_IN_PYTHON = {("find", "--plot"), ("chaos", "--save"), ("chaos", "--plot")}
 each = pytest.mark.parametrize(
     "writer",
-    [pytest.param(w, marks=pytest.mark.compiled) if w == SLOW_IN_PYTHON else w for w in WRITERS],
+    [pytest.param(w, marks=pytest.mark.compiled) if w in SLOW_IN_PYTHON else w for w in WRITERS],
     ids="".join,
 )
 
