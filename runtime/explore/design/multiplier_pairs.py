@@ -14,6 +14,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
+    from nonsmooth.runtime.shooting.multiplier_derivatives import MultiplierDerivatives
 
 __all__ = ["MultiplierGroup", "multiplier_groups"]
 
@@ -72,9 +73,9 @@ def multiplier_groups(derivatives: OrbitDerivatives) -> tuple[MultiplierGroup, .
 
 
 def _split(
-    matrix: np.ndarray, rates: np.ndarray, count: int, found: object
+    matrix: np.ndarray, rates: np.ndarray, count: int, found: MultiplierDerivatives
 ) -> tuple[MultiplierGroup, ...]:
-    wanted = np.asarray(found.multipliers).astype(complex)  # type: ignore[attr-defined]
+    wanted = np.asarray(found.multipliers).astype(complex)
     largest = float(np.abs(wanted).max())
     real = np.sort(wanted[np.abs(wanted.imag) <= _REAL * largest].real)
     pairs = [np.array([z, z.conjugate()]) for z in wanted if z.imag > _REAL * largest]
