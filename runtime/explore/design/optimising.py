@@ -1,8 +1,9 @@
 """SciPy's constrained optimisers along a branch of orbits.
 
 Where a trial lies beyond the branch the optimiser begins again at the best orbit that was
-visited, in a smaller box around it, and so where it ends at one that misses a condition by more
-than another; where it ends at a side of such a box, in a larger one.
+visited, in a smaller box around it; where it ends at a side of such a box, in a larger one. SLSQP
+also begins again where it ends, until nothing is gained: where multipliers meet, what it has
+learned of the curvature can stop it early.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ INTERRUPTED = "interrupted"
 Method = Literal["SLSQP", "trust-constr"]
 _ROUNDS = 60
 _LEAST_BOX, _SIDE = 1e-8, 1e-9  # of the bounds
+_SETTLED = 1e-9  # of the aim: what is gained by beginning again at an optimum
 _NEAR = 1e-2  # of the bounds: how far an interior method stays off its limits at most
 _MISSED = 1e-6  # of a condition: then it is approached first
 _PENALTY = 1e3  # of what misses a condition, beside the aim
@@ -121,20 +123,17 @@ def _optimised(points: Trials, aim: Aim, method: Method, most: int, history: lis
             if box < _LEAST_BOX:
                 break
             continue
-        if aim.missed(found) > _MISSED:
-            nearest = min(points.visited, key=merit)
-            if nearest is not found and box / 2 >= _LEAST_BOX:  # it went away from what is allowed
-                best, box = nearest, box / 2
-                continue
         sides = (place - lower < _SIDE) & (lower > 0) | (upper - place < _SIDE) & (upper < 1)
         gained = merit(best) - merit(found)
         best = found if gained >= 0 else best
-        if not sides.any():
-            reason = ""
+        if sides.any():
+            if gained <= 0:
+                break
+            box = min(1.0, 2 * box)
+            continue
+        reason = ""
+        if method != "SLSQP" or gained <= _SETTLED:
             break
-        if gained <= 0:
-            break
-        box = min(1.0, 2 * box)
     if method == "trust-constr":
         best = _sharpened(points, aim, best, most, history, merit)
     best = _snapped(points, best)
