@@ -2,8 +2,8 @@
 
 Where a trial lies beyond the branch the optimiser begins again at the best orbit that was
 visited, in a smaller box around it; where it ends at a side of such a box, in a larger one. SLSQP
-also begins again where it ends, until nothing is gained: where multipliers meet, what it has
-learned of the curvature can stop it early.
+also begins again where it ends, or at a better orbit that it has tried, until nothing is gained:
+where multipliers meet, what it has learned of the curvature can stop it early.
 """
 
 from __future__ import annotations
@@ -132,8 +132,13 @@ def _optimised(points: Trials, aim: Aim, method: Method, most: int, history: lis
             box = min(1.0, 2 * box)
             continue
         reason = ""
-        if method != "SLSQP" or gained <= _SETTLED:
+        if method != "SLSQP":
             break
+        if gained <= _SETTLED:
+            tried = min(points.visited, key=merit)
+            if merit(best) - merit(tried) <= _SETTLED:
+                break
+            best = tried
     if method == "trust-constr":
         best = _sharpened(points, aim, best, most, history, merit)
     best = _snapped(points, best)
