@@ -7,6 +7,7 @@
 `counting`                  all orbits of an itinerary in a box of dwell times, each proved
 `events`                    events of branches, enclosed to any precision
 `motion`                    the sequence of configurations of a simulated motion, proved
+`sets`                      sets of states carried through the phases of a motion
 `certify_orbit`             `certify`: existence, admissibility and stability of one orbit
 `certificate`               `Certificate`: what is proved of an orbit, with enclosures
 `admissibility`             whether a proved orbit is a motion of the real system
@@ -22,7 +23,7 @@
 `krawczyk`                  Newton's method towards a root, and the test that a box has exactly one
 `multipliers`               trace and multipliers, and on which side of the unit circle they are
 `orbit_claims`              what is claimed of one orbit: existence, admissibility, stability
-`orbit_to_prove`               what is to be proved: an orbit of any kind as a cycle of its system
+`orbit_to_prove`            what is to be proved: an orbit of any kind as a cycle of its system
 `parameter_derivatives`     how a proved orbit moves with its parameters
 `parametric_declaration`    the declaration of a file, as functions of its parameters
 `sign_along_phase`          whether an affine function stays negative along a phase

@@ -17,8 +17,8 @@ from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.chaos.certify_chaos import _ChaosQuestion
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.chaos.search import Horseshoe
-from nonsmooth.runtime.proof.chaos.sections import forcing_section
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+from nonsmooth.runtime.proof.sets.sections import forcing_section
 from tests.places import GALLERY
 
 DATA = {

@@ -9,14 +9,14 @@ from flint import arb_mat
 import nonsmooth as ns
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.proof.chaos.affine_sets import affine_set
 from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
 from nonsmooth.runtime.proof.chaos.coverings import coverings
 from nonsmooth.runtime.proof.chaos.entropy import growth
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart, piece
-from nonsmooth.runtime.proof.chaos.images import SectionMap
-from nonsmooth.runtime.proof.chaos.sections import transition_section
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+from nonsmooth.runtime.proof.sets.affine_sets import affine_set
+from nonsmooth.runtime.proof.sets.images import SectionMap
+from nonsmooth.runtime.proof.sets.sections import transition_section
 
 # two masses on a belt, both of which stick in turn
 DATA = {

@@ -20,8 +20,6 @@ from nonsmooth.runtime.model.completion import complete, system_parameters
 from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in
 from nonsmooth.runtime.proof.certificate import GUARD
-from nonsmooth.runtime.proof.chaos.images import PassedTransition
-from nonsmooth.runtime.proof.chaos.visited_declaration import visited_declaration
 from nonsmooth.runtime.proof.exact_tables import exact_tables, irrational_texts
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, physical_values
@@ -30,6 +28,8 @@ from nonsmooth.runtime.proof.parametric_declaration import (
     orbit_declaration,
     system_declaration,
 )
+from nonsmooth.runtime.proof.sets.images import PassedTransition
+from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
 from nonsmooth.runtime.proof.statement import rational
 
 __all__ = [

@@ -8,10 +8,6 @@
 `coverings`             which sets a set covers, proved
 `h_sets`                `HSet`: a parallelepiped with a direction that is stretched
 `entropy`               the spectral radius of a graph, from below
-`images`                images of sets on a section, and the transitions on the way
-`affine_sets`           sets of states that are carried along a motion
-`sections`              where states are taken
 `section_choice`        sections of a motion on which to look
-`visited_declaration`   the system as far as the motions visit it, for the file
 ======================  =====================================================================
 """

@@ -17,12 +17,12 @@ from nonsmooth.runtime.proof.chaos.coverings import Coverings, coverings
 from nonsmooth.runtime.proof.chaos.entropy import growth
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart
-from nonsmooth.runtime.proof.chaos.images import PassedTransition, SectionMap
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
 from nonsmooth.runtime.proof.chaos.section_choice import sampled_sections
-from nonsmooth.runtime.proof.chaos.sections import MapSection
-from nonsmooth.runtime.proof.chaos.visited_declaration import visited_declaration
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.sets.images import PassedTransition, SectionMap
+from nonsmooth.runtime.proof.sets.sections import MapSection
+from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
 from nonsmooth.runtime.simulation.simulate import simulate
 
 if TYPE_CHECKING:

@@ -15,9 +15,9 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.proof.chaos.affine_sets import AffineSet
 from nonsmooth.runtime.proof.chaos.h_sets import Box, HSet, piece
-from nonsmooth.runtime.proof.chaos.images import PassedTransition, SectionMap
+from nonsmooth.runtime.proof.sets.affine_sets import AffineSet
+from nonsmooth.runtime.proof.sets.images import PassedTransition, SectionMap
 
 __all__ = ["Coverings", "coverings"]
 

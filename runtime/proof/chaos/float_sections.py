@@ -12,7 +12,7 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.proof.chaos.sections import MapSection
+from nonsmooth.runtime.proof.sets.sections import MapSection
 from nonsmooth.runtime.simulation.simulate import Trajectories, simulate_many
 
 __all__ = ["FloatSection", "Mapped"]

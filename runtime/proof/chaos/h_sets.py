@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.proof.chaos.affine_sets import AffineSet, affine_set
-from nonsmooth.runtime.proof.chaos.sections import MapSection
+from nonsmooth.runtime.proof.sets.affine_sets import AffineSet, affine_set
+from nonsmooth.runtime.proof.sets.sections import MapSection
 from nonsmooth.runtime.proof.statement import rational
 
 if TYPE_CHECKING:

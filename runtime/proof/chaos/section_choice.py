@@ -9,13 +9,13 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.model.boundary_sets import members_of
-from nonsmooth.runtime.proof.chaos.sections import (
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
+from nonsmooth.runtime.proof.sets.sections import (
     MapSection,
     forcing_section,
     phases,
     transition_section,
 )
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.simulation.simulate import follow
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 

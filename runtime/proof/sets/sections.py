@@ -1,4 +1,4 @@
-"""Sections on which chaos is proved: where states are taken, and what is exactly true there.
+"""Sections of motions: where states are taken, and what is exactly true there.
 
 With a forcing states are taken once in each period, at one phase of the forcing, in one
 configuration. Else they are taken behind a transition: what its source holds and the boundary

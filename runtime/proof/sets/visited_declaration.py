@@ -7,9 +7,9 @@ from typing import Any
 
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.structure import TransitionShape
-from nonsmooth.runtime.proof.chaos.images import PassedTransition
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.parametric_declaration import system_declaration
+from nonsmooth.runtime.proof.sets.images import PassedTransition
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 __all__ = ["visited_declaration"]

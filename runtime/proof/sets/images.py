@@ -11,12 +11,12 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.proof.chaos.affine_sets import AffineSet, with_time
-from nonsmooth.runtime.proof.chaos.sections import MapSection
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row
 from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
 from nonsmooth.runtime.proof.motion.validate import BallJudge, transition_behind
+from nonsmooth.runtime.proof.sets.affine_sets import AffineSet, with_time
+from nonsmooth.runtime.proof.sets.sections import MapSection
 
 if TYPE_CHECKING:
     from flint import arb, arb_mat
