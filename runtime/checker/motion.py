@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.declared import StatedBoundary, StatedPhase, Way
-from nonsmooth.runtime.checker.exact import demand, exact
+from nonsmooth.runtime.checker.exact import demand, exact, product
 from nonsmooth.runtime.checker.orbit import CheckedOrbit, lower
 from nonsmooth.runtime.checker.vanishing import vanishing
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
@@ -220,9 +220,13 @@ def _phase(
     waves = []
     for watched in phase.watched:
         name, order = watched.name, watched.order
+        if not any(key[:2] == (place, name) for key in stated) and _bends(orbit, place, watched):
+            continue
+        slows = ("tangent", name, "end") in own
         if watched.ends_it:
             zeros.append(orbit.value(watched.end, last) if any(watched.end) else fmpq(0))
             speed = orbit.value(watched.speed, last)
+            slows = slows or speed > 0
             if ("tangent", name, "end") not in own:
                 found += [_sign(-speed), clear(name, "speed", speed)]
         if watched.begins is None:
@@ -232,7 +236,8 @@ def _phase(
             not order and vanishes and watched.ends_it,
             ("tangent" if order else "entry", name, "start") in own,
             ("simultaneous", name, "end") in own,
-            ("tangent", name, "end") in own,
+            slows,
+            order == 1 and leading < 0,
             window if ("grazing", name, "inside") in own else None,
         )
         if shape.starts_open:
@@ -255,18 +260,37 @@ def _phase(
 
 
 class _Shape(NamedTuple):
-    """How a function may be zero beside what is exact: at the start, at the end, or inside."""
+    """How a function may be zero beside what is exact: at the start, at the end, or inside.
+
+    At the end its rate is not negative if it slows; at the start that is negative if it falls.
+    """
 
     rises: bool = False
     begins: bool = False
     ends: bool = False
     slows: bool = False
+    falls: bool = False
     touches: tuple[Any, Any] | None = None
 
     @property
     def starts_open(self) -> bool:
         """Whether its sign at the start is not asked for."""
         return self.rises or self.begins
+
+
+def _bends(orbit: CheckedOrbit, place: int, watched: StatedBoundary) -> bool:
+    """Whether a function is convex that is exactly zero at both ends of a phase.
+
+    If the phase lasts a positive time it is negative inside, left and reached with a speed.
+    """
+    if not (watched.ends_it and watched.order == 1 and watched.begins) or any(watched.end):
+        return False
+    field = orbit.declared.steps[place].field
+    bend = tuple(-x for x in product(product(watched.row, field), field))
+    if not orbit.value(bend, orbit.now.starts[place].entries()) < 0:
+        return False
+    falling = watched._replace(row=bend, ends_it=False, order=0)
+    return _below(orbit, place, [(falling, arb(0), _Shape())]) == -1
 
 
 def _follows(orbit: CheckedOrbit, phase: StatedPhase, last: Any) -> int | None:
@@ -362,6 +386,7 @@ def _below(
             falling = change < 0 and not (first and shape.rises)
             done = top < 0 or falling or (change > 0 and rising)
             done = done or (last and shape.slows and curve < 0)
+            done = done or (first and shape.falls and curve < 0)
             order = watched.order + (shape.begins and watched.order > 0)
             if first and order > 1:
                 done = _turns_down(n, b, wide, rate, rates, order, around)

@@ -185,7 +185,8 @@ class _Phase:
                 try:
                     found += self._watched(watched, functions)
                 except _NotTold as trouble:
-                    self.open.append((trouble.which, trouble.reason))
+                    if not self._bends(watched, functions):
+                        self.open.append((trouble.which, trouble.reason))
             self._follows()
         except Undecided as trouble:
             self.open.append((None, trouble.reason))
@@ -203,6 +204,8 @@ class _Phase:
         name, begins, place = watched.name, watched.begins, self.plan.place
         found: list[Margin] = []
         order = 0 if begins is None else begins.order
+        if self.ending in self.assumed and self._bends(watched, functions):
+            return found
         rising = int(watched.reached)
         if begins is not None:
             which = OpenInequality("tangent" if order else "entry", place, name, "start")
@@ -223,6 +226,7 @@ class _Phase:
             else:
                 with _opens(which):
                     speed = self._speed(watched)
+                rising = 2
                 found.append(self._margin(name, "speed", speed))
         if begins is not None and begins.order:
             found.append(self._margin(name, "departure", -value))
@@ -230,10 +234,28 @@ class _Phase:
             if begins is not None and not begins.order:
                 found.append(self._margin(name, "distance", -value))
             return found
-        least = self._distance(functions, watched, order, rising)
+        zeros = ExactZeros(order, rising, falls=begins is not None and begins.order > 0)
+        least = self._distance(functions, watched, zeros)
         if least is not None:
             found.append(self._margin(name, "distance", least))
         return found
+
+    def _bends(self, watched: Watched, functions: EventFunctions | None) -> bool:
+        """Whether a function is convex that is exactly zero at both ends of the phase.
+
+        As the dwell time is positive it is then negative inside, left and reached with a speed.
+        """
+        begins = watched.begins
+        if functions is None or begins is None or begins.order != 1 or not watched.reached:
+            return False
+        if any(watched.ends):
+            return False
+        bend = matrix([watched.row]) * self.field * self.field
+        try:
+            functions.stays_negative(functions.function(-bend), ExactZeros(0, 0))
+        except (Crossed, Undecided):
+            return False
+        return True
 
     def _margin(self, boundary: str, quantity: str, least: Any) -> Margin:
         plan = self.plan
@@ -255,15 +277,14 @@ class _Phase:
         raise Undecided(f"{name} may be reached tangentially")
 
     def _distance(
-        self, functions: EventFunctions, watched: Watched, order: int, rising: int
+        self, functions: EventFunctions, watched: Watched, zeros: ExactZeros
     ) -> arb | None:
         """Prove that a boundary is not reached inside the phase; by how much, if anything."""
         place, name = self.plan.place, watched.name
         grazing = OpenInequality("grazing", place, name, "inside")
         together = OpenInequality("simultaneous", place, name, "end")
         if together in self.assumed:
-            rising = 1
-        zeros = ExactZeros(order, rising)
+            zeros = zeros._replace(last=1)
         function = functions.function(matrix([watched.row]))
         try:
             if grazing in self.assumed:
@@ -289,7 +310,7 @@ class _Phase:
             ) from None
         except Undecided as trouble:
             last = evaluate(watched.ends, self.behind)
-            at_end = not (rising or last < 0 or last > 0)
+            at_end = not (zeros.last or last < 0 or last > 0)
             which = together if at_end else grazing
             raise _NotTold(which, f"{name}: {trouble.reason}") from None
         return None

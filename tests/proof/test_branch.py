@@ -1,5 +1,7 @@
 """Certified branches: what is proved, against the integrator, the events' certificates, attacks."""
 
+import hashlib
+import json
 import random
 from dataclasses import replace
 from fractions import Fraction
@@ -13,6 +15,7 @@ import sympy as sp
 from flint import arb
 
 import nonsmooth as ns
+from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.jets import part_of
@@ -20,6 +23,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
 from nonsmooth.runtime.proof.branch.certified_branch import (
     FINISHED,
+    VANISHED,
     BranchTile,
     CertifiedBranch,
 )
@@ -335,3 +339,96 @@ def test_a_fold_is_passed_by_another_coordinate(tmp_path: Path) -> None:
     assert check.difference is None
     assert check.claims == {"branch": "proved"}
     assert found.plot() is not None
+
+
+def soft_stop() -> Any:
+    from nonsmooth.derive import Harmonic, SoftStop, oscillator
+
+    rate = sp.symbols("Omega")
+    return oscillator(
+        "soft-stop",
+        ["x"],
+        mass=[[1]],
+        damping=[["1/5"]],
+        stiffness=[[1]],
+        forcing=[Harmonic(rate, cosine=["2/5"])],
+        elements=[SoftStop("x", at=1, stiffness="1/2", damping="1/20", name="pad")],
+    )
+
+
+@pytest.fixture(scope="module")
+def grazing(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A branch that ends where its contact vanishes."""
+    found = ns.find_orbits(soft_stop(), {"Omega": "0.82"}, 10, transitions=300).orbits
+    branch = ns.continue_orbit(found[0].orbit, "Omega", (0.79, 0.83))
+    path = tmp_path_factory.mktemp("soft") / "soft.json"
+    ns.certify_branch(branch, interval=("0.79", "0.83")).save(path)
+    return path
+
+
+def test_a_branch_ends_where_a_contact_with_a_soft_stop_vanishes(grazing: Path) -> None:
+    found = ns.load(grazing)
+    assert found.complete
+    assert found.ends == (VANISHED, FINISHED)
+    (event,) = found.events
+    assert event.kind == "vanishing-phase"
+    assert "fold" in [other[0] for other in event.also]
+    assert found.tiles[0].divided == 0
+    assert found.intervals[-1].verdict == "stable"
+    # there the amplitude of the oscillator without the stop is its distance
+    with mpmath.workprec(200):
+        half = mpmath.mpf(49) / 50
+        closed = mpmath.sqrt(half - mpmath.sqrt(half**2 - mpmath.mpf(21) / 25))
+        assert event.enclosures["Omega"].ball.contains(exact_ball(closed))
+    assert ns.check_certificate(grazing).claims == {"branch": "proved"}
+
+
+def undivide(content: dict[str, Any]) -> None:
+    content["tiles"][0]["divided"] = None
+
+
+def divide_another(content: dict[str, Any]) -> None:
+    content["tiles"][0]["divided"] = 2
+
+
+def divide_none_that_is_there(content: dict[str, Any]) -> None:
+    content["tiles"][0]["divided"] = 3
+
+
+def hide_the_turn(content: dict[str, Any]) -> None:
+    event = content["tiles"][0]["event"]
+    event["also"] = [other for other in event["also"] if other[0] != "fold"]
+
+
+def turn_in_another_phase(content: dict[str, Any]) -> None:
+    content["tiles"][0]["event"]["also"][-1][1] = 2
+
+
+def hide_a_tangency(content: dict[str, Any]) -> None:
+    event = content["tiles"][0]["event"]
+    event["also"] = [other for other in event["also"] if other[0] != "tangent"]
+
+
+def vanish_at_the_other_end(content: dict[str, Any]) -> None:
+    content["ends"] = [FINISHED, VANISHED]
+
+
+def call_it_admissible(content: dict[str, Any]) -> None:
+    content["tiles"][0]["before"] = "stable"
+
+
+@pytest.mark.parametrize(
+    "attack",
+    [
+        undivide, divide_another, divide_none_that_is_there, hide_the_turn, turn_in_another_phase,
+        hide_a_tangency, vanish_at_the_other_end, call_it_admissible,
+    ],
+    ids=lambda attack: attack.__name__,
+)  # fmt: skip
+def test_an_edited_end_is_refused(grazing: Path, attack: Any) -> None:
+    content = json.loads(grazing.read_text())
+    del content["sha256"]
+    attack(content)
+    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+    with pytest.raises(Failure):
+        check_branch({**content, "sha256": digest})

@@ -15,6 +15,7 @@ from typing import Any
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
+from nonsmooth.runtime.proof.branch.short_phases import divided_regions
 from nonsmooth.runtime.proof.enclosure import unknown_names
 from nonsmooth.runtime.proof.orbit_equations import Equations, Linearised
 
@@ -39,10 +40,20 @@ class OrbitCurve:
         region = self.region
         return (*unknown_names(region.subject, region.closing), *region.names)
 
+    @cached_property
+    def divided(self) -> dict[int, OrbitCurve]:
+        """The same curve where the condition of a phase that may vanish is divided by its time."""
+        return {place: OrbitCurve(found) for place, found in divided_regions(self.region).items()}
+
     @property
     def parameter(self) -> int:
         """The coordinate that is the parameter: the last one."""
         return len(self.names) - 1
+
+    @cached_property
+    def first_time(self) -> int:
+        """The coordinate that is the first dwell time."""
+        return self.parameter - len(self.region.cycle.configurations)
 
     def equations(self, coordinate: int, value: Any) -> Equations | AlongUnknown:
         """Equations of the other coordinates where one has a value.
