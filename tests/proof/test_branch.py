@@ -6,6 +6,7 @@ import random
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import mpmath
@@ -20,7 +21,9 @@ from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.admissibility import OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
+from nonsmooth.runtime.proof.branch import look as look_module
 from nonsmooth.runtime.proof.branch.certified_branch import (
     FINISHED,
     VANISHED,
@@ -31,6 +34,7 @@ from nonsmooth.runtime.proof.branch.certify_branch import _begin, _event, _recor
 from nonsmooth.runtime.proof.branch.crossing import crossing_of
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
 from nonsmooth.runtime.proof.branch.look import UNDECIDED, look
+from nonsmooth.runtime.proof.branch.passage import CyclePassage, time_of_touch
 from nonsmooth.runtime.proof.branch.tube import orbit_at, proved_piece
 from nonsmooth.runtime.proof.events.certify_event import certify_event
 from nonsmooth.runtime.proof.orbit_to_prove import subject_near
@@ -253,6 +257,60 @@ def test_a_pair_that_leaves_the_circle_at_both_ends_is_not_one_flip(tmp_path: Pa
     found.save(tmp_path / "flip.json")
     check = ns.check_certificate(tmp_path / "flip.json")
     assert "may meet at 1" in str(check.difference)
+
+
+def test_a_pair_that_may_leave_the_circle_on_both_sides_is_undecided(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A flip of a conservative orbit is one event if m + 1/m is nowhere 2 on the tile."""
+    ends = {"T": (Fraction("7.235"), Fraction("7.25"))}
+    values = {"m2": "1.13", "k1": "7.74", "k2": "0.85", "T": "7.24"}
+    orbit, _ = with_open_ones(ns.solve("rigid-stop/one-impact", values), ends)
+    curve = OrbitCurve(region_of(orbit, ends))
+    piece = proved_piece(
+        curve, curve.parameter, ends["T"], curve.others(curve.parameter, _begin(curve)), None
+    )
+    assert not isinstance(piece, str), piece
+    found = look(curve, piece)
+    assert (found.below, found.above) == ("unstable", "neutral")
+    assert found.event is not None
+    assert found.event.which == "flip"
+    monkeypatch.setattr(look_module, "trace_of", lambda section: arb(1, "2.01"))
+    assert look(curve, piece).event is None
+
+
+def test_a_touch_behind_the_end_of_its_phase_is_none() -> None:
+    """A window of time may reach beyond the phase; what is touched there is not touched."""
+    curve = curve_near("0.6653")
+    with flint_precision(192):
+        begin = _begin(curve)
+        passage = CyclePassage(curve.region, begin)
+        opens = [
+            OpenInequality("grazing", place, watched.name, "inside")
+            for place, plan in enumerate(curve.region.plans)
+            for watched in plan.watched
+        ]
+        found = []
+        for which in opens:
+            dwell = passage.dwell[which.phase]
+            window = dwell / 20, dwell * 19 / 20
+            time = time_of_touch(passage, which, window)
+            if time is not None:
+                found.append((which, window, time))
+        assert found
+        for which, window, time in found:
+            dwell = [*passage.dwell]
+            dwell[which.phase] = time - arb("1e-9")
+            shorter = SimpleNamespace(
+                region=passage.region,
+                number=passage.number,
+                equations=passage.equations,
+                shooting=passage.shooting,
+                dwell=dwell,
+            )
+            assert time_of_touch(shorter, which, window) is None
+            dwell[which.phase] = time + arb("1e-9")
+            assert time_of_touch(shorter, which, window) is not None
 
 
 def test_a_neutral_saddle_is_no_torus(tmp_path: Path) -> None:
