@@ -4,6 +4,7 @@ No boundary is crossed before a phase ends, for all times; the one that ends it 
 inside; and the transition is the first whose conditions hold.
 """
 
+import re
 from collections.abc import Sequence
 from functools import cache
 from typing import Any, NamedTuple
@@ -58,6 +59,8 @@ class Border(NamedTuple):
         if self.kind == "vanishing-phase":
             demand(self[2:] == ("+".join(step["boundaries"]), ""), "the phase ends otherwise")
             return -orbit.dwell[place]
+        if self.kind == "condition":
+            return self._condition(orbit)
         watched = self.watched(orbit)
         begin, end = orbit.now.starts[place], orbit.now.ends[place].entries()
         if self.kind == "grazing":
@@ -74,6 +77,27 @@ class Border(NamedTuple):
         fits, sign, row, state = means.get((self.kind, self.instant), (False, 1, None, end))
         demand(fits and row is not None and any(row), "this is no such event")
         return sign * orbit.value(row, state)
+
+    @property
+    def listed(self) -> tuple[int, int]:
+        """Of a condition: in which of the transitions that may follow it is, and where."""
+        fits = self.instant == "end" and re.fullmatch(r"[1-9]\d{0,3}\.[1-9]\d{0,3}", self.boundary)
+        demand(fits, "there is no such condition")
+        transition, place = self.boundary.split(".")
+        return int(transition) - 1, int(place) - 1
+
+    def _condition(self, orbit: CheckedOrbit) -> Any:
+        """A number that is negative where a condition is as the itinerary asks."""
+        phase = orbit.declared.phases([])[self.phase]
+        number, place = self.listed
+        demand(len(phase.orders) == 1 and not phase.lawful, "this is no such event")
+        demand(number < len(phase.orders[0]), "there is no such condition")
+        way = phase.orders[0][number]
+        demand(place < len(way.conditions), "there is no such condition")
+        row, expected = way.conditions[place]
+        demand(row is not None and any(row), "this is no such event")
+        value = orbit.value(row, orbit.now.ends[self.phase].entries())
+        return -value if expected == way.wanted else value
 
     def watched(self, orbit: CheckedOrbit) -> StatedBoundary:
         """Its boundary.
@@ -255,7 +279,9 @@ def _phase(
         if order or not watched.still:
             waves.append((watched, arb(least), shape))
     found += [{0: -1, None: None}.get(_sign(x), 1) for x in zeros]
-    found.append(_follows(orbit, phase, last))
+    conditions = [border.listed for border in assumed
+                  if border.kind == "condition" and border.phase == place]  # fmt: skip
+    found.append(_follows(orbit, phase, last, conditions))
     return found if 1 in found else [*found, _below(orbit, place, waves)]
 
 
@@ -293,11 +319,35 @@ def _bends(orbit: CheckedOrbit, place: int, watched: StatedBoundary) -> bool:
     return _below(orbit, place, [(falling, arb(0), _Shape())]) == -1
 
 
-def _follows(orbit: CheckedOrbit, phase: StatedPhase, last: Any) -> int | None:
-    """Whether in every order the first transition whose conditions hold is the itinerary's."""
+def _follows(
+    orbit: CheckedOrbit, phase: StatedPhase, last: Any, assumed: Sequence[tuple[int, int]]
+) -> int | None:
+    """Whether in every order the first transition whose conditions hold is the itinerary's.
+
+    Conditions that are assumed to be as the itinerary asks have to decide it: all others of
+    their transitions hold.
+    """
     if not phase.decided:
         return None
-    found = [_first(orbit, ways, last) for ways in phase.orders]
+    orders = phase.orders
+    if assumed:
+        if len(orders) > 1 or phase.lawful or sum(way.wanted for way in orders[0]) > 1:
+            return None
+        if len({number for number, _ in assumed}) < len(assumed):
+            return None
+        ways = []
+        taken = dict(assumed)
+        for number, way in enumerate(orders[0]):
+            if number in taken:
+                others = [c for k, c in enumerate(way.conditions) if k != taken[number]]
+                if not all(_holds(orbit, row, last, expected) for row, expected in others):
+                    return None
+                if way.wanted:
+                    ways.append(way._replace(conditions=[]))
+                continue
+            ways.append(way)
+        orders = [ways]
+    found = [_first(orbit, ways, last) for ways in orders]
     if 1 in found:
         return None if phase.lawful else 1
     return None if None in found else -1

@@ -36,10 +36,12 @@ class OpenInequality(NamedTuple):
         "vanishing-phase": the dwell time is positive. "entry", "tangent": the first derivative
         of a boundary function that is not zero where the phase begins is negative; where it
         ends, its rate is positive. "simultaneous": another function is negative at the end.
-        "grazing": its maximum inside the phase is negative.
+        "grazing": its maximum inside the phase is negative. "condition": a condition of a
+        transition is as the itinerary asks.
     phase : int
         Counted from 0.
     boundary : str
+        Of a condition in its place "2.1": of the second transition that is listed the first.
     instant : {"", "start", "inside", "end"}
     """
 
@@ -322,6 +324,17 @@ class _Phase:
 
     def _first(self, followers: Sequence[Follower]) -> None:
         """Prove that of these the first whose conditions hold is wanted."""
+        opens = self._open_conditions(followers)
+        left = [(which, target) for which, target in opens if which not in self.assumed]
+        if left:
+            self.open += [(which, f"whether {target} follows") for which, target in left]
+            return
+        taken = {int(which.boundary.split(".")[0]) for which, _ in opens}
+        followers = [
+            follower._replace(conditions=()) if number in taken else follower
+            for number, follower in enumerate(followers, 1)
+            if follower.wanted or number not in taken
+        ]
         follower, trouble = first_following(followers, self._sign)
         if follower is not None and trouble is not None:
             raise Undecided(f"whether {follower.target} follows")
@@ -333,6 +346,34 @@ class _Phase:
         if follower is not None:
             raise _Refuted(f"{follower.target} follows, or another transition to it")
         raise _Refuted(f"{last.target} does not follow: its conditions do not hold")
+
+    def _open_conditions(self, followers: Sequence[Follower]) -> list[tuple[OpenInequality, str]]:
+        """Conditions that alone decide whether what is wanted follows, and cannot be told.
+
+        Of each transition at most one: all its others hold. Where one changes another
+        transition follows, or none.
+        """
+        if len(self.plan.orders) > 1 or any(follower.doubt for follower in followers):
+            return []
+        found = []
+        for number, follower in enumerate(followers, 1):
+            left = []
+            for k, (behind, expected) in enumerate(follower.conditions, 1):
+                try:
+                    if (self._sign(behind) > 0) != expected:
+                        break
+                except Undecided as trouble:
+                    left.append(k if trouble.digits else 0)
+            else:
+                if len(left) > 1 or 0 in left:
+                    return []
+                if left:
+                    name = f"{number}.{left[0]}"
+                    which = OpenInequality("condition", self.plan.place, name, "end")
+                    found.append((which, follower.target))
+                elif not follower.wanted:
+                    return []
+        return found
 
     def _sign(self, behind: Derivative | None) -> int:
         """Sign of a function behind the end; 0 for none."""
