@@ -599,12 +599,20 @@ def _solution(square: Any, y: Any, right: Any) -> list[Any]:
         sum((abs(rest[i, j]) * scales[j] for j in range(size)), arb(0)) / scales[i]
         for i in range(size)
     ]
-    norm = max((x.upper() for x in sums), key=float)
+    norm = _largest(sums)
     demand(norm < 1, "the derivative along the branch is not known")
     errors = [abs(missed[i, 0]) / scales[i] for i in range(size)]
-    worst = max((x.upper() for x in errors), key=float) / (1 - norm)
+    worst = _largest(errors) / (1 - norm)
     pairs = zip(guess.entries(), scales, strict=True)
     return [x + arb(0, (s * worst).upper()) for x, s in pairs]
+
+
+def _largest(numbers: Sequence[Any]) -> Any:
+    """A bound of all numbers; no number if one of them is none."""
+    found = numbers[0]
+    for number in numbers[1:]:
+        found = found.max(number)
+    return found.upper()
 
 
 def _with(place: int, value: Any, others: Sequence[Any]) -> list[Any]:

@@ -351,6 +351,29 @@ def test_what_is_asked_wrongly_is_told(branch: Any) -> None:
         ns.certify_branch(branch, resume=branch)
 
 
+def test_narrow_tiles_are_proved_again(tmp_path: Path) -> None:
+    """Where tubes are as narrow as rounding the check takes more bits."""
+    orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
+    branch = ns.continue_orbit(orbit, "V", (1.07, 1.09))
+    found = ns.certify_branch(branch, interval=("1.08", "1.08000000001"))
+    assert found.complete
+    found.save(tmp_path / "narrow.json")
+    check = ns.check_certificate(tmp_path / "narrow.json")
+    assert check.claims == {"branch": "proved"}, check.difference
+
+
+def test_little_is_looked_at_beside_an_event_at_an_end(branch: Any) -> None:
+    """What is undecided at an end grows by doubling, not tile by tile of the smallest width."""
+    event = branch.events[-1]
+    orbit = ns.solve("dry-friction/symmetric", {"V": "1.08059"})
+    beside = ns.continue_orbit(orbit, "V", (1.0805, 1.0807))
+    found = ns.certify_branch(beside, interval=("1.080588074177112019767064076", "1.0806"))
+    assert not found.complete
+    assert all(abs(part.begin - event.value) < 1e-9 for part in found.undecided)
+    assert sum(part.width for part in found.undecided) < 1e-11
+    assert len(found.tiles) < 100
+
+
 def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: CertifiedBranch) -> None:
     tiles = list(found.tiles)
     tiles[3] = replace(tiles[3], before=UNDECIDED, after=UNDECIDED, reason="planted")

@@ -38,7 +38,7 @@ class BranchEvent:
     ----------
     kind : str
         "flip", "fold" or "neimark-sacker"; "grazing", "tangent", "entry", "simultaneous" or
-        "vanishing-phase".
+        "vanishing-phase"; "condition", of a transition.
     phase : int or None
         Counted from 0, in files from 1.
     configuration, boundary : str

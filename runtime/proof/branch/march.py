@@ -101,24 +101,29 @@ def march(curve: OrbitCurve, place: MarchPlace) -> Iterator[BranchStep]:
     low, high = curve.region.box[0]
     sizes = _sizes(curve, place.point)
     step = sizes[place.coordinate] * _FIRST
+    left = Fraction(0)  # what was left undecided right behind: more is left with it
     while True:
         sizes = [max(pair) for pair in zip(sizes, _sizes(curve, place.point), strict=True)]
         turned = _turned(curve, place, sizes)
         if turned.coordinate != place.coordinate:
-            step = step * rational(abs(place.slopes[turned.coordinate]) or 1.0)
+            rate = rational(abs(place.slopes[turned.coordinate]) or 1.0)
+            step, left = step * rate, left * rate
         size = sizes[turned.coordinate]
-        least = size * _LEAST
+        smallest = size * _LEAST
+        least = max(smallest, left * _GROWTH)
         step = max(min(step, size * _FIRST), least)
         reason = ""
         while True:
             taken = _tried(curve, place, turned, step, (low, high))
-            if isinstance(taken, BranchStep) and (taken.found.decided or step <= least):
-                break
             if isinstance(taken, str):
                 reason = taken
-                if step <= least:
+                if step <= smallest:
                     break
-            step = max(step * _SHRINK, least)
+                step = max(step * _SHRINK, smallest)
+            elif taken.found.decided or step <= least:
+                break
+            else:
+                step = max(step * _SHRINK, least)
         if isinstance(taken, str):
             yield _gap(curve, place, turned, step, reason)
             return
@@ -128,8 +133,9 @@ def march(curve: OrbitCurve, place: MarchPlace) -> Iterator[BranchStep]:
             return
         if taken.found.ends:
             return
-        if taken.found.decided:
-            step = (taken.upper - taken.lower) * _GROWTH
+        width = taken.upper - taken.lower
+        left = Fraction(0) if taken.found.decided else width
+        step = width * _GROWTH
 
 
 def rational(number: float) -> Fraction:
