@@ -21,6 +21,7 @@
 `resuming`                 whether interrupted work asked the same
 `showing`                  how results show themselves, in a few lines and as a table
 `taylor_models`            functions of a few variables as polynomials with ball coefficients
+`valid_json`               answers as JSON without NaN and Infinity
 `vectorised`               any-arithmetic kernels as NumPy generalized ufuncs
 `workload`                 how large a work is, before it begins
 `threads`                  threads whose compiled loops end when their caller is interrupted
