@@ -210,7 +210,7 @@ def _border(
     """A tile in which the orbit may meet a border beyond which it is no motion.
 
     Where a phase vanishes that begins and ends on one boundary the branch turns too, if the
-    condition is divided: the parameter is an even function of the dwell time, but for more.
+    condition is divided: to leading order the parameter is even in the dwell time.
     """
     opens = [which for which in judgement.open if which is not None]
     if len(opens) < len(judgement.open):
