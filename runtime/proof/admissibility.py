@@ -320,21 +320,26 @@ class _Phase:
     def _follows(self) -> None:
         """Prove that in every order what follows first is the itinerary's transition."""
         for followers in self.plan.orders:
-            self._first(followers)
+            left = self._left(followers)
+            if left is not None:
+                self._first(left)
 
-    def _first(self, followers: Sequence[Follower]) -> None:
-        """Prove that of these the first whose conditions hold is wanted."""
+    def _left(self, followers: Sequence[Follower]) -> list[Follower] | None:
+        """What may follow if open conditions are as is assumed; None where one is not."""
         opens = self._open_conditions(followers)
         left = [(which, target) for which, target in opens if which not in self.assumed]
         if left:
             self.open += [(which, f"whether {target} follows") for which, target in left]
-            return
+            return None
         taken = {int(which.boundary.split(".")[0]) for which, _ in opens}
-        followers = [
+        return [
             follower._replace(conditions=()) if number in taken else follower
             for number, follower in enumerate(followers, 1)
             if follower.wanted or number not in taken
         ]
+
+    def _first(self, followers: Sequence[Follower]) -> None:
+        """Prove that of these the first whose conditions hold is wanted."""
         follower, trouble = first_following(followers, self._sign)
         if follower is not None and trouble is not None:
             raise Undecided(f"whether {follower.target} follows")

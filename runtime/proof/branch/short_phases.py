@@ -3,9 +3,8 @@
 Where the dwell time t of such a phase is zero its switching condition holds for any speed: the
 orbit's equations are singular there, and have another branch, of t = 0. Divided by t they are
 regular. The saltation matrix at its ends is regular too, if the velocity jumps by a multiple of
-the boundary function's rate: the map
-is differentiable there. Grazings without a jump are in M. di Bernardo, C. Budd, A. Champneys and
-P. Kowalczyk, Piecewise-smooth Dynamical Systems (2008).
+the boundary function's rate: the map is differentiable there. Grazings without a jump are in
+M. di Bernardo, C. Budd, A. Champneys and P. Kowalczyk, Piecewise-smooth Dynamical Systems (2008).
 """
 
 from __future__ import annotations
