@@ -20,9 +20,9 @@ from nonsmooth.runtime.checker.parameters import independent, number_at, values_
 from nonsmooth.runtime.checker.shape import BRANCH, check_shape
 from nonsmooth.runtime.checker.stability import characteristic, paired, products_less_one, stability
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
-from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
+from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of, space_of
 
-__all__ = ["check_branch"]
+__all__ = ["CheckedCurve", "CheckedTile", "check_branch", "checked_tiles", "passing", "solution"]
 
 _BITS, _SHARP = 64, 192
 _ORDER = 5  # of the models: that of the polynomials
@@ -50,10 +50,31 @@ def check_branch(content: dict[str, Any]) -> None:
     """
     check_shape(content, BRANCH)
     check_sum(content)
+    checked_tiles(content)
+
+
+def checked_tiles(content: dict[str, Any]) -> list["CheckedTile"]:
+    """Prove every claim of a branch whose entries have their shape.
+
+    Parameters
+    ----------
+    content : dict
+        Entries of a branch.
+
+    Returns
+    -------
+    list of CheckedTile
+        Its tiles, proved.
+
+    Raises
+    ------
+    Failure
+        If a claim is not proved.
+    """
     tiles = content["tiles"]
     _claimed(content)
     if not tiles:
-        return
+        return []
     demand(content["declaration"], "claims about no declaration")
     with ctx.workprec(_BITS):
         told = content["declaration"].get("constants", [])
@@ -63,8 +84,8 @@ def check_branch(content: dict[str, Any]) -> None:
         demand(declared.bound and declared.rational, "the declaration is not exact")
         demand(content["stability"] == declared.stability, "stability of another kind")
         demand(content["unknown_names"] == declared.unknowns, "other unknowns")
-        curve = _Curve(declared, declared.closes(), constants, content)
-        found = [_CheckedTile(curve, tile) for tile in tiles]
+        curve = CheckedCurve(declared, declared.closes(), constants, content)
+        found = [CheckedTile(curve, tile) for tile in tiles]
         for number, tile in enumerate(found, 1):
             try:
                 tile.check()
@@ -77,6 +98,7 @@ def check_branch(content: dict[str, Any]) -> None:
                 raise Failure(f"tiles {number} and {number + 1}: {failure}") from None
         _ends(found, content)
         independent(declared, constants, [tuple(map(exact, content["interval"]))])
+    return found
 
 
 def _claimed(content: dict[str, Any]) -> None:
@@ -97,7 +119,7 @@ def _claimed(content: dict[str, Any]) -> None:
         demand(same or tile["event"], "the verdict changes without an event")
 
 
-class _Curve:
+class CheckedCurve:
     """The equations of the orbits: their unknowns, and last the parameter, on one footing."""
 
     def __init__(
@@ -124,7 +146,7 @@ class _Curve:
         parameter = jet(point[-1], arb(1))
         orbit = CheckedOrbit(self.declared, number_at([parameter, *self.constants]))
         times = point[orbit.first : -1]
-        flows = [(b * t).exp() for b, t in zip(orbit.chain.fields, times, strict=True)]
+        flows = [_flow(b, t) for b, t in zip(orbit.chain.fields, times, strict=True)]
         now = orbit.passage(orbit.chain, point[:-1], flows)
         own, along = part_of(now.slopes, 0), part_of(now.values, 1)
         rows = [[*(own[i, j] for j in range(self.last)), along[i, 0]] for i in range(self.last)]
@@ -164,7 +186,7 @@ class _Curve:
         for k in range(1, order + 1):
             orbit = CheckedOrbit(self.declared, number_at([found[-1], *self.constants]))
             missed = part_of(matrix([[v] for v in orbit.along(found[:-1])]), k)
-            step = _solution(square, y, -missed)
+            step = solution(square, y, -missed)
             others = _without(place, found)
             moved = [
                 Jet(x.space, tuple(d if i == k else part for i, part in enumerate(x.parts)))
@@ -174,10 +196,10 @@ class _Curve:
         return found
 
 
-class _CheckedTile:
+class CheckedTile:
     """One tile of a branch."""
 
-    def __init__(self, curve: _Curve, tile: dict[str, Any]) -> None:
+    def __init__(self, curve: CheckedCurve, tile: dict[str, Any]) -> None:
         self.curve, self.tile = curve, tile
         self.place = curve.place(tile["coordinate"])
         self.low, self.high = exact(tile["lower"]), exact(tile["upper"])
@@ -320,7 +342,7 @@ def _verdict(orbit: CheckedOrbit) -> str:
 class _CheckedEvent:
     """The event of a tile."""
 
-    def __init__(self, tile: _CheckedTile) -> None:
+    def __init__(self, tile: CheckedTile) -> None:
         self.tile, self.curve, self.event = tile, tile.curve, tile.event
         own = [self.event[name] for name in ("kind", "phase", "boundary", "instant")]
         self.borders = [
@@ -382,7 +404,7 @@ class _CheckedEvent:
         polynomial = characteristic(orbit.section)
         for other in _MULTIPLIERS:
             if other != kind and (other != "neimark-sacker" or len(polynomial) > 2):
-                value = range_of(_passing(polynomial, other))
+                value = range_of(passing(polynomial, other))
                 demand(value > 0 or value < 0, f"there may be another event: {other}")
 
     def _verdicts(self) -> None:
@@ -451,7 +473,7 @@ class _CheckedEvent:
         jets = curve.jets(place, point, 1) if order else point
         orbit = curve.orbit(jets)
         if border is None:
-            found = _passing(characteristic(orbit.section), which)
+            found = passing(characteristic(orbit.section), which)
         else:
             time = None
             if border.kind == "grazing":
@@ -460,7 +482,7 @@ class _CheckedEvent:
         return part_of(found, 0), part_of(found, 1) if order else None
 
 
-def _passing(polynomial: Sequence[Any], kind: str) -> Any:
+def passing(polynomial: Sequence[Any], kind: str) -> Any:
     """What is zero where multipliers are -1, or 1, or two have the product 1."""
     if kind == "neimark-sacker":
         return products_less_one(polynomial)
@@ -470,7 +492,7 @@ def _passing(polynomial: Sequence[Any], kind: str) -> Any:
     return total
 
 
-def _joined(tile: _CheckedTile, other: _CheckedTile) -> None:
+def _joined(tile: CheckedTile, other: CheckedTile) -> None:
     """The end of one tile and the beginning of the next are one orbit, and lead the same way."""
     curve = tile.curve
     with ctx.workprec(_SHARP):
@@ -491,7 +513,7 @@ def _joined(tile: _CheckedTile, other: _CheckedTile) -> None:
         demand(slope > 0 if same else slope < 0, "they do not lead the same way")
 
 
-def _enters(tile: _CheckedTile, other: _CheckedTile, point: Sequence[Any]) -> None:
+def _enters(tile: CheckedTile, other: CheckedTile, point: Sequence[Any]) -> None:
     """The end of a tile lies in the next one, and in front of its event."""
     value = point[other.place]
     demand(value > other.low and value < other.high, "they are apart")
@@ -501,7 +523,7 @@ def _enters(tile: _CheckedTile, other: _CheckedTile, point: Sequence[Any]) -> No
         demand(value < bounds[0] if other.forwards else value > bounds[1], "an event is left out")
 
 
-def _leaves(tile: _CheckedTile, other: _CheckedTile, point: Sequence[Any]) -> None:
+def _leaves(tile: CheckedTile, other: CheckedTile, point: Sequence[Any]) -> None:
     """The beginning of a tile lies in the one before it, and behind its event."""
     value = point[tile.place]
     demand(value > tile.low and value < tile.high, "they are apart")
@@ -511,7 +533,7 @@ def _leaves(tile: _CheckedTile, other: _CheckedTile, point: Sequence[Any]) -> No
         demand(value > bounds[1] if tile.forwards else value < bounds[0], "an event is left out")
 
 
-def _ends(tiles: Sequence[_CheckedTile], content: dict[str, Any]) -> None:
+def _ends(tiles: Sequence[CheckedTile], content: dict[str, Any]) -> None:
     """Where it is said to reach an end of the interval it does."""
     curve = tiles[0].curve
     reached = (tiles[0].begin, tiles[0].place), (tiles[-1].end, tiles[-1].place)
@@ -521,7 +543,7 @@ def _ends(tiles: Sequence[_CheckedTile], content: dict[str, Any]) -> None:
             demand(there, "it does not reach the end of the interval")
 
 
-def _solution(square: Any, y: Any, right: Any) -> list[Any]:
+def solution(square: Any, y: Any, right: Any) -> list[Any]:
     """Enclosures of the solution of a linear system, from about the inverse."""
     size = square.nrows()
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
@@ -540,6 +562,12 @@ def _solution(square: Any, y: Any, right: Any) -> list[Any]:
     worst = max((x.upper() for x in errors), key=float) / (1 - norm)
     pairs = zip(guess.entries(), scales, strict=True)
     return [x + arb(0, (s * worst).upper()) for x, s in pairs]
+
+
+def _flow(field: Any, time: Any) -> Any:
+    """The flow for a time; of a box of times the factor that is wide has a small exponent."""
+    middle = middle_of(time)
+    return (field * (time - middle)).exp() * (field * middle).exp()
 
 
 def _with(place: int, value: Any, others: Sequence[Any]) -> list[Any]:
