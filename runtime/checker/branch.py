@@ -483,7 +483,18 @@ class _CheckedEvent:
 
 
 def passing(polynomial: Sequence[Any], kind: str) -> Any:
-    """What is zero where multipliers are -1, or 1, or two have the product 1."""
+    """What is zero where multipliers are -1, or 1, or two have the product 1.
+
+    Parameters
+    ----------
+    polynomial : sequence of arb, TaylorModel or Jet
+        The characteristic one, the highest power first.
+    kind : {"flip", "fold", "neimark-sacker"}
+
+    Returns
+    -------
+    arb, TaylorModel or Jet
+    """
     if kind == "neimark-sacker":
         return products_less_one(polynomial)
     total: Any = arb(0)
@@ -544,7 +555,26 @@ def _ends(tiles: Sequence[CheckedTile], content: dict[str, Any]) -> None:
 
 
 def solution(square: Any, y: Any, right: Any) -> list[Any]:
-    """Enclosures of the solution of a linear system, from about the inverse."""
+    """Enclosures of the solution of a linear system, from about the inverse.
+
+    Parameters
+    ----------
+    square : matrix (n, n)
+        Of balls or Taylor models.
+    y : matrix (n, n)
+        About its inverse, exact.
+    right : matrix (n, 1)
+
+    Returns
+    -------
+    list of arb or TaylorModel
+        They hold for all values of the variables.
+
+    Raises
+    ------
+    Failure
+        If the matrix may be singular.
+    """
     size = square.nrows()
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
     guess = (y * right).mid()
