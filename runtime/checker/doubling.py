@@ -70,7 +70,7 @@ def check_cascade(content: dict[str, Any]) -> None:
     demand(0 < content["asked"] >= len(doublings), "more doublings than were asked for")
     whole = len(doublings) == content["asked"]
     demand((content["claims"]["doublings"] == "proved") == whole, "the claim is another one")
-    demand(whole == (not content["end"]), "a reason why it goes no further, or none")
+    demand(not (whole and content["end"]), "a reason why it goes no further, though it is whole")
     tiles = []
     for number, branch in enumerate(branches, 1):
         try:
@@ -144,6 +144,9 @@ class _CheckedDoubling:
         found = self.krawczyk(a, self.centre, self.radii)
         demand(found is not None, "existence is not proved: Krawczyk's test fails")
         assert found is not None
+        low, high = self.curve.interval
+        over = range_of(found[-1])
+        demand(over > low and over < high, "it is outside of the interval")
         rate = range_of(self.rate(a, found))
         side = self.doubling["side"]
         demand(rate > 0 if side == "above" else rate < 0, f"they may not be {side} the flip")

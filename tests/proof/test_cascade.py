@@ -18,6 +18,7 @@ from nonsmooth.runtime.proof.doubling.beside_flip import flip_with_direction
 from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
 from nonsmooth.runtime.proof.doubling.doubled_equations import DoubledEquations
 from nonsmooth.runtime.proof.doubling.doubling_tube import proved_tube
+from tests.explore import test_continuation_forced as impacts
 
 pytestmark = pytest.mark.compiled  # much slower without it
 ENDS = Fraction(1), Fraction("1.2")
@@ -197,3 +198,35 @@ def test_wrong_questions_are_refused(branch: Any, words: dict[str, Any]) -> None
         ns.certify_cascade(branch, **words)
     with pytest.raises(InputError):
         ns.certify_cascade(branch.orbit, **words)
+
+
+@pytest.fixture(scope="module")
+def struck() -> CertifiedCascade:
+    """An impact oscillator beyond two flips."""
+    branch = ns.continue_orbit(impacts.orbit(), "sigma", (-0.1, 0.01))
+    return ns.certify_cascade(branch, doublings=2, tiles=12)
+
+
+def test_impacts_double_twice_from_the_flip_in_closed_form(
+    struck: CertifiedCascade, tmp_path: Path
+) -> None:
+    assert struck.claims == {"doublings": "proved"}, struck.end
+    assert [struck.kind(k) for k in range(2)] == ["supercritical"] * 2
+    assert [len(part.itinerary) for part in struck.branches] == [1, 2, 4]
+    closed = impacts.closed_forms()[1]
+    assert float(struck.flips[0].enclosures["sigma"]) == pytest.approx(closed, abs=1e-12)
+    struck.save(tmp_path / "struck.json")
+    assert ns.check_certificate(tmp_path / "struck.json").claims == {"doublings": "proved"}
+
+
+def test_motions_settle_on_the_doubled_impacts(struck: CertifiedCascade) -> None:
+    """The exact motion between the two flips strikes twice before it comes back."""
+    first, second = (float(event.enclosures["sigma"]) for event in struck.flips)
+    orbit = impacts.orbit()
+    given = {**orbit.parameters, "sigma": str((first + second) / 2)}
+    start = [float(x) for x in orbit.states[0]]
+    start[0] = (first + second) / 2
+    motion = ns.simulate(orbit.system, given, start, "free", transitions=600)
+    itinerary, dwell, _ = ns.itinerary_of(motion)
+    assert len(itinerary) == 2
+    assert abs(float(dwell[0]) - float(dwell[1])) > 1e-3

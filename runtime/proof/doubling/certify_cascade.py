@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.taylor_models import range_of
 from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.composed_family import composed_family
@@ -245,7 +246,7 @@ class _Cascade:
         """The doubled orbits of a tube with their verdict; None where none is known."""
         value = begin_of_branch(proved)
         low, high = self.interval
-        if not low < value < high:
+        if not low < value < high or not self._inside(proved):
             return None
         guess = doubled_guess(proved, value)
         half = len(orbit.itinerary)
@@ -276,6 +277,14 @@ class _Cascade:
             radii=proved.tube.radii,
         )
         return _Doubled(doubling, value, other, sharp)
+
+    def _inside(self, proved: ProvedTube) -> bool:
+        """Whether a tube's parameters are those of the interval."""
+        from flint import arb
+
+        low, high = (arb(rational_of(end)) for end in self.interval)
+        reached = range_of(proved.point[-1])
+        return bool(reached > low and reached < high)
 
     def _branch(self, doubled: _Doubled, *, goes_on: bool) -> CertifiedBranch:
         """The branch of twice the period, from inside the tube on."""
