@@ -33,6 +33,7 @@ __all__ = [
     "verdict_of",
 ]
 
+_WIDER = 15  # times the radii: what the check has to tell them from
 _DEEPEST = 3  # halvings of a tube whose orbits are judged
 _SHARE = 0.75  # of the largest amplitude: where the doubled branch begins
 
@@ -196,7 +197,9 @@ def verdict_of(
             return UNDECIDED, "no doubled orbit is proved to be in the tube", None
         there = CyclePassage(doubled, orbit).stability.verdict
     with flint_precision(BITS):
-        reason = _undecided_on(doubled, proved.point)
+        # wider, for the check multiplies the phases' maps in another order
+        wide = [x + arb(0, _WIDER * x.rad()) for x in proved.point]
+        reason = _undecided_on(doubled, wide)
     if reason:
         return UNDECIDED, reason, orbit
     words = {"proved": "stable", "refuted": "unstable"}
