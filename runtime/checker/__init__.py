@@ -22,6 +22,7 @@ functions. The table is in the order in which to read.
 `tiles`        a map of tiles in a box of parameters
 `events`       bifurcations and limits of admissibility
 `branch`       a branch: tiles that follow each other, and the events between them
+`doubling`     orbits of twice the period that begin at flips
 `census`       orbits that were counted
 `sets`         sets of states through the phases of a motion
 `chaos`        sets that cover each other, and the entropy of their graph
@@ -31,6 +32,7 @@ functions. The table is in the order in which to read.
 from nonsmooth.runtime.checker.branch import check_branch
 from nonsmooth.runtime.checker.census import check_census
 from nonsmooth.runtime.checker.chaos import check_chaos
+from nonsmooth.runtime.checker.doubling import check_cascade
 from nonsmooth.runtime.checker.events import check_events
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.checker.points import check
@@ -42,6 +44,7 @@ __all__ = [
     "Malformed",
     "check",
     "check_branch",
+    "check_cascade",
     "check_census",
     "check_chaos",
     "check_events",

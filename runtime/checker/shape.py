@@ -12,6 +12,7 @@ from nonsmooth.runtime.checker.exact import NUMBER, Failure
 
 __all__ = [
     "BRANCH",
+    "CASCADE",
     "CENSUS",
     "CERTIFICATE",
     "CHAOS",
@@ -238,6 +239,26 @@ BRANCH = {
             ),
         }
     ],
+}
+CASCADE = {
+    **_FILE,
+    "claims": {"doublings": re.compile("proved|undecided")},
+    "asked": int,
+    "end": str,
+    "doublings": [
+        {
+            "tile": int,
+            "scaled": str,
+            "amplitude": NUMBER,
+            "side": re.compile("above|below"),
+            "verdict": re.compile("stable|unstable|undecided"),
+            "reason": str,
+            "rate": _BALL,
+            "centre": [[float]],
+            "radii": [float],
+        }
+    ],
+    "branches": [{name: shape for name, shape in BRANCH.items() if name not in _FILE}],
 }
 CHAOS = {
     **_FILE,

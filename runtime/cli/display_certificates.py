@@ -16,6 +16,7 @@ from nonsmooth.runtime.proof.branch.certified_branch import FINISHED, CertifiedB
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
+from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 
 if TYPE_CHECKING:
@@ -25,11 +26,13 @@ __all__ = [
     "STYLES",
     "UNIFORM",
     "branch_table",
+    "cascade_table",
     "chaos_lines",
     "enclosure_table",
     "share_table",
     "show_box",
     "show_branch",
+    "show_cascade",
     "show_certificate",
     "show_chaos",
     "show_derivatives",
@@ -276,6 +279,54 @@ def branch_table(found: CertifiedBranch) -> Table:
         style = "yellow" if part.verdict == UNDECIDED else ""
         table.add_row(Text(part.verdict, style=style), told, why, str(part.tiles))
         before = part.verdict
+    return table
+
+
+def show_cascade(found: CertifiedCascade) -> None:
+    """Show the flips, and what is proved of the orbits of twice the period beside them.
+
+    Parameters
+    ----------
+    found : CertifiedCascade
+        As `certify_cascade` gives it.
+    """
+    out = console_as_wide()
+    out.print(Text(f"{shown_name(found.orbit)}, along {found.parameter}", style="bold"))
+    show_table(cascade_table(found), out)
+    for ratio in found.ratios:
+        out.print(f"ratio of distances between flips: {ratio}")
+    values = found.parameters
+    out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
+    if found.end:
+        out.print(Text(found.end, style="yellow"))
+
+
+def cascade_table(found: CertifiedCascade) -> Table:
+    """Flips and doubled orbits in their order.
+
+    Parameters
+    ----------
+    found : CertifiedCascade
+
+    Returns
+    -------
+    Table
+        Two rows for each doubling.
+    """
+    table = listing("", found.parameter, "", "phases")
+    for number, (event, doubling) in enumerate(zip(found.flips, found.doublings, strict=True)):
+        value = str(event.enclosures[found.parameter])
+        kind = found.kind(number)
+        phases = len(found.branches[number].itinerary)
+        table.add_row(Text("flip", style="bold"), value, kind, str(phases))
+        branch = found.branches[number + 1]
+        low, high = map(float, branch.interval)
+        near = f"{doubling.side} the flip: {doubling.verdict}"
+        told = [near, doubling.reason] if doubling.reason else [near]
+        table.add_row("doubled orbits", f"{low:.10g} ... {high:.10g}", ": ".join(told),
+                      str(2 * phases))  # fmt: skip
+        for part in branch.intervals:
+            table.add_row("", f"{part.begin:.10g} ... {part.end:.10g}", part.verdict, "")
     return table
 
 

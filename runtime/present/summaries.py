@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.certificate import Certificate
     from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
     from nonsmooth.runtime.proof.counting.census import Census
+    from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof
     from nonsmooth.runtime.simulation.last_cycle import Recurrence
@@ -376,6 +377,25 @@ def _certified_branch(proof: CertifiedBranch) -> Summary:
     )
 
 
+def _certified_cascade(proof: CertifiedCascade) -> Summary:
+    flips = [
+        f"{event.enclosures[proof.parameter]} {proof.kind(number)}".rstrip()
+        for number, event in enumerate(proof.flips)
+    ]
+    doubled = [f"{each.verdict} {each.side} the flip" for each in proof.doublings]
+    return (
+        f"certified cascade of {shown_name(proof.orbit)} along {proof.parameter}",
+        [
+            ("claims", _claims(proof.claims, {})),
+            ("flips", flips),
+            ("doubled", doubled),
+            ("ratios", [str(ratio) for ratio in proof.ratios]),
+            ("end", [proof.end] if proof.end else []),
+            ("given", _given(proof.parameters)),
+        ],
+    )
+
+
 def _census(census: Census) -> Summary:
     number = f"{'exactly' if census.decided else 'at least'} {_many(census.count, 'orbit')}"
     return f"census of {shown_name(census.orbit)}: {number}", [
@@ -434,6 +454,7 @@ _KINDS: Mapping[str, Callable[[Any], Summary]] = {
     "Census": _census,
     "Certificate": _certificate,
     "CertifiedBranch": _certified_branch,
+    "CertifiedCascade": _certified_cascade,
     "Check": _check,
     "Design": _design,
     "ChaosCertificate": _chaos,

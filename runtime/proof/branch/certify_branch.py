@@ -277,8 +277,11 @@ def _event(curve: OrbitCurve, found: EventCrossing) -> BranchEvent:
     cycle = curve.region.cycle
     place = which.phase if isinstance(which, OpenInequality) else None
     with flint_precision(SHARP):
+        from flint import arb
+
+        # twice as wide: the check, whose equations are others, finds its own
         enclosures = {
-            name: Stated.around(x, STATED)
+            name: Stated.around(x + arb(0, x.rad()), STATED)
             for name, x in zip(curve.names, found.enclosures, strict=True)
         }
     return BranchEvent(

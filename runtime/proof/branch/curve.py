@@ -22,7 +22,15 @@ from nonsmooth.runtime.proof.orbit_equations import Equations, Linearised
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["AlongUnknown", "OrbitCurve", "directions", "largest_of"]
+__all__ = [
+    "AlongUnknown",
+    "OrbitCurve",
+    "directions",
+    "largest_of",
+    "linearised_by_parameter",
+    "linearised_in_jets",
+    "solution",
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -256,7 +264,7 @@ def directions(
                 inverse = slopes.mid().inv().mid()
             except ZeroDivisionError:
                 return None
-        step = _solved(slopes, inverse, -part_of(now.residual, k))
+        step = solution(slopes, inverse, -part_of(now.residual, k))
         if step is None:
             return None
         others = curve.others(coordinate, jets)
@@ -283,8 +291,22 @@ def largest_of(numbers: Sequence[arb]) -> arb:
     return reduce(lambda left, right: left.max(right), numbers).upper()
 
 
-def _solved(slopes: Any, inverse: Any, right: Any) -> list[Any] | None:
-    """Enclosures of the solution of a linear system, for all values of the variables."""
+def solution(slopes: Any, inverse: Any, right: Any) -> list[Any] | None:
+    """Enclosures of the solution of a linear system, for all values of the variables.
+
+    Parameters
+    ----------
+    slopes : matrix (n, n)
+        Of balls or Taylor models.
+    inverse : matrix (n, n)
+        About its inverse, exact.
+    right : matrix (n, 1)
+
+    Returns
+    -------
+    list of arb or TaylorModel, or None
+        None where the matrix may be singular.
+    """
     from flint import arb, arb_mat
 
     size = slopes.nrows()

@@ -22,7 +22,7 @@ from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-__all__ = ["NOT_ADMISSIBLE", "UNDECIDED", "Look", "look"]
+__all__ = ["NOT_ADMISSIBLE", "UNDECIDED", "Look", "look", "open_multipliers"]
 
 NOT_ADMISSIBLE, UNDECIDED = "not admissible", "undecided"
 _TURNS = "the branch may turn"
@@ -121,7 +121,7 @@ def _turned(curve: OrbitCurve, piece: Piece, passage: CyclePassage, judgement: J
     if judgement.verdict == "undecided":
         return _undecided(judgement.reason)
     if judgement.verdict == "proved":
-        if curve.region.closing.form is not None or _others(passage, "fold"):
+        if curve.region.closing.form is not None or open_multipliers(passage, "fold"):
             return _undecided(_TURNS)
         ends = _at_ends(curve, piece)
     return _event(curve, piece, "fold", ends, _TURNS)
@@ -141,14 +141,28 @@ def _multipliers(curve: OrbitCurve, piece: Piece, passage: CyclePassage) -> Look
             if pair
             else (_undecided(reason))
         )
-    suspects = [kind for kind in ("flip", "neimark-sacker") if kind in _others(passage, "")]
-    if len(suspects) != 1 or "fold" in _others(passage, ""):
+    suspects = [
+        kind for kind in ("flip", "neimark-sacker") if kind in open_multipliers(passage, "")
+    ]
+    if len(suspects) != 1 or "fold" in open_multipliers(passage, ""):
         return _undecided(reason)
     return _event(curve, piece, suspects[0], _at_ends(curve, piece), reason)
 
 
-def _others(passage: CyclePassage, but: str) -> list[str]:
-    """Which numbers of multipliers may be zero, but for one: all passings of the circle."""
+def open_multipliers(passage: CyclePassage, but: str) -> list[str]:
+    """Which numbers of multipliers may be zero, but for one: all passings of the circle.
+
+    Parameters
+    ----------
+    passage : CyclePassage
+    but : str
+        The kind that is left out.
+
+    Returns
+    -------
+    list of str
+        Of "flip", "fold" and "neimark-sacker".
+    """
     size = passage.section.nrows()
     kinds = [kind for kind in ("flip", "fold", "neimark-sacker") if kind != but]
     if size < 2:
