@@ -15,14 +15,21 @@ from flint import arb, arb_mat, ctx
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
 from nonsmooth.runtime.checker.motion import Border, admissibility, time_of_touch
-from nonsmooth.runtime.checker.orbit import CheckedOrbit, trace_of
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import BRANCH, check_shape
-from nonsmooth.runtime.checker.stability import characteristic, paired, products_less_one, stability
+from nonsmooth.runtime.checker.stability import (
+    MULTIPLIERS,
+    characteristic,
+    demand_alone,
+    paired,
+    passing,
+    stability,
+)
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 
-__all__ = ["check_branch"]
+__all__ = ["check_branch", "solution"]
 
 _BITS, _SHARP = 64, 192
 _ORDER = 5  # of the models: that of the polynomials
@@ -30,7 +37,6 @@ _STEPS = 8  # of Newton's method
 _DEEPEST = 5  # halvings of a tile whose claims take smaller ones
 _FINISHED = "end of the interval"
 _OPEN = "undecided"
-_MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
 
 
 def check_branch(content: dict[str, Any]) -> None:
@@ -164,7 +170,7 @@ class _Curve:
         for k in range(1, order + 1):
             orbit = CheckedOrbit(self.declared, number_at([found[-1], *self.constants]))
             missed = part_of(matrix([[v] for v in orbit.along(found[:-1])]), k)
-            step = _solution(square, y, -missed)
+            step = solution(square, y, -missed)
             others = _without(place, found)
             moved = [
                 Jet(x.space, tuple(d if i == k else part for i, part in enumerate(x.parts)))
@@ -326,7 +332,7 @@ class _CheckedEvent:
         self.borders = [
             Border(kind, place - 1, boundary, instant)
             for kind, place, boundary, instant in (own, *self.event["also"])
-            if kind not in _MULTIPLIERS
+            if kind not in MULTIPLIERS
         ]
         self.below, self.above = tile.tile["before"], tile.tile["after"]
         if not tile.forwards:
@@ -339,7 +345,7 @@ class _CheckedEvent:
         demand(tile.low < self.low < self.high < tile.high, "its event is outside")
         window = [arb(exact(x)) for x in event["window"]]
         self.window = (window[0], window[1]) if len(window) == 2 else None
-        if event["kind"] in _MULTIPLIERS:
+        if event["kind"] in MULTIPLIERS:
             own = [event[name] for name in ("phase", "configuration", "boundary", "instant")]
             demand(own == [None, "", "", ""] and not event["also"] and not window, "a phase")
             tile.parts(self._no_other)
@@ -347,7 +353,7 @@ class _CheckedEvent:
             self._passes(event["kind"], None)
         else:
             kinds = [kind for kind, *_ in event["also"]]
-            demand(not {*kinds} & {*_MULTIPLIERS}, "a multiplier beside a border")
+            demand(not {*kinds} & {*MULTIPLIERS}, "a multiplier beside a border")
             self._border()
         with ctx.workprec(_SHARP):
             middle, half = (self.low + self.high) / 2, (self.high - self.low) / 2
@@ -373,17 +379,7 @@ class _CheckedEvent:
         demand(admissible == ("proved" if self._moves else "refuted"), "it may be no motion")
         if not self._moves:
             return
-        demand(orbit.declared.alone, "one-sided maps")
-        if orbit.declared.stability == "neutral":
-            demand(kind == "flip" and orbit.declared.size == 4, "more than one pair")
-            total = range_of(trace_of(orbit.section)) - 1  # m + 1/m of the pair
-            demand(total > 2 or total < 2, "the pair may meet at 1")
-            return
-        polynomial = characteristic(orbit.section)
-        for other in _MULTIPLIERS:
-            if other != kind and (other != "neimark-sacker" or len(polynomial) > 2):
-                value = range_of(_passing(polynomial, other))
-                demand(value > 0 or value < 0, f"there may be another event: {other}")
+        demand_alone(orbit, kind)
 
     def _verdicts(self) -> None:
         """Verdicts at both ends of the tile: on each side there is one."""
@@ -451,23 +447,13 @@ class _CheckedEvent:
         jets = curve.jets(place, point, 1) if order else point
         orbit = curve.orbit(jets)
         if border is None:
-            found = _passing(characteristic(orbit.section), which)
+            found = passing(characteristic(orbit.section), which)
         else:
             time = None
             if border.kind == "grazing":
                 time = time_of_touch(curve.orbit(point), border, self.window)
             found = border.number(orbit, time)
         return part_of(found, 0), part_of(found, 1) if order else None
-
-
-def _passing(polynomial: Sequence[Any], kind: str) -> Any:
-    """What is zero where multipliers are -1, or 1, or two have the product 1."""
-    if kind == "neimark-sacker":
-        return products_less_one(polynomial)
-    total: Any = arb(0)
-    for coefficient in polynomial:
-        total = total * _MULTIPLIERS[kind] + coefficient
-    return total
 
 
 def _joined(tile: _CheckedTile, other: _CheckedTile) -> None:
@@ -521,8 +507,25 @@ def _ends(tiles: Sequence[_CheckedTile], content: dict[str, Any]) -> None:
             demand(there, "it does not reach the end of the interval")
 
 
-def _solution(square: Any, y: Any, right: Any) -> list[Any]:
-    """Enclosures of the solution of a linear system, from about the inverse."""
+def solution(square: Any, y: Any, right: Any) -> list[Any]:
+    """Enclosures of the solution of a linear system, from about the inverse.
+
+    Parameters
+    ----------
+    square : matrix (n, n)
+    y : matrix (n, n)
+        About its inverse.
+    right : matrix (n, 1)
+
+    Returns
+    -------
+    list of arb or TaylorModel
+
+    Raises
+    ------
+    Failure
+        If the matrix may be singular.
+    """
     size = square.nrows()
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
     guess = (y * right).mid()

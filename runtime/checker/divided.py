@@ -1,0 +1,246 @@
+"""The check of a divided tile: one event on a curve, with a verdict on each side of it.
+
+A number g is zero at the event. Its derivative by one parameter has one sign on the tile, by
+jets in Taylor models. With g = P + rho, |rho| < R, on a part of the tile, g has one sign where p
+is farther from a curve c(q) than (R + |P(c(q), q)|) / min |dP/dp|: P is a polynomial there.
+"""
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+from flint import arb, fmpq
+
+from nonsmooth.runtime.checker.branch import solution
+from nonsmooth.runtime.checker.exact import demand, exact
+from nonsmooth.runtime.checker.motion import Border, admissibility, time_of_touch
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.parameters import number_at
+from nonsmooth.runtime.checker.stability import (
+    MULTIPLIERS,
+    characteristic,
+    demand_alone,
+    paired,
+    passing,
+    stability,
+)
+from nonsmooth.runtime.core.jets import jet, part_of
+from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
+
+__all__ = ["Division", "Part"]
+
+Part = Sequence[tuple[Any, Any]]
+_PARAMETERS = 2
+_ORDER = 12  # of what is composed along a curve
+_VERDICTS = {"proved": "proved", "refuted": "unstable"}
+
+
+class Division:
+    """What is claimed of a tile that a curve divides.
+
+    Parameters
+    ----------
+    event : dict
+        As the file states it.
+    claims : tuple of (str, str, str)
+        Verdicts on existence, admissibility and stability of all of the tile.
+    names : sequence of str
+        Parameters of the box.
+    """
+
+    def __init__(
+        self, event: dict[str, Any], claims: tuple[str, str, str], names: Sequence[str]
+    ) -> None:
+        demand(len(names) == _PARAMETERS and event["across"] in names, "a curve in no plane")
+        self.event, self.axis = event, names.index(event["across"])
+        self.centre = [_fraction(c) for c in event["centre"]]
+        self.radius = _fraction(event["radius"])
+        demand(len(self.centre) > 1 and self.radius > 0, "a curve without width")
+        sizes = [abs(c) for c in self.centre]
+        bends = sum((k * size for k, size in enumerate(sizes) if k > 1), fmpq(0))
+        whole = sum(sizes, self.radius) < 1
+        demand(whole or sizes[1] > bends, "a side may consist of several parts")
+        own = [event[name] for name in ("kind", "phase", "boundary", "instant")]
+        self.borders: list[Border] = []
+        self.window: tuple[Any, Any] | None = None
+        _, admissible, stable = claims
+        window = [arb(exact(x)) for x in event["window"]]
+        if event["kind"] in MULTIPLIERS:
+            demand(event["kind"] != "fold", "at a fold the orbit ends")
+            named = [own[1], event["configuration"], *own[2:]]
+            demand(named == [None, "", "", ""] and not event["also"] and not window, "a phase")
+            demand((admissible, stable) == ("proved", "undecided"), "claims of another event")
+            demand("not admissible" not in (event["below"], event["above"]), "other verdicts")
+        else:
+            told = admissible == "undecided" and stable in _VERDICTS
+            demand(told, "claims of another event")
+            rows = [own, *event["also"]]
+            demand(all(isinstance(place, int) for _, place, *_ in rows), "a border of no phase")
+            self.borders = [Border(kind, place - 1, *rest) for kind, place, *rest in rows]
+            demand(not {b.kind for b in self.borders} & {*MULTIPLIERS}, "a multiplier at a border")
+            demand(len({*self.borders}) == len(self.borders), "a border twice")
+            grazes = [b for b in self.borders if b.kind == "grazing"]
+            demand(len(grazes) == len(window) / 2 <= 1, "a window of no grazing")
+            self.window = (window[0], window[1]) if window else None
+            self.beside = {_VERDICTS[stable], "not admissible"}
+            demand({event["below"], event["above"]} == self.beside, "other verdicts")
+        self.signs: set[bool] = set()
+
+    def phases(self, orbit: CheckedOrbit) -> None:
+        """The phases of borders are those of the orbit.
+
+        Parameters
+        ----------
+        orbit : CheckedOrbit
+        """
+        steps = orbit.declared.steps
+        demand(all(0 <= border.phase < len(steps) for border in self.borders), "no such phase")
+        if self.borders:
+            name = steps[self.borders[0].phase].name
+            demand(self.event["configuration"] == name, "another configuration")
+
+    def prove(
+        self, orbit: CheckedOrbit, energies: Any, parameters: Sequence[Any], constants: Any,
+        part: Part,
+    ) -> None:  # fmt: skip
+        """Prove what holds on a part of the tile.
+
+        Parameters
+        ----------
+        orbit : CheckedOrbit
+            Located, in Taylor models of the parameters on the part.
+        energies : dict
+            As `StatedSystem.closes` gives them.
+        parameters : sequence of TaylorModel
+        constants : sequence of arb
+        part : sequence of (fmpq, fmpq)
+            The part, from -1 to 1 over the tile.
+
+        Raises
+        ------
+        Failure
+            If something is not proved.
+        """
+        orbit.returns(energies)
+        kind = self.event["kind"]
+        moving = _moving(orbit, parameters, constants, self.axis)
+        if self.borders:
+            told = admissibility(orbit, [], self.borders, self.window)
+            demand(told == "proved", f"but for the event admissibility is {told}")
+        else:
+            demand_alone(orbit, kind)
+            if kind == "neimark-sacker":
+                demand(paired(characteristic(orbit.section)), "two multipliers may be real")
+        for border in self.borders or [None]:
+            number, slope = _number(orbit, moving, kind, border, self.window)
+            rate = range_of(slope)
+            demand(rate > 0 or rate < 0, "an event may happen twice, or be touched only")
+            self._beyond(number, part, 1 if rate > 0 else -1)
+            self.signs.add(bool(rate > 0))
+
+    def _beyond(self, number: TaylorModel, part: Part, sign: int) -> None:
+        """Beyond the band a number, with a derivative of this sign, has one sign."""
+        middles = [(low + high) / 2 for low, high in part]
+        halves = [(high - low) / 2 for low, high in part]
+        space, axis = space_of(1, _ORDER), self.axis
+        other = space.variable(0, arb(0), arb(1))
+        place = other * arb(halves[1 - axis]) + arb(middles[1 - axis])
+        along: Any = space.constant(arb(0))
+        for coefficient in reversed(self.centre):
+            along = along * place + arb(coefficient)
+        along = (along - arb(middles[axis])) / arb(halves[axis])
+        radius, over = arb(self.radius / halves[axis]), range_of(along)
+        if over - radius > 1 or over + radius < -1:
+            below = bool(over > 0)
+            value = range_of(number) * sign
+            demand(value < 0 if below else value > 0, "there may be an event beside its band")
+            return
+        polynomial = number.mid()
+        rest = sum((p.rad() for p in number.parts if p is not None), arb(0))
+        point: list[Any] = [along, along]
+        point[1 - axis] = other
+        missed = abs(range_of(polynomial.at(point))) + rest
+        slope, wide = arb(0), arb(0, abs(over).max(arb(1)).upper())
+        for p, exponents in zip(polynomial.parts, number.space.exponents, strict=True):
+            if p is not None and exponents[axis]:
+                power = exponents[axis] - 1
+                slope += (power + 1) * p * _power(wide, power) * _power(
+                    arb(0, 1), exponents[1 - axis]
+                )
+        demand(slope * sign > 0, "there may be an event beside its band")
+        demand(missed < radius * abs(slope), "there may be an event beside its band")
+
+    def verdicts(self, at: Callable[[Sequence[Any]], CheckedOrbit]) -> None:
+        """Verdicts on both sides, when all parts are proved.
+
+        Parameters
+        ----------
+        at : callable
+            Gives the orbit at a point of the tile, from -1 to 1 over it.
+        """
+        demand(self.borders or len(self.signs) == 1, "an event may happen twice")
+        below, above = self.event["below"], self.event["above"]
+        if self.borders:
+            demand(len(self.signs) == 1, "borders are crossed in both directions")
+            beyond = above if self.signs == {True} else below
+            demand(beyond == "not admissible", "other verdicts beside the event")
+            return
+        for side, verdict in ((-1, below), (1, above)):
+            points = [(fmpq(i, 4), fmpq(j, 4)) for i, j in product(range(-4, 5), repeat=2)]
+            away = [side * self._away(point) for point in points]
+            best = max(range(len(points)), key=away.__getitem__)
+            demand(away[best] > self.radius, "a side is empty")
+            told = stability(at([arb(x) for x in points[best]]))
+            demand(_VERDICTS.get(told) == verdict, f"beside the event stability is {told}")
+
+    def _away(self, point: Sequence[Any]) -> Any:
+        total = fmpq(0)
+        for coefficient in reversed(self.centre):
+            total = total * point[1 - self.axis] + coefficient
+        return point[self.axis] - total
+
+
+def _power(number: Any, power: int) -> Any:
+    """An even power of a ball around 0 is not negative."""
+    if power == 0:
+        return arb(1)
+    return number**power if power % 2 else arb(0).union((number**power).upper())
+
+
+def _fraction(number: float) -> Any:
+    demand(abs(number) < float("inf"), "a curve without bounds")
+    return fmpq(*Fraction(number).as_integer_ratio())
+
+
+def _moving(
+    orbit: CheckedOrbit, parameters: Sequence[Any], constants: Any, axis: int
+) -> CheckedOrbit:
+    """The orbit with its derivatives by a parameter: implicit differentiation."""
+    moved = [jet(x, arb(1)) if k == axis else x for k, x in enumerate(parameters)]
+    number = number_at([*moved, *constants])
+    first = CheckedOrbit(orbit.declared, number)
+    flows = [(b * t).exp() for b, t in zip(first.chain.fields, orbit.dwell, strict=True)]
+    now = first.passage(first.chain, orbit.root, flows)
+    square = part_of(now.slopes, 0)
+    try:
+        about = square.mid().inv().mid()
+    except ZeroDivisionError:
+        about = matrix([[arb("nan")] * square.ncols()] * square.nrows())
+    step = solution(square, about, -part_of(now.values, 1))
+    found = CheckedOrbit(orbit.declared, number)
+    found.along([jet(x, d) for x, d in zip(orbit.root, step, strict=True)])
+    return found
+
+
+def _number(
+    orbit: CheckedOrbit, moving: CheckedOrbit, kind: str, border: Border | None,
+    window: tuple[Any, Any] | None,
+) -> tuple[Any, Any]:  # fmt: skip
+    """What is zero at the event, and its derivative by the parameter."""
+    if border is None:
+        found = passing(characteristic(moving.section), kind)
+    else:
+        time = time_of_touch(orbit, border, window) if border.kind == "grazing" else None
+        found = border.number(moving, time)
+    return part_of(found, 0), part_of(found, 1)
