@@ -127,6 +127,9 @@ class Division:
         moving = _moving(orbit, parameters, constants, self.axis)
         if self.borders:
             told = admissibility(orbit, [], self.borders, self.window)
+            beside = {-1: self.event["below"], 1: self.event["above"]}
+            if told == "refuted" and beside.get(self._over(part)[0]) == "not admissible":
+                told = "proved" if admissibility(orbit, []) == "refuted" else told
             demand(told == "proved", f"but for the event admissibility is {told}")
         else:
             demand_alone(orbit, kind)
@@ -141,6 +144,29 @@ class Division:
 
     def _beyond(self, number: TaylorModel, part: Part, sign: int) -> None:
         """Beyond the band a number, with a derivative of this sign, has one sign."""
+        axis = self.axis
+        side, along, other = self._over(part)
+        if side:
+            value = range_of(number) * sign
+            demand(value * side > 0, "there may be an event beside its band")
+            return
+        radius, over = arb(2 * self.radius / (part[axis][1] - part[axis][0])), range_of(along)
+        polynomial = number.mid()
+        rest = sum((p.rad() for p in number.parts if p is not None), arb(0))
+        point: list[Any] = [along, along]
+        point[1 - axis] = other
+        missed = abs(range_of(polynomial.at(point))) + rest
+        slope, reach = arb(0), abs(over).max(arb(1)).upper()
+        for p, exponents in zip(polynomial.parts, number.space.exponents, strict=True):
+            if p is not None and exponents[axis]:
+                power = exponents[axis] - 1
+                others = _power(arb(1), exponents[1 - axis])
+                slope += (power + 1) * p * _power(reach, power) * others
+        demand(slope * sign > 0, "there may be an event beside its band")
+        demand(missed < radius * abs(slope), "there may be an event beside its band")
+
+    def _over(self, part: Part) -> tuple[int, Any, Any]:
+        """-1 or 1 if a part is below or above the band; the curve over it, and its variable."""
         middles = [(low + high) / 2 for low, high in part]
         halves = [(high - low) / 2 for low, high in part]
         space, axis = space_of(1, _ORDER), self.axis
@@ -150,26 +176,9 @@ class Division:
         for coefficient in reversed(self.centre):
             along = along * place + arb(coefficient)
         along = (along - arb(middles[axis])) / arb(halves[axis])
-        radius, over = arb(self.radius / halves[axis]), range_of(along)
-        if over - radius > 1 or over + radius < -1:
-            below = bool(over > 0)
-            value = range_of(number) * sign
-            demand(value < 0 if below else value > 0, "there may be an event beside its band")
-            return
-        polynomial = number.mid()
-        rest = sum((p.rad() for p in number.parts if p is not None), arb(0))
-        point: list[Any] = [along, along]
-        point[1 - axis] = other
-        missed = abs(range_of(polynomial.at(point))) + rest
-        slope, wide = arb(0), arb(0, abs(over).max(arb(1)).upper())
-        for p, exponents in zip(polynomial.parts, number.space.exponents, strict=True):
-            if p is not None and exponents[axis]:
-                power = exponents[axis] - 1
-                slope += (power + 1) * p * _power(wide, power) * _power(
-                    arb(0, 1), exponents[1 - axis]
-                )
-        demand(slope * sign > 0, "there may be an event beside its band")
-        demand(missed < radius * abs(slope), "there may be an event beside its band")
+        over, radius = range_of(along), arb(self.radius / halves[axis])
+        side = -1 if over - radius > 1 else 1 if over + radius < -1 else 0
+        return side, along, other
 
     def verdicts(self, at: Callable[[Sequence[Any]], CheckedOrbit]) -> None:
         """Verdicts on both sides, when all parts are proved.
@@ -201,11 +210,11 @@ class Division:
         return point[self.axis] - total
 
 
-def _power(number: Any, power: int) -> Any:
-    """An even power of a ball around 0 is not negative."""
+def _power(bound: Any, power: int) -> Any:
+    """All powers of numbers between -bound and bound: even ones are not negative."""
     if power == 0:
         return arb(1)
-    return number**power if power % 2 else arb(0).union((number**power).upper())
+    return arb(0, bound**power) if power % 2 else arb(0).union(bound**power)
 
 
 def _fraction(number: float) -> Any:

@@ -254,10 +254,11 @@ def shared(what: str) -> Iterator[Callable[[float, int], None]]:
         return
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
     from rich.progress import TimeElapsedColumn as Elapsed
+    from rich.progress import TimeRemainingColumn as Remaining
 
     tiles = TextColumn("{task.fields[count]} tiles")
     columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), tiles)
-    with Progress(*columns, Elapsed(), console=Console(stderr=True)) as progress:
+    with Progress(*columns, Elapsed(), TextColumn("left:"), Remaining(), console=Console(stderr=True)) as progress:
         task = progress.add_task(what, total=1.0, count=0)
         yield lambda share, count: progress.update(task, completed=share, count=count)
 
