@@ -57,10 +57,14 @@ class Division:
         self.centre = [_fraction(c) for c in event["centre"]]
         self.radius = _fraction(event["radius"])
         demand(len(self.centre) > 1 and self.radius > 0, "a curve without width")
-        sizes = [abs(c) for c in self.centre]
-        bends = sum((k * size for k, size in enumerate(sizes) if k > 1), fmpq(0))
-        whole = sum(sizes, self.radius) < 1
-        demand(whole or sizes[1] > bends, "a side may consist of several parts")
+        bends = sum((k * abs(c) for k, c in enumerate(self.centre) if k > 1), fmpq(0))
+        over = sum((abs(c) for c in self.centre[1:]), fmpq(0))
+        whole = all(  # each side is on all lines along the axis, or on none
+            side * self.centre[0] + over + self.radius < 1
+            or side * self.centre[0] - over + self.radius >= 1
+            for side in (-1, 1)
+        )
+        demand(whole or abs(self.centre[1]) > bends, "a side may consist of several parts")
         own = [event[name] for name in ("kind", "phase", "boundary", "instant")]
         self.borders: list[Border] = []
         self.window: tuple[Any, Any] | None = None
@@ -195,13 +199,18 @@ class Division:
             beyond = above if self.signs == {True} else below
             demand(beyond == "not admissible", "other verdicts beside the event")
             return
+        points = [(fmpq(i, 4), fmpq(j, 4)) for i, j in product(range(-4, 5), repeat=2)]
+        clear = 0
         for side, verdict in ((-1, below), (1, above)):
-            points = [(fmpq(i, 4), fmpq(j, 4)) for i, j in product(range(-4, 5), repeat=2)]
             away = [side * self._away(point) for point in points]
             best = max(range(len(points)), key=away.__getitem__)
-            demand(away[best] > self.radius, "a side is empty")
-            told = stability(at([arb(x) for x in points[best]]))
-            demand(_VERDICTS.get(told) == verdict, f"beside the event stability is {told}")
+            if away[best] > self.radius:
+                clear += 1
+                told = stability(at([arb(x) for x in points[best]]))
+                demand(_VERDICTS.get(told) == verdict, f"beside the event stability is {told}")
+            else:  # no corner is there: the side is empty
+                demand(below == above, "a verdict on an empty side")
+        demand(clear, "the tile is thinner than its band")
 
     def _away(self, point: Sequence[Any]) -> Any:
         total = fmpq(0)

@@ -165,8 +165,13 @@ MAP = {
     **_STATEMENT,
     **_JUDGED,
     "box": Named((NUMBER, NUMBER)),
-    "shares": {"proved": float, "unstable": float, "not admissible": float,
-               "divided": float, "undecided": float},  # fmt: skip
+    "shares": {
+        "proved": float,
+        "unstable": float,
+        "not admissible": float,
+        "divided": float,
+        "undecided": float,
+    },  # fmt: skip
     "tiles": [
         {
             "place": [(int, int)],

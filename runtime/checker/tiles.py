@@ -29,7 +29,7 @@ from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, 
 __all__ = ["check_tiles"]
 
 _BITS = 64
-_ORDERS = {1: 5, 2: 4}  # of the models, by the number of parameters; 2 for more
+_ORDERS = {1: 5, 2: 3}  # of the models, by the number of parameters; 2 for more
 _SHARP, _PLANE = 6, 2  # order where a curve divides a tile, of two parameters
 _DEEPEST = 4  # halvings of a tile whose claims take smaller ones
 _NEAR = 0.0625  # how far from the stated numbers the orbit may be in the middle of a tile

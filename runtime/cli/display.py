@@ -258,7 +258,9 @@ def shared(what: str) -> Iterator[Callable[[float, int], None]]:
 
     tiles = TextColumn("{task.fields[count]} tiles")
     columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), tiles)
-    with Progress(*columns, Elapsed(), TextColumn("left:"), Remaining(), console=Console(stderr=True)) as progress:
+    with Progress(
+        *columns, Elapsed(), TextColumn("left:"), Remaining(), console=Console(stderr=True)
+    ) as progress:
         task = progress.add_task(what, total=1.0, count=0)
         yield lambda share, count: progress.update(task, completed=share, count=count)
 

@@ -180,7 +180,9 @@ class BoxCertificate(Shown):
             kinds = ", ".join(sorted({curve.event.kind for curve in self.curves}))
             told += f"; {_many(len(self.curves), 'curve')} of events ({kinds})"
         share = float(100 * self.shares["undecided"])
-        return told + (f"; undecided: {share:.3g} % of the box" if share else "; nothing is left out")
+        return told + (
+            f"; undecided: {share:.3g} % of the box" if share else "; nothing is left out"
+        )
 
     @property
     def reasons(self) -> dict[str, str]:

@@ -418,10 +418,14 @@ def _curve(found: BoxCertificate, chain: list[int], beside: dict[int, list[int]]
     pieces = [_drawn(found.tiles[k]) for k in chain]
     for k, (before, piece) in enumerate(pairwise(pieces)):
         ways = product((0, 1), repeat=2)
-        near = min(ways, key=lambda w: _distance(before[-1 if w[0] else 0], piece[-1 if w[1] else 0]))
+        near = min(
+            ways, key=lambda w: _distance(before[-1 if w[0] else 0], piece[-1 if w[1] else 0])
+        )
         if k == 0 and not near[0]:
             before.reverse()
-        if near[1] and (k == 0 or _distance(before[-1], piece[0]) > _distance(before[-1], piece[-1])):
+        if near[1] and (
+            k == 0 or _distance(before[-1], piece[0]) > _distance(before[-1], piece[-1])
+        ):
             piece.reverse()
     shares = [point for piece in pieces for point in piece]
     closed = len(chain) > 2 and chain[-1] in beside[chain[0]]
@@ -481,9 +485,7 @@ def _clipped(one: tuple[float, float], other: tuple[float, float]) -> list[tuple
     def at(level: float) -> tuple[float, float]:
         return u + (level - x) / (y - x) * (v - u), level
 
-    return [
-        at(-1.0) if here[1] < -1 else at(1.0) if here[1] > 1 else here for here in (one, other)
-    ]
+    return [at(-1.0) if here[1] < -1 else at(1.0) if here[1] > 1 else here for here in (one, other)]
 
 
 def _end(found: BoxCertificate, point: tuple[float, float]) -> str:

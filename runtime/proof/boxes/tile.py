@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Anchor", "TileProof", "Tube", "contracted", "followed", "joined", "prove"]
 
-_ORDERS = {1: 5, 2: 4}  # by the number of parameters: what costs least, measured
+_ORDERS = {1: 5, 2: 3}  # by the number of parameters: what costs least, measured
 _LOWEST, _SHARP = 2, 6
 _CLOSE = 50  # bits of the orbit in the middle of a tile
 _TRIES = 4  # sizes of Krawczyk's box
@@ -109,9 +109,7 @@ class Tube:
         """The parameters from -1 to 1 over the tile."""
         from flint import arb
 
-        places = (
-            (x, *self.place.interval(axis, self.box)) for axis, x in enumerate(point)
-        )
+        places = ((x, *self.place.interval(axis, self.box)) for axis, x in enumerate(point))
         return [arb(rational_of((2 * x - low - high) / (high - low))) for x, low, high in places]
 
 
@@ -176,9 +174,7 @@ def prove(
         return _prove(region, place, anchor, space_of(count, _SHARP if sharp else order), sharp)
 
 
-def _prove(
-    region: Region, place: Place, anchor: Anchor, space: Space, sharp: bool
-) -> TileProof:
+def _prove(region: Region, place: Place, anchor: Anchor, space: Space, sharp: bool) -> TileProof:
     parameters = _variables(region, place, space)
     number = region.tables.number_at(parameters)
     equations = region.equations(number)

@@ -85,10 +85,19 @@ class Band:
 
     @property
     def connected(self) -> bool:
-        """Whether both sides are surely connected: the curve rises or falls, or stays inside."""
-        sizes = [abs(Fraction(c)) for c in self.centre]
-        slope, *bends = (k * size for k, size in enumerate(sizes) if k)
-        return slope > sum(bends, Fraction(0)) or sum(sizes, Fraction(self.radius)) < 1
+        """Whether both sides are surely connected, or empty.
+
+        They are where the curve rises or falls; where a side is on all lines along the axis, or
+        on none.
+        """
+        middle, *rest = map(Fraction, self.centre)
+        slope, *bends = (k * abs(c) for k, c in enumerate(rest, 1))
+        if slope > sum(bends, Fraction(0)):
+            return True
+        away, radius = sum(map(abs, rest), Fraction(0)), Fraction(self.radius)
+        return all(
+            side + away + radius < 1 or side - away + radius >= 1 for side in (middle, -middle)
+        )
 
 
 @dataclass(frozen=True)
@@ -196,11 +205,11 @@ def _multiplier_event(
     jets = along_parameter(region, point, band.axis)
     if jets is None or not _rises(multiplier(CyclePassage(region, jets), kind)):
         return None
-    verdicts = [_verdict_beside(region, point, band, side) for side in ("below", "above")]
-    below, above = verdicts
-    if below is None or above is None:
+    below, above = (_verdict_beside(region, point, band, side) for side in ("below", "above"))
+    if below is None or above is None or not (below or above):
         return None
-    return TileEvent(kind, None, "", "", "", (), (), band, below, above)
+    # of an empty side anything is true
+    return TileEvent(kind, None, "", "", "", (), (), band, below or above, above or below)
 
 
 def _border_event(
@@ -339,11 +348,15 @@ def _away(number: TaylorModel, axis: int, centre: Sequence[float]) -> arb | None
 
 
 def _verdict_beside(region: Region, point: Sequence[Any], band: Band, side: str) -> str | None:
-    """The verdict on multipliers on one side of a band, from a point that is clearly there."""
+    """The verdict on multipliers on one side of a band, from a point that is clearly there.
+
+    It is "" on an empty side: where no corner of the tile is there nothing is, as the curve rises
+    or falls, or stays inside. None where it is not known.
+    """
     places = [Fraction(k, 2) for k in range(-2, 3)]
     beside = [at for at in product(places, repeat=2) if side_of(band, at) == side]
     if not beside:
-        return None
+        return ""
 
     def distance(at: Sequence[Fraction]) -> Fraction:
         return abs(at[band.axis] - band.at(at[1 - band.axis]))

@@ -179,9 +179,7 @@ def linearised_by_parameter(region: Region, own: Sequence[Any], parameter: Any) 
     return linearised_in_jets(region, own, [jet(parameter, arb(1))])
 
 
-def linearised_in_jets(
-    region: Region, own: Sequence[Any], parameters: Sequence[Any]
-) -> Linearised:
+def linearised_in_jets(region: Region, own: Sequence[Any], parameters: Sequence[Any]) -> Linearised:
     """The orbit's equations where a parameter, and perhaps the unknowns, are jets.
 
     Parameters

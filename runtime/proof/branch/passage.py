@@ -15,7 +15,15 @@ from nonsmooth.runtime.proof.motion.exact_rows import evaluate
 from nonsmooth.runtime.proof.multipliers import reduced_map, trace_of
 from nonsmooth.runtime.proof.orbit_claims import MapClaim, claim_of_map, conserved, judged
 
-__all__ = ["MULTIPLIERS", "CyclePassage", "border", "multiplier", "others_at_circle", "passed_by", "time_of_touch"]
+__all__ = [
+    "MULTIPLIERS",
+    "CyclePassage",
+    "border",
+    "multiplier",
+    "others_at_circle",
+    "passed_by",
+    "time_of_touch",
+]
 
 _PAIR = 4  # size of a conservative map with one pair of multipliers
 MULTIPLIERS = ("flip", "fold", "neimark-sacker")
