@@ -139,7 +139,8 @@ class Division:
             demand_alone(orbit, kind)
             if kind == "neimark-sacker":
                 demand(paired(characteristic(orbit.section)), "two multipliers may be real")
-        for border in self.borders or [None]:
+        borders: Sequence[Border | None] = self.borders or [None]
+        for border in borders:
             number, slope = _number(orbit, moving, kind, border, self.window)
             rate = range_of(slope)
             demand(rate > 0 or rate < 0, "an event may happen twice, or be touched only")

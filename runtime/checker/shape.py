@@ -171,7 +171,7 @@ MAP = {
         "not admissible": float,
         "divided": float,
         "undecided": float,
-    },  # fmt: skip
+    },
     "tiles": [
         {
             "place": [(int, int)],

@@ -30,7 +30,7 @@ __all__ = ["check_tiles"]
 
 _BITS = 64
 _ORDERS = {1: 5, 2: 3}  # of the models, by the number of parameters; 2 for more
-_SHARP, _PLANE = 6, 2  # order where a curve divides a tile, of two parameters
+_SHARP, _PLANE = 6, 2  # order where a curve divides a tile, or the low one tells too little
 _DEEPEST = 4  # halvings of a tile whose claims take smaller ones
 _NEAR = 0.0625  # how far from the stated numbers the orbit may be in the middle of a tile
 _SMALLEST = 60  # halvings of the box along an axis
@@ -118,6 +118,19 @@ class _Tile:
             demand(not self.tile["enclosures"], "enclosures of no orbit")
             return
         demand(self.claims[0] == "proved", "existence is not refuted")
+        low = _ORDERS.get(len(where), 2)
+        orders = [low] if len(where) != _PLANE else [_SHARP] if self.division else [low, _SHARP]
+        for order in orders:
+            try:
+                self.space = space_of(len(where), order)
+                self._all(where)
+                return
+            except Failure as failure:
+                if order == orders[-1] or isinstance(failure, _Contradicted):
+                    raise
+
+    def _all(self, where: Sequence[Interval]) -> None:
+        """Prove it in Taylor models of one order."""
         guess = [arb(float(x)) for x in self.tile["guess"]]
         whole = self._orbit(where, guess)
         found = [_at(x, [arb(0)] * len(where)) for x in whole.root]
@@ -170,7 +183,7 @@ class _Tile:
 
     def _orbit(self, where: Sequence[Interval], guess: Sequence[Any]) -> CheckedOrbit:
         """The orbit for all parameters of a tile, from numbers near it in the middle."""
-        space = space_of(len(where), _SHARP if self.division else _ORDERS.get(len(where), 2))
+        space = self.space
         orbit = CheckedOrbit(self.declared, _numbers(where, self.constants, space))
         demand(len(guess) == orbit.count, "the guess is of another size")
         cuts = [*(middle_of,) * _NEWTON, *(_cut(space_of(len(where), k)) for k in (1, 2))]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import json
-import math
 import random
 from collections.abc import Callable
 from fractions import Fraction
@@ -64,10 +63,9 @@ def test_a_box_consists_of_regions_curves_and_one_open_corner() -> None:
     found = corner()
     assert [region.verdict for region in found.regions] == ["not admissible", "unstable", "stable"]
     # the area below a = 1/(1 - r)
-    whole = 1.25 * 0.3
-    low = sum(
-        min(max(1 / (1 - r) - 0.4, 0), 0.3) for r in (-1.5 + 1.25 * (k + 0.5) / 4000 for k in range(4000))
-    ) * 1.25 / 4000 / whole  # fmt: skip
+    places = [-1.5 + 1.25 * (k + 0.5) / 4000 for k in range(4000)]
+    below = [min(max(1 / (1 - r) - 0.4, 0), 0.3) / 0.3 for r in places]
+    low = sum(below) / len(places)
     assert found.regions[0].share == pytest.approx(low, abs=1e-3)
     assert sum(region.share for region in found.regions) == pytest.approx(1, abs=1e-6)
     assert sorted(curve.event.kind for curve in found.curves) == ["flip", "grazing", "grazing"]
@@ -233,14 +231,16 @@ CHANGES: dict[str, tuple[str, Callable[[dict[str, Any]], object], str]] = {
     "no width": ("grazing", lambda e: e.update(radius=0.0), "without width"),
     "negative width": ("grazing", lambda e: e.update(radius=-1e-3), "without width"),
     "without bounds": ("flip", lambda e: e.update(radius=float("inf")), "without bounds"),
-    "another kind": ("flip", lambda e: e.update(kind="neimark-sacker"), "happen twice|beside the event"),
+    "another kind": ("flip", lambda e: e.update(kind="neimark-sacker"), "happen twice|beside the"),
     "a fold": ("flip", lambda e: e.update(kind="fold"), "fold"),
     "another boundary": ("grazing", lambda e: e.update(boundary="falls"), "event|boundary"),
     "another phase": ("grazing", lambda e: e.update(phase=2), "boundary|configuration"),
     "no phase": ("grazing", lambda e: e.update(phase=None), "no phase"),
     "no such phase": ("grazing", lambda e: e.update(phase=9), "no such phase"),
     "no window": ("grazing", lambda e: e.update(window=[]), "window"),
-    "another window": ("grazing", lambda e: e.update(window=["0", "1/100"]), "time of a grazing|outside|admissib"),
+    "another window": (
+        "grazing", lambda e: e.update(window=["0", "1/100"]), "time of a grazing|outside|admissib"
+    ),
     "another axis": ("flip", lambda e: e.update(across="a"), "happen twice|known|band"),
     "no parameter": ("flip", lambda e: e.update(across="k"), "no plane"),
     "several parts": ("flip", lambda e: e.update(centre=[0.9, 0.0, 0.5]), "several parts"),

@@ -262,7 +262,7 @@ def _event(entries: CurveEntries, axes: tuple[str, ...]) -> TileEvent:
         boundary=entries.boundary,
         instant=entries.instant,
         window=entries.window,
-        also=tuple((kind, phase - 1, *rest) for kind, phase, *rest in entries.also),
+        also=tuple((kind, phase - 1, name, when) for kind, phase, name, when in entries.also),
         band=Band(axes.index(entries.across), entries.centre, entries.radius),
         below=entries.below,
         above=entries.above,

@@ -178,10 +178,10 @@ def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
     )
     _draw_curves(axes, found)
     for number, box in enumerate(found.open):
-        (left, right), (below, above) = (map(float, ends) for ends in box.where.values())
+        across_it, up_it = (float(low + high) / 2 for low, high in box.where.values())
         axes.plot(
-            (left + right) / 2,
-            (below + above) / 2,
+            across_it,
+            up_it,
             marker="o",
             markersize=9,
             markerfacecolor="none",

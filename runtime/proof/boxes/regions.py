@@ -152,21 +152,20 @@ def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
     tuple of ProvedRegion
     """
     tiles = found.tiles
-    verdicts = {(k, side): v for k, tile in enumerate(tiles) for side, v in _verdicts(tile)}
+    verdicts: dict[Cell, str] = {
+        (k, side): v for k, tile in enumerate(tiles) for side, v in _verdicts(tile)
+    }
     groups = _Groups(verdicts)
     for edge in _joined(found):
         first, second = tiles[edge.first], tiles[edge.second]
         for point in _samples(edge):
-            cells = [
-                (number, _side(tile, point))
-                for number, tile in ((edge.first, first), (edge.second, second))
-            ]
-            if all(cell in verdicts for cell in cells):
-                groups.unite(*cells)
+            own, its = (edge.first, _side(first, point)), (edge.second, _side(second, point))
+            if own in verdicts and its in verdicts:
+                groups.unite(own, its)
     told = []
     for cells in groups.all():
         verdict = verdicts[cells[0]]
-        share = sum(_share(tiles[number], side) for number, side in cells)
+        share = sum((_share(tiles[number], side) for number, side in cells), 0.0)
         name = found.stability if verdict == "proved" else verdict
         told.append(ProvedRegion(verdict=name, share=share, cells=tuple(cells)))
     return tuple(sorted(told, key=lambda region: -region.share))
@@ -385,10 +384,11 @@ def _verdicts(tile: Tile) -> Iterator[tuple[str, str]]:
         yield "above", event.above
 
 
-def _side(tile: Tile, point: Point) -> str | None:
+def _side(tile: Tile, point: Point) -> str:
+    """The side of a point of a tile; "" of one that no curve divides, "band" on the curve."""
     if tile.event is None:
         return ""
-    return side_of(tile.event.band, _inside(tile.place, point))
+    return side_of(tile.event.band, _inside(tile.place, point)) or "band"
 
 
 def _share(tile: Tile, side: str) -> float:
