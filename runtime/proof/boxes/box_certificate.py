@@ -181,7 +181,7 @@ class BoxCertificate(Shown):
             told += f"; {_many(len(self.curves), 'curve')} of events ({kinds})"
         share = float(100 * self.shares["undecided"])
         return told + (
-            f"; undecided: {share:.3g} % of the box" if share else "; nothing is left out"
+            f"; undecided: {share:.3g} % of the box" if share else "; no box is open"
         )
 
     @property
