@@ -180,9 +180,7 @@ class BoxCertificate(Shown):
             kinds = ", ".join(sorted({curve.event.kind for curve in self.curves}))
             told += f"; {_many(len(self.curves), 'curve')} of events ({kinds})"
         share = float(100 * self.shares["undecided"])
-        return told + (
-            f"; undecided: {share:.3g} % of the box" if share else "; no box is open"
-        )
+        return told + (f"; undecided: {share:.3g} % of the box" if share else "; no box is open")
 
     @property
     def reasons(self) -> dict[str, str]:
