@@ -20,6 +20,7 @@ functions. The table is in the order in which to read.
 `derivatives`  derivatives of an orbit by its parameters
 `points`       a certificate at one parameter point
 `tiles`        a map of tiles in a box of parameters
+`divided`      a tile that the curve of an event divides
 `events`       bifurcations and limits of admissibility
 `branch`       a branch: tiles that follow each other, and the events between them
 `doubling`     orbits of twice the period that begin at flips

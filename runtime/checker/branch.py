@@ -16,15 +16,22 @@ from flint import arb, arb_mat, ctx
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
 from nonsmooth.runtime.checker.motion import Border, admissibility, time_of_touch
-from nonsmooth.runtime.checker.orbit import CheckedOrbit, trace_of
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import BRANCH, check_shape
 from nonsmooth.runtime.checker.short import Short, short_phase
-from nonsmooth.runtime.checker.stability import characteristic, paired, products_less_one, stability
+from nonsmooth.runtime.checker.stability import (
+    MULTIPLIERS,
+    characteristic,
+    demand_alone,
+    paired,
+    passing,
+    stability,
+)
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 
-__all__ = ["CheckedCurve", "CheckedTile", "check_branch", "checked_tiles", "passing", "solution"]
+__all__ = ["CheckedCurve", "CheckedTile", "check_branch", "checked_tiles", "solution"]
 
 _BITS, _SHARP = 64, 192
 _ORDER = 5  # of the models: that of the polynomials
@@ -32,7 +39,6 @@ _STEPS = 8  # of Newton's method
 _DEEPEST = 5  # halvings of a tile whose claims take smaller ones
 _FINISHED, _VANISHED = "end of the interval", "a phase vanishes"
 _OPEN = "undecided"
-_MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
 
 
 def check_branch(content: dict[str, Any]) -> None:
@@ -388,7 +394,7 @@ class _CheckedEvent:
         self.borders = [
             Border(kind, place - 1, boundary, instant)
             for kind, place, boundary, instant in (own, *self.event["also"])
-            if kind not in _MULTIPLIERS
+            if kind not in MULTIPLIERS
         ]
         self.below, self.above = tile.tile["before"], tile.tile["after"]
         if not tile.forwards:
@@ -401,14 +407,14 @@ class _CheckedEvent:
         demand(tile.low < self.low < self.high < tile.high, "its event is outside")
         window = [arb(exact(x)) for x in event["window"]]
         self.window = (window[0], window[1]) if len(window) == 2 else None
-        if event["kind"] in _MULTIPLIERS:
+        if event["kind"] in MULTIPLIERS:
             own = [event[name] for name in ("phase", "configuration", "boundary", "instant")]
             demand(own == [None, "", "", ""] and not event["also"] and not window, "a phase")
             tile.parts(self._no_other)
             self._verdicts()
             self._passes(event["kind"], None)
         else:
-            beside = [entry for entry in event["also"] if entry[0] in _MULTIPLIERS]
+            beside = [entry for entry in event["also"] if entry[0] in MULTIPLIERS]
             if beside:  # the branch turns where a phase vanishes, and no multiplier is 1
                 short = (
                     tile.curve.short is not None and tile.curve.short.place == event["phase"] - 1
@@ -442,17 +448,7 @@ class _CheckedEvent:
         demand(admissible == ("proved" if self._moves else "refuted"), "it may be no motion")
         if not self._moves:
             return
-        demand(orbit.declared.alone, "one-sided maps")
-        if orbit.declared.stability == "neutral":
-            demand(kind == "flip" and orbit.declared.size == 4, "more than one pair")
-            total = range_of(trace_of(orbit.section)) - 1  # m + 1/m of the pair
-            demand(total > 2 or total < 2, "the pair may meet at 1")
-            return
-        polynomial = characteristic(orbit.section)
-        for other in _MULTIPLIERS:
-            if other != kind and (other != "neimark-sacker" or len(polynomial) > 2):
-                value = range_of(passing(polynomial, other))
-                demand(value > 0 or value < 0, f"there may be another event: {other}")
+        demand_alone(orbit, kind)
 
     def _verdicts(self) -> None:
         """Verdicts at both ends of the tile: on each side there is one."""
@@ -527,27 +523,6 @@ class _CheckedEvent:
                 time = time_of_touch(curve.orbit(point), border, self.window)
             found = border.number(orbit, time)
         return part_of(found, 0), part_of(found, 1) if order else None
-
-
-def passing(polynomial: Sequence[Any], kind: str) -> Any:
-    """What is zero where multipliers are -1, or 1, or two have the product 1.
-
-    Parameters
-    ----------
-    polynomial : sequence of arb, TaylorModel or Jet
-        The characteristic one, the highest power first.
-    kind : {"flip", "fold", "neimark-sacker"}
-
-    Returns
-    -------
-    arb, TaylorModel or Jet
-    """
-    if kind == "neimark-sacker":
-        return products_less_one(polynomial)
-    total: Any = arb(0)
-    for coefficient in polynomial:
-        total = total * _MULTIPLIERS[kind] + coefficient
-    return total
 
 
 def _joined(tile: CheckedTile, other: CheckedTile) -> None:

@@ -20,7 +20,6 @@ from nonsmooth.runtime.checker.branch import (
     CheckedCurve,
     CheckedTile,
     checked_tiles,
-    passing,
     solution,
 )
 from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
@@ -28,7 +27,7 @@ from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.shape import CASCADE, check_shape
-from nonsmooth.runtime.checker.stability import characteristic, stability
+from nonsmooth.runtime.checker.stability import characteristic, passing, stability
 from nonsmooth.runtime.core.jets import jet, part_of
 from nonsmooth.runtime.core.taylor_averages import (
     at_both_ends,

@@ -160,12 +160,19 @@ CERTIFICATE = {
     "directions": Maybe(Named(Named(NUMBER))),
     "no_derivatives": Maybe(Named(str)),
 }
+_SIDE = re.compile("proved|unstable|not admissible")
 MAP = {
     **_FILE,
     **_STATEMENT,
     **_JUDGED,
     "box": Named((NUMBER, NUMBER)),
-    "shares": {"proved": float, "unstable": float, "not admissible": float, "undecided": float},
+    "shares": {
+        "proved": float,
+        "unstable": float,
+        "not admissible": float,
+        "divided": float,
+        "undecided": float,
+    },
     "tiles": [
         {
             "place": [(int, int)],
@@ -174,6 +181,25 @@ MAP = {
             "enclosures": _BALLS,
             "guess": [float],
             "looked_at": bool,
+            "event": Either(
+                (
+                    type(None),
+                    {
+                        "kind": str,
+                        "phase": Either((int, type(None))),
+                        "configuration": str,
+                        "boundary": str,
+                        "instant": str,
+                        "window": [NUMBER],
+                        "also": [(str, int, str, str)],
+                        "across": str,
+                        "centre": [float],
+                        "radius": float,
+                        "below": _SIDE,
+                        "above": _SIDE,
+                    },
+                )
+            ),
         }
     ],
 }

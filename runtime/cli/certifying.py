@@ -154,6 +154,8 @@ def certify(
 
     Ranges of parameters, V=0.99:1.01, span a box: all of it is proved for each of its points.
 
+    Of two parameters regions, curves of events between them, and what is left open are told.
+
     The exit code is then 1 while more than 1 % of the box is undecided.
 
     With --all ranges are of dwell times, and orbits are counted; with --events: what happens;

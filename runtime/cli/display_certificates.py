@@ -9,6 +9,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonsmooth.runtime.cli.display_regions import show_regions
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
@@ -143,6 +144,7 @@ def show_box(found: BoxCertificate) -> None:
         table.add_row(name, Text(verdict, style=STYLES[verdict]), told)
     show_table(table, out)
     show_table(share_table(found), out)
+    show_regions(out, found)
     _show_point(found.parameters, found.chosen, out)
     if found.enclosures:
         show_table(enclosure_table(found), out)
@@ -173,6 +175,7 @@ def share_table(found: BoxCertificate) -> Table:
     for verdict, share in found.shares.items():
         tiles = sum(tile.verdict == verdict for tile in found.tiles)
         name = f"{found.stability}, proved" if verdict == "proved" else verdict
+        name = "divided by a curve" if verdict == "divided" else name
         if tiles:
             table.add_row(name, f"{float(100 * share):.4g} %", str(tiles))
     return table

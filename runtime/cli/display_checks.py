@@ -18,6 +18,7 @@ from nonsmooth.runtime.cli.display_certificates import (
     share_table,
     show_derivatives,
 )
+from nonsmooth.runtime.cli.display_regions import show_regions
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.naming import shown_name
@@ -99,6 +100,7 @@ def _show_map(out: Console, found: BoxCertificate, *, compared: bool) -> None:
     meaning = {**UNIFORM, "stability": found.stability}
     _show_claims(out, found.claims, meaning, _OF_A_BOX)
     show_table(share_table(found), out)
+    show_regions(out, found)
     if found.enclosures:
         show_table(enclosure_table(found), out)
 

@@ -355,6 +355,7 @@ def _box_certificate(proof: BoxCertificate) -> Summary:
             ("box", sides),
             ("claims", _claims(proof.claims, proof.reasons)),
             ("shares", shares),
+            ("map", [proof.statement] if proof.statement else []),
             ("enclosed", _stated(proof.enclosures)),
             ("given", _given(proof.parameters)),
         ],

@@ -14,8 +14,8 @@ from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, linearised_by_parameter
-from nonsmooth.runtime.proof.branch.look import UNDECIDED, open_multipliers
-from nonsmooth.runtime.proof.branch.passage import CyclePassage
+from nonsmooth.runtime.proof.branch.look import UNDECIDED
+from nonsmooth.runtime.proof.branch.passage import CyclePassage, others_at_circle
 from nonsmooth.runtime.proof.branch.tube import orbit_near
 from nonsmooth.runtime.proof.doubling.doubled_equations import DoubledEquations
 from nonsmooth.runtime.proof.doubling.doubling_tube import FLIP, ORDER, ProvedTube, flip_near
@@ -220,7 +220,7 @@ def _undecided_on(doubled: Region, point: Sequence[Any], depth: int = 0) -> str:
     if judgement.verdict == "proved":
         if passage.section is None:
             return "the Poincare map is not known"
-        if not open_multipliers(passage, "fold"):
+        if not others_at_circle(passage, "fold"):
             return ""
         reason = "multipliers may pass the unit circle next to the flip"
     if depth == _DEEPEST:

@@ -121,7 +121,7 @@ class DoubledEquations:
         point, away, parameter = self._between(here)
         by_parameter = linearised_by_parameter(self.region, point, parameter)
         along = linearised_in_jets(
-            self.region, [jet(u, w) for u, w in zip(point, away, strict=True)], parameter
+            self.region, [jet(u, w) for u, w in zip(point, away, strict=True)], [parameter]
         )
         slopes = part_of(by_parameter.jacobian, 0)
         column = matrix([[w] for w in here.away])
@@ -170,7 +170,7 @@ class DoubledEquations:
         here = self._parts(unknowns)
         point, away, parameter = self._between(here)
         along = linearised_in_jets(
-            self.region, [jet(u, w, None) for u, w in zip(point, away, strict=True)], parameter
+            self.region, [jet(u, w, None) for u, w in zip(point, away, strict=True)], [parameter]
         )
         column = matrix([[w] for w in away])
         second = averaged(part_of(along.jacobian, 1) * column, mean)
