@@ -256,6 +256,20 @@ CHAOS = {
     "itineraries": Named([(str, str, str)]),
     "growth": re.compile(r"\d+(/[1-9]\d*)?", re.ASCII),
     "entropy": NUMBER,
+    "cones": Maybe(
+        Either(
+            (
+                type(None),
+                {
+                    "forms": Named([NUMBER]),
+                    "strips": [(str, str, [(NUMBER, NUMBER)])],
+                    "expansion": NUMBER,
+                    "contraction": NUMBER,
+                    "exponent": NUMBER,
+                },
+            )
+        )
+    ),
     "tried": [str],
     "bits": int,
     "declaration": Either(({}, _DECLARATION, {**_DECLARATION, **_CONSTANTS[1]})),

@@ -36,7 +36,7 @@ START = (1.93, 7.18, 1.18, 1.18)
 @pytest.fixture(scope="module")
 def written(tmp_path_factory):
     path = tmp_path_factory.mktemp("chaos") / "chaos.json"
-    found = ns.certify_chaos("dry-friction", DATA, START, iterates=3)
+    found = ns.certify_chaos("dry-friction", DATA, START, iterates=3, exponents=True)
     assert found.proved
     found.save(path)
     return path
@@ -119,6 +119,36 @@ def test_an_entropy_that_is_raised_is_refused(written, tmp_path, name, text):
     assert changed(written, tmp_path, lambda content: content.update({name: text})).difference
 
 
+def test_cones_that_say_too_much_are_refused(written, tmp_path):
+    def faster(content):
+        content["cones"]["expansion"] = "7"
+
+    def larger(content):
+        content["cones"]["exponent"] = "0.3"
+
+    def narrower(content):
+        entries = content["cones"]["strips"][0][2][0]
+        entries[0] = str(Fraction(entries[1]) - Fraction(1, 8))
+
+    def fewer(content):
+        content["cones"]["strips"].pop()
+
+    def shrinking(content):
+        content["cones"]["contraction"] = "1/2"
+
+    assert "cone condition" in changed(written, tmp_path, faster).difference
+    assert "exponent" in changed(written, tmp_path, larger).difference
+    assert "stretched by" in changed(written, tmp_path, narrower).difference
+    assert "strips of other" in changed(written, tmp_path, fewer).difference
+    assert "shrink" in changed(written, tmp_path, shrinking).difference
+
+
+def test_a_file_without_cones_is_proved(written, tmp_path):
+    found = changed(written, tmp_path, lambda content: content.pop("cones"))
+    assert found.difference is None
+    assert found.certificate.exponent == "0"
+
+
 def test_another_way_is_refused(written, tmp_path):
     def shorten(content):
         name = content["h_sets"][0]["name"]
@@ -153,7 +183,7 @@ def test_a_forced_oscillator_with_given_sets(tmp_path):
 
         enclosed = enclosed_system(system, values)(80)
         section = forcing_section(enclosed, 0, (fmpq(160, 281), fmpq(-231, 281)))
-        question = _ChaosQuestion(system, enclosed, 3, 3000, lambda done: None)
+        question = _ChaosQuestion(system, enclosed, 3, 3000, False, lambda done: None)
         guess = Horseshoe(3, sets, ((0, 0), (0, 1), (1, 0)), 0.0)
         found = question.prove(section, guess)
         assert found is not None, question.tried
@@ -176,7 +206,10 @@ def test_the_command(written, tmp_path):
     target = Path(tmp_path / "command.json")
     told = runner.invoke(
         app,
-        ["chaos", "dry-friction", *arguments, "--from", begin, "--save", str(target), "--json"],
+        [
+            *("chaos", "dry-friction", *arguments, "--from", begin),
+            *("--exponents", "--save", str(target), "--json"),
+        ],
     )
     assert told.exit_code == 0, told.output
     answer = json.loads(told.stdout)
@@ -185,6 +218,7 @@ def test_the_command(written, tmp_path):
     told = runner.invoke(app, ["certify", "--check", str(target), "--require", "proved"])
     assert told.exit_code == 0
     assert f"entropy of P at least {answer['entropy']}" in told.stdout
+    assert f"exponents of these motions at least {answer['cones']['exponent']}" in told.stdout
     calm = {**DATA, "V": "0.3", "ur1": "1.5", "ur2": "1.5", "eta": "1"}
     stable = [*(f"{name}={text}" for name, text in calm.items()), "--iterates", "1"]
     stable += ["--from", "x1=1,x2=1.2,v1=0.1,v2=0.1"]
