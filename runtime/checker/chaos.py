@@ -259,6 +259,7 @@ class _Motions:
             demand(source == here, "a way does not lead from configuration to configuration")
             demand((source, boundary) in self.transitions, "no such transition")
             phase = self.phases[source]
+            demand(boundary in phase.rows, f"{source} has no boundary {boundary}")
             row = phase.timed(phase.rows[boundary])
             about = phase.guess(states.centre, row, float("inf"))
             if about is None:

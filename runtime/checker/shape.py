@@ -254,7 +254,7 @@ CHAOS = {
     "h_sets": [{"name": str, "centre": [NUMBER], "sides": [[NUMBER]]}],
     "coverings": [(str, str)],
     "itineraries": Named([(str, str, str)]),
-    "growth": re.compile(r"\d+(/[1-9]\d*)?", re.ASCII),
+    "growth": re.compile(r"\d{1,4000}(/[1-9]\d{0,3999})?", re.ASCII),
     "entropy": NUMBER,
     "cones": Maybe(
         Either(

@@ -119,6 +119,17 @@ def test_an_entropy_that_is_raised_is_refused(written, tmp_path, name, text):
     assert changed(written, tmp_path, lambda content: content.update({name: text})).difference
 
 
+def test_a_growth_of_too_many_digits_and_a_boundary_that_is_gone_are_refused(written, tmp_path):
+    def gone(content):
+        source, boundary, _ = next(iter(content["itineraries"].values()))[0]
+        content["declaration"]["configurations"][source]["boundaries"].pop(boundary)
+
+    longer = changed(written, tmp_path, lambda content: content.update(growth="1" * 5000))
+    assert "growth" in longer.difference
+    assert "Error" not in longer.difference
+    assert "has no boundary" in changed(written, tmp_path, gone).difference
+
+
 def test_cones_that_say_too_much_are_refused(written, tmp_path):
     def faster(content):
         content["cones"]["expansion"] = "7"

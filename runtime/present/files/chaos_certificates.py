@@ -79,7 +79,10 @@ def save_chaos(found: ChaosCertificate, path: str | os.PathLike[str]) -> None:
         If the file cannot be written, or cannot state the contact law that decides.
     """
     if found.proved and not found.declaration:
-        raise InputError("a file of chaos cannot state the contact law by which it was proved")
+        raise InputError(
+            "not saved: a law of coupled contacts decides what follows a transition here, and a"
+            " file of chaos states listed transitions alone"
+        )
     CHAOS.write(path, chaos_entries(found))
 
 
