@@ -519,10 +519,10 @@ FITS = (
         _RESPONSES,
     ),
     Mutation(
-        f"{_FITTING}/response_quantities.py",
-        "_averages",
-        "times = waits[:, phase, None] * nodes",
-        "times = waits[:, phase, None].real * nodes",
+        "runtime/orbits/motion_derivatives.py",
+        "OrbitMotionDerivatives.quadrature",
+        "times = wait * nodes",
+        "times = wait.real * nodes",
         _RESPONSES,
     ),
     Mutation(

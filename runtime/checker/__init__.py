@@ -12,6 +12,7 @@ functions. The table is in the order in which to read.
 `declared`     what is declared, and what follows from it without rounding
 `contacts`     transitions of a contact law, derived again
 `parameters`   the values of what the declaration is a function of
+`short`        equations divided by the dwell time of a phase that may vanish
 `orbit`        existence, enclosures, the Poincare map
 `stability`    multipliers against the unit circle
 `vanishing`    functions of the state that vanish because an orbit closes

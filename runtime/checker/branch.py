@@ -7,6 +7,7 @@ is nowhere zero in the tile, by jets in Taylor models, and opposite signs at two
 """
 
 from collections.abc import Callable, Sequence
+from copy import copy
 from itertools import pairwise
 from typing import Any
 
@@ -18,6 +19,7 @@ from nonsmooth.runtime.checker.motion import Border, admissibility, time_of_touc
 from nonsmooth.runtime.checker.orbit import CheckedOrbit, trace_of
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import BRANCH, check_shape
+from nonsmooth.runtime.checker.short import Short, short_phase
 from nonsmooth.runtime.checker.stability import characteristic, paired, products_less_one, stability
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
@@ -28,7 +30,7 @@ _BITS, _SHARP = 64, 192
 _ORDER = 5  # of the models: that of the polynomials
 _STEPS = 8  # of Newton's method
 _DEEPEST = 5  # halvings of a tile whose claims take smaller ones
-_FINISHED = "end of the interval"
+_FINISHED, _VANISHED = "end of the interval", "a phase vanishes"
 _OPEN = "undecided"
 _MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
 
@@ -67,7 +69,7 @@ def check_branch(content: dict[str, Any]) -> None:
         found = [_CheckedTile(curve, tile) for tile in tiles]
         for number, tile in enumerate(found, 1):
             try:
-                tile.check()
+                tile.check_sharply()
             except Failure as failure:
                 raise Failure(f"in tile {number} of the branch: {failure}") from None
         for number, (tile, other) in enumerate(pairwise(found), 1):
@@ -86,7 +88,7 @@ def _claimed(content: dict[str, Any]) -> None:
     low, high = map(exact, content["interval"])
     demand(low < high, "the interval is empty")
     every = all(_OPEN not in (tile["before"], tile["after"]) for tile in tiles)
-    whole = bool(tiles) and every and content["ends"] == [_FINISHED] * 2
+    whole = bool(tiles) and every and {*content["ends"]} <= {_FINISHED, _VANISHED}
     demand((content["claims"]["branch"] == "proved") == whole, "the claim is not that of the tiles")
     for tile in tiles:
         left = tile["before"] == _OPEN
@@ -107,24 +109,47 @@ class _Curve:
         self.names = [*declared.unknowns, content["parameter"]]
         self.last = len(self.names) - 1
         self.interval = tuple(map(exact, content["interval"]))
+        self.short: Short | None = None
+
+    def divided(self, place: int | None) -> "_Curve":
+        """The same orbits by equations with one phase's condition divided by its dwell time."""
+        if place is None:
+            return self
+        found = copy(self)
+        found.short = short_phase(self.declared, place - 1)
+        return found
 
     def place(self, name: str) -> int:
         """The coordinate of a name: of the parameter, if an unknown has its name too."""
         demand(name in self.names, "there is no such coordinate")
         return self.last if name == self.names[self.last] else self.names.index(name)
 
+    def _with(self, parameter: Any) -> CheckedOrbit:
+        """An orbit of which only the parameter is known."""
+        return CheckedOrbit(self.declared, number_at([parameter, *self.constants]), self.short)
+
     def orbit(self, point: Sequence[Any]) -> CheckedOrbit:
         """What passes with these numbers for unknowns and parameter."""
-        orbit = CheckedOrbit(self.declared, number_at([point[-1], *self.constants]))
+        orbit = self._with(point[-1])
         orbit.along(point[:-1])
         return orbit
 
-    def slopes(self, point: Sequence[Any]) -> tuple[list[Any], list[list[Any]]]:
-        """Values of the equations (n), and their derivatives (n, n + 1) by all coordinates."""
+    def slopes(
+        self, point: Sequence[Any], middle: Sequence[Any] | None = None
+    ) -> tuple[list[Any], list[list[Any]]]:
+        """Values of the equations (n), and their derivatives (n, n + 1) by all coordinates.
+
+        Flows over a box are those of its middle, times short ones.
+        """
         parameter = jet(point[-1], arb(1))
-        orbit = CheckedOrbit(self.declared, number_at([parameter, *self.constants]))
+        orbit = self._with(parameter)
         times = point[orbit.first : -1]
-        flows = [(b * t).exp() for b, t in zip(orbit.chain.fields, times, strict=True)]
+        known = times if middle is None else middle[orbit.first : -1]
+        flows = [(b * t).exp() for b, t in zip(orbit.chain.fields, known, strict=True)]
+        if middle is not None:
+            away = [t - c for t, c in zip(times, known, strict=True)]
+            short = zip(orbit.chain.fields, away, flows, strict=True)
+            flows = [(b * d).exp() * flow for b, d, flow in short]
         now = orbit.passage(orbit.chain, point[:-1], flows)
         own, along = part_of(now.slopes, 0), part_of(now.values, 1)
         rows = [[*(own[i, j] for j in range(self.last)), along[i, 0]] for i in range(self.last)]
@@ -140,7 +165,7 @@ class _Curve:
             y = matrix([_without(place, row) for row in slopes]).mid().inv().mid()
         except ZeroDivisionError:
             return None
-        _, over = self.slopes(_with(place, value, box))
+        _, over = self.slopes(_with(place, value, box), _with(place, value, centre))
         size = self.last
         unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
         rest = unit - y * matrix([_without(place, row) for row in over])
@@ -162,7 +187,7 @@ class _Curve:
         except ZeroDivisionError:
             raise Failure("the derivative along the branch is not known") from None
         for k in range(1, order + 1):
-            orbit = CheckedOrbit(self.declared, number_at([found[-1], *self.constants]))
+            orbit = self._with(found[-1])
             missed = part_of(matrix([[v] for v in orbit.along(found[:-1])]), k)
             step = _solution(square, y, -missed)
             others = _without(place, found)
@@ -178,7 +203,7 @@ class _CheckedTile:
     """One tile of a branch."""
 
     def __init__(self, curve: _Curve, tile: dict[str, Any]) -> None:
-        self.curve, self.tile = curve, tile
+        self.curve, self.tile = curve.divided(tile["divided"]), tile
         self.place = curve.place(tile["coordinate"])
         self.low, self.high = exact(tile["lower"]), exact(tile["upper"])
         demand(self.low < self.high, "it is empty")
@@ -191,6 +216,13 @@ class _CheckedTile:
         )
         self.space = space_of(1, _ORDER)
         self.event = tile["event"]
+
+    @property
+    def turns(self) -> bool:
+        """Whether the branch turns at its event."""
+        if self.event is None:
+            return False
+        return "fold" in (self.event["kind"], *(kind for kind, *_ in self.event["also"]))
 
     @property
     def begin(self) -> Any:
@@ -238,6 +270,14 @@ class _CheckedTile:
         demand(self.holds(value, found), "an orbit is not in its tube")
         return _with(place, value, found)
 
+    def check_sharply(self) -> None:
+        """Prove what is claimed of it; with more bits if need be, as in a narrow tube."""
+        try:
+            self.check()
+        except Failure:
+            with ctx.workprec(2 * _BITS):
+                self.check()
+
     def check(self) -> None:
         """Prove that there is one orbit in the tube, and what is claimed of it."""
         curve, place = self.curve, self.place
@@ -258,7 +298,7 @@ class _CheckedTile:
             demand(over > low and over < high, "it is outside of the interval")
         if self.tile["before"] == _OPEN:
             return
-        if self.event is None or self.event["kind"] != "fold":
+        if not self.turns:
             self.parts(self._goes_on)
         if self.event is None:
             self.parts(self._judge)
@@ -346,8 +386,15 @@ class _CheckedEvent:
             self._verdicts()
             self._passes(event["kind"], None)
         else:
-            kinds = [kind for kind, *_ in event["also"]]
-            demand(not {*kinds} & {*_MULTIPLIERS}, "a multiplier beside a border")
+            beside = [entry for entry in event["also"] if entry[0] in _MULTIPLIERS]
+            if beside:  # the branch turns where a phase vanishes, and no multiplier is 1
+                short = (
+                    tile.curve.short is not None and tile.curve.short.place == event["phase"] - 1
+                )
+                vanishes = short and event["kind"] == "vanishing-phase"
+                turns = [["fold", event["phase"], "", ""]]
+                demand(vanishes and [*map(list, beside)] == turns, "a multiplier beside a border")
+                self._passes("fold", None)
             self._border()
         with ctx.workprec(_SHARP):
             middle, half = (self.low + self.high) / 2, (self.high - self.low) / 2
@@ -474,6 +521,7 @@ def _joined(tile: _CheckedTile, other: _CheckedTile) -> None:
     """The end of one tile and the beginning of the next are one orbit, and lead the same way."""
     curve = tile.curve
     with ctx.workprec(_SHARP):
+        _same_equations(tile, other)
         if tile.place == other.place:
             demand(tile.end == other.begin and tile.forwards == other.forwards, "they are apart")
             point = tile.at(arb(tile.end))
@@ -489,6 +537,19 @@ def _joined(tile: _CheckedTile, other: _CheckedTile) -> None:
         slope = part_of(curve.jets(tile.place, point, 1)[other.place], 1)
         same = tile.forwards == other.forwards
         demand(slope > 0 if same else slope < 0, "they do not lead the same way")
+
+
+def _same_equations(tile: _CheckedTile, other: _CheckedTile) -> None:
+    """Where two tiles divide other conditions none is divided by zero at their joint."""
+    if tile.tile["divided"] == other.tile["divided"]:
+        return
+    names = tile.curve.declared.dwell
+    first = tile.curve.last - len(names)
+    for own, point in ((tile, tile.at(arb(tile.end))), (other, other.at(arb(other.begin)))):
+        for divided in (tile.curve.short, other.curve.short):
+            if divided is not None:
+                time = point[first + divided.place]
+                demand(time > 0 or time < 0, f"{own.tile['coordinate']}: a phase vanishes there")
 
 
 def _enters(tile: _CheckedTile, other: _CheckedTile, point: Sequence[Any]) -> None:
@@ -515,7 +576,11 @@ def _ends(tiles: Sequence[_CheckedTile], content: dict[str, Any]) -> None:
     """Where it is said to reach an end of the interval it does."""
     curve = tiles[0].curve
     reached = (tiles[0].begin, tiles[0].place), (tiles[-1].end, tiles[-1].place)
-    for why, (value, place) in zip(content["ends"], reached, strict=True):
+    outside = (tiles[0], tiles[0].tile["before"]), (tiles[-1], tiles[-1].tile["after"])
+    for why, (value, place), (tile, verdict) in zip(content["ends"], reached, outside, strict=True):
+        if why == _VANISHED:
+            vanishes = tile.event is not None and tile.event["kind"] == "vanishing-phase"
+            demand(vanishes and verdict == "not admissible", "no phase vanishes at its end")
         if why == _FINISHED:
             there = place == curve.last and value in curve.interval
             demand(there, "it does not reach the end of the interval")
@@ -534,12 +599,20 @@ def _solution(square: Any, y: Any, right: Any) -> list[Any]:
         sum((abs(rest[i, j]) * scales[j] for j in range(size)), arb(0)) / scales[i]
         for i in range(size)
     ]
-    norm = max((x.upper() for x in sums), key=float)
+    norm = _largest(sums)
     demand(norm < 1, "the derivative along the branch is not known")
     errors = [abs(missed[i, 0]) / scales[i] for i in range(size)]
-    worst = max((x.upper() for x in errors), key=float) / (1 - norm)
+    worst = _largest(errors) / (1 - norm)
     pairs = zip(guess.entries(), scales, strict=True)
     return [x + arb(0, (s * worst).upper()) for x, s in pairs]
+
+
+def _largest(numbers: Sequence[Any]) -> Any:
+    """A bound of all numbers; no number if one of them is none."""
+    found = numbers[0]
+    for number in numbers[1:]:
+        found = found.max(number)
+    return found.upper()
 
 
 def _with(place: int, value: Any, others: Sequence[Any]) -> list[Any]:

@@ -4,6 +4,7 @@ No boundary is crossed before a phase ends, for all times; the one that ends it 
 inside; and the transition is the first whose conditions hold.
 """
 
+import re
 from collections.abc import Sequence
 from functools import cache
 from typing import Any, NamedTuple
@@ -11,7 +12,7 @@ from typing import Any, NamedTuple
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.declared import StatedBoundary, StatedPhase, Way
-from nonsmooth.runtime.checker.exact import demand, exact
+from nonsmooth.runtime.checker.exact import demand, exact, product
 from nonsmooth.runtime.checker.orbit import CheckedOrbit, lower
 from nonsmooth.runtime.checker.vanishing import vanishing
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
@@ -58,6 +59,8 @@ class Border(NamedTuple):
         if self.kind == "vanishing-phase":
             demand(self[2:] == ("+".join(step["boundaries"]), ""), "the phase ends otherwise")
             return -orbit.dwell[place]
+        if self.kind == "condition":
+            return self._condition(orbit)
         watched = self.watched(orbit)
         begin, end = orbit.now.starts[place], orbit.now.ends[place].entries()
         if self.kind == "grazing":
@@ -74,6 +77,27 @@ class Border(NamedTuple):
         fits, sign, row, state = means.get((self.kind, self.instant), (False, 1, None, end))
         demand(fits and row is not None and any(row), "this is no such event")
         return sign * orbit.value(row, state)
+
+    @property
+    def listed(self) -> tuple[int, int]:
+        """Of a condition: in which of the transitions that may follow it is, and where."""
+        fits = self.instant == "end" and re.fullmatch(r"[1-9]\d{0,3}\.[1-9]\d{0,3}", self.boundary)
+        demand(fits, "there is no such condition")
+        transition, place = self.boundary.split(".")
+        return int(transition) - 1, int(place) - 1
+
+    def _condition(self, orbit: CheckedOrbit) -> Any:
+        """A number that is negative where a condition is as the itinerary asks."""
+        phase = orbit.declared.phases([])[self.phase]
+        number, place = self.listed
+        demand(len(phase.orders) == 1 and not phase.lawful, "this is no such event")
+        demand(number < len(phase.orders[0]), "there is no such condition")
+        way = phase.orders[0][number]
+        demand(place < len(way.conditions), "there is no such condition")
+        row, expected = way.conditions[place]
+        demand(row is not None and any(row), "this is no such event")
+        value = orbit.value(row, orbit.now.ends[self.phase].entries())
+        return -value if expected == way.wanted else value
 
     def watched(self, orbit: CheckedOrbit) -> StatedBoundary:
         """Its boundary.
@@ -220,9 +244,13 @@ def _phase(
     waves = []
     for watched in phase.watched:
         name, order = watched.name, watched.order
+        if not any(key[:2] == (place, name) for key in stated) and _bends(orbit, place, watched):
+            continue
+        slows = ("tangent", name, "end") in own
         if watched.ends_it:
             zeros.append(orbit.value(watched.end, last) if any(watched.end) else fmpq(0))
             speed = orbit.value(watched.speed, last)
+            slows = slows or speed > 0
             if ("tangent", name, "end") not in own:
                 found += [_sign(-speed), clear(name, "speed", speed)]
         if watched.begins is None:
@@ -232,7 +260,8 @@ def _phase(
             not order and vanishes and watched.ends_it,
             ("tangent" if order else "entry", name, "start") in own,
             ("simultaneous", name, "end") in own,
-            ("tangent", name, "end") in own,
+            slows,
+            order == 1 and leading < 0,
             window if ("grazing", name, "inside") in own else None,
         )
         if shape.starts_open:
@@ -250,17 +279,23 @@ def _phase(
         if order or not watched.still:
             waves.append((watched, arb(least), shape))
     found += [{0: -1, None: None}.get(_sign(x), 1) for x in zeros]
-    found.append(_follows(orbit, phase, last))
+    conditions = [border.listed for border in assumed
+                  if border.kind == "condition" and border.phase == place]  # fmt: skip
+    found.append(_follows(orbit, phase, last, conditions))
     return found if 1 in found else [*found, _below(orbit, place, waves)]
 
 
 class _Shape(NamedTuple):
-    """How a function may be zero beside what is exact: at the start, at the end, or inside."""
+    """How a function may be zero beside what is exact: at the start, at the end, or inside.
+
+    At the end its rate is not negative if it slows; at the start that is negative if it falls.
+    """
 
     rises: bool = False
     begins: bool = False
     ends: bool = False
     slows: bool = False
+    falls: bool = False
     touches: tuple[Any, Any] | None = None
 
     @property
@@ -269,11 +304,50 @@ class _Shape(NamedTuple):
         return self.rises or self.begins
 
 
-def _follows(orbit: CheckedOrbit, phase: StatedPhase, last: Any) -> int | None:
-    """Whether in every order the first transition whose conditions hold is the itinerary's."""
+def _bends(orbit: CheckedOrbit, place: int, watched: StatedBoundary) -> bool:
+    """Whether a function is convex that is exactly zero at both ends of a phase.
+
+    If the phase lasts a positive time it is negative inside, left and reached with a speed.
+    """
+    if not (watched.ends_it and watched.order == 1 and watched.begins) or any(watched.end):
+        return False
+    field = orbit.declared.steps[place].field
+    bend = tuple(-x for x in product(product(watched.row, field), field))
+    if not orbit.value(bend, orbit.now.starts[place].entries()) < 0:
+        return False
+    falling = watched._replace(row=bend, ends_it=False, order=0)
+    return _below(orbit, place, [(falling, arb(0), _Shape())]) == -1
+
+
+def _follows(
+    orbit: CheckedOrbit, phase: StatedPhase, last: Any, assumed: Sequence[tuple[int, int]]
+) -> int | None:
+    """Whether in every order the first transition whose conditions hold is the itinerary's.
+
+    Conditions that are assumed to be as the itinerary asks have to decide it: all others of
+    their transitions hold.
+    """
     if not phase.decided:
         return None
-    found = [_first(orbit, ways, last) for ways in phase.orders]
+    orders = phase.orders
+    if assumed:
+        if len(orders) > 1 or phase.lawful or sum(way.wanted for way in orders[0]) > 1:
+            return None
+        if len({number for number, _ in assumed}) < len(assumed):
+            return None
+        ways = []
+        taken = dict(assumed)
+        for number, way in enumerate(orders[0]):
+            if number in taken:
+                others = [c for k, c in enumerate(way.conditions) if k != taken[number]]
+                if not all(_holds(orbit, row, last, expected) for row, expected in others):
+                    return None
+                if way.wanted:
+                    ways.append(way._replace(conditions=[]))
+                continue
+            ways.append(way)
+        orders = [ways]
+    found = [_first(orbit, ways, last) for ways in orders]
     if 1 in found:
         return None if phase.lawful else 1
     return None if None in found else -1
@@ -362,6 +436,7 @@ def _below(
             falling = change < 0 and not (first and shape.rises)
             done = top < 0 or falling or (change > 0 and rising)
             done = done or (last and shape.slows and curve < 0)
+            done = done or (first and shape.falls and curve < 0)
             order = watched.order + (shape.begins and watched.order > 0)
             if first and order > 1:
                 done = _turns_down(n, b, wide, rate, rates, order, around)

@@ -14,6 +14,7 @@ from flint import arb, arb_mat
 
 from nonsmooth.runtime.checker.declared import StatedSystem, gauge_of
 from nonsmooth.runtime.checker.exact import Failure, demand
+from nonsmooth.runtime.checker.short import Short, quotient, quotients
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 
 __all__ = ["CheckedOrbit", "Cut", "Passage", "PhaseNumbers", "lower", "trace_of"]
@@ -61,8 +62,10 @@ class Passage(NamedTuple):
 class CheckedOrbit:
     """The orbit of a declaration, in numbers that `number` gives of its exact ones."""
 
-    def __init__(self, declared: StatedSystem, number: Callable[[Any], Any]) -> None:
-        self.declared, self.number = declared, number
+    def __init__(
+        self, declared: StatedSystem, number: Callable[[Any], Any], short: Short | None = None
+    ) -> None:
+        self.declared, self.number, self.short = declared, number, short
         self.first = len(declared.free) + bool(declared.forcing)  # the dwell times begin there
         self.count = self.first + len(declared.steps)
         fields = [self.numbers(step.field) for step in declared.steps]
@@ -126,13 +129,23 @@ class CheckedOrbit:
         starts, ends, values, rows = [y], [], [], []
         begin, before = y, dy
         for place, (b, n, r) in enumerate(zip(*chain[:3], strict=True)):
+            own = arb_mat([[int(j == self.first + place) for j in range(self.count)]])
+            divided = self.short is not None and place == self.short.place
+            if divided:
+                time, rate = unknowns[self.first + place], b * y
+                mean = n * quotient(b, time)
+                values.append((mean * rate)[0, 0])
+                if slopes:
+                    change = (n * quotients(b, rate, time))[0, 0]
+                    rows.append((mean * (b * dy) + own * change).entries())
             y = flows[place] * y
-            values.append((n * y)[0, 0])
             ends.append(y)
+            if not divided:
+                values.append((n * y)[0, 0])
             if slopes:
-                own = [[int(j == self.first + place) for j in range(self.count)]]
-                dy = flows[place] * dy + (b * y) * arb_mat(own)
-                rows.append((n * dy).entries())
+                dy = flows[place] * dy + (b * y) * own
+                if not divided:
+                    rows.append((n * dy).entries())
                 dy = r * dy
             y = r * y
             starts.append(y)
@@ -338,6 +351,12 @@ class CheckedOrbit:
         chain, now, count = self.chain, self.now, len(self.chain.fields)
         found = self.numbers(basis)
         for place in (k % count for k in range(begin, begin + count)):
+            known = None if self.short is None else self.short.jumps[place]
+            if known is not None:
+                found = self.flows[place] * found
+                ahead = self.numbers([[x] for x in known]) * (chain.rows[place] * found)
+                found = chain.resets[place] * found + ahead
+                continue
             rate = chain.fields[place] * now.ends[place]
             jump = chain.resets[place] * rate
             if self.declared.forcing:

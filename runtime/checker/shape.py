@@ -218,6 +218,7 @@ BRANCH = {
             "reason": str,
             "centre": [[float]],
             "radii": [float],
+            "divided": Either((int, type(None))),
             "event": Either(
                 (
                     type(None),

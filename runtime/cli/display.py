@@ -31,6 +31,7 @@ __all__ = [
 _LONGEST_NUMBER = 64  # beside the labels
 _GROUP, _GROUPS_IN_LINE = 10, 5
 _RANKS = {1: "one", 2: "two", 3: "three"}
+_LONG = 600.0  # seconds over which a rate of work is told: shares rise in jumps
 _VERDICT_STYLES = {"stable": "green", "unstable": "red"}
 
 
@@ -239,6 +240,8 @@ def counted(what: str, total: int | None = None) -> Iterator[Callable[..., None]
 def shared(what: str) -> Iterator[Callable[[float, int], None]]:
     """Give a function that shows a share that is done and a count, on stderr if a terminal.
 
+    The time that is left is told from the share and the time that it took.
+
     Parameters
     ----------
     what : str
@@ -254,10 +257,15 @@ def shared(what: str) -> Iterator[Callable[[float, int], None]]:
         return
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
     from rich.progress import TimeElapsedColumn as Elapsed
+    from rich.progress import TimeRemainingColumn as Remaining
 
     tiles = TextColumn("{task.fields[count]} tiles")
+    left = (TextColumn("left"), Remaining())
     columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), tiles)
-    with Progress(*columns, Elapsed(), console=Console(stderr=True)) as progress:
+    shown = Progress(
+        *columns, Elapsed(), *left, console=Console(stderr=True), speed_estimate_period=_LONG
+    )
+    with shown as progress:
         task = progress.add_task(what, total=1.0, count=0)
         yield lambda share, count: progress.update(task, completed=share, count=count)
 

@@ -36,10 +36,12 @@ class OpenInequality(NamedTuple):
         "vanishing-phase": the dwell time is positive. "entry", "tangent": the first derivative
         of a boundary function that is not zero where the phase begins is negative; where it
         ends, its rate is positive. "simultaneous": another function is negative at the end.
-        "grazing": its maximum inside the phase is negative.
+        "grazing": its maximum inside the phase is negative. "condition": a condition of a
+        transition is as the itinerary asks.
     phase : int
         Counted from 0.
     boundary : str
+        Of a condition in its place "2.1": of the second transition that is listed the first.
     instant : {"", "start", "inside", "end"}
     """
 
@@ -185,7 +187,8 @@ class _Phase:
                 try:
                     found += self._watched(watched, functions)
                 except _NotTold as trouble:
-                    self.open.append((trouble.which, trouble.reason))
+                    if not self._bends(watched, functions):
+                        self.open.append((trouble.which, trouble.reason))
             self._follows()
         except Undecided as trouble:
             self.open.append((None, trouble.reason))
@@ -203,6 +206,8 @@ class _Phase:
         name, begins, place = watched.name, watched.begins, self.plan.place
         found: list[Margin] = []
         order = 0 if begins is None else begins.order
+        if self.ending in self.assumed and self._bends(watched, functions):
+            return found
         rising = int(watched.reached)
         if begins is not None:
             which = OpenInequality("tangent" if order else "entry", place, name, "start")
@@ -223,6 +228,7 @@ class _Phase:
             else:
                 with _opens(which):
                     speed = self._speed(watched)
+                rising = 2
                 found.append(self._margin(name, "speed", speed))
         if begins is not None and begins.order:
             found.append(self._margin(name, "departure", -value))
@@ -230,10 +236,28 @@ class _Phase:
             if begins is not None and not begins.order:
                 found.append(self._margin(name, "distance", -value))
             return found
-        least = self._distance(functions, watched, order, rising)
+        zeros = ExactZeros(order, rising, falls=begins is not None and begins.order > 0)
+        least = self._distance(functions, watched, zeros)
         if least is not None:
             found.append(self._margin(name, "distance", least))
         return found
+
+    def _bends(self, watched: Watched, functions: EventFunctions | None) -> bool:
+        """Whether a function is convex that is exactly zero at both ends of the phase.
+
+        As the dwell time is positive it is then negative inside, left and reached with a speed.
+        """
+        begins = watched.begins
+        if functions is None or begins is None or begins.order != 1 or not watched.reached:
+            return False
+        if any(watched.ends):
+            return False
+        bend = matrix([watched.row]) * self.field * self.field
+        try:
+            functions.stays_negative(functions.function(-bend), ExactZeros(0, 0))
+        except (Crossed, Undecided):
+            return False
+        return True
 
     def _margin(self, boundary: str, quantity: str, least: Any) -> Margin:
         plan = self.plan
@@ -255,15 +279,14 @@ class _Phase:
         raise Undecided(f"{name} may be reached tangentially")
 
     def _distance(
-        self, functions: EventFunctions, watched: Watched, order: int, rising: int
+        self, functions: EventFunctions, watched: Watched, zeros: ExactZeros
     ) -> arb | None:
         """Prove that a boundary is not reached inside the phase; by how much, if anything."""
         place, name = self.plan.place, watched.name
         grazing = OpenInequality("grazing", place, name, "inside")
         together = OpenInequality("simultaneous", place, name, "end")
         if together in self.assumed:
-            rising = 1
-        zeros = ExactZeros(order, rising)
+            zeros = zeros._replace(last=1)
         function = functions.function(matrix([watched.row]))
         try:
             if grazing in self.assumed:
@@ -289,7 +312,7 @@ class _Phase:
             ) from None
         except Undecided as trouble:
             last = evaluate(watched.ends, self.behind)
-            at_end = not (rising or last < 0 or last > 0)
+            at_end = not (zeros.last or last < 0 or last > 0)
             which = together if at_end else grazing
             raise _NotTold(which, f"{name}: {trouble.reason}") from None
         return None
@@ -297,7 +320,23 @@ class _Phase:
     def _follows(self) -> None:
         """Prove that in every order what follows first is the itinerary's transition."""
         for followers in self.plan.orders:
-            self._first(followers)
+            left = self._left(followers)
+            if left is not None:
+                self._first(left)
+
+    def _left(self, followers: Sequence[Follower]) -> list[Follower] | None:
+        """What may follow if open conditions are as is assumed; None where one is not."""
+        opens = self._open_conditions(followers)
+        left = [(which, target) for which, target in opens if which not in self.assumed]
+        if left:
+            self.open += [(which, f"whether {target} follows") for which, target in left]
+            return None
+        taken = {int(which.boundary.split(".")[0]) for which, _ in opens}
+        return [
+            follower._replace(conditions=()) if number in taken else follower
+            for number, follower in enumerate(followers, 1)
+            if follower.wanted or number not in taken
+        ]
 
     def _first(self, followers: Sequence[Follower]) -> None:
         """Prove that of these the first whose conditions hold is wanted."""
@@ -312,6 +351,34 @@ class _Phase:
         if follower is not None:
             raise _Refuted(f"{follower.target} follows, or another transition to it")
         raise _Refuted(f"{last.target} does not follow: its conditions do not hold")
+
+    def _open_conditions(self, followers: Sequence[Follower]) -> list[tuple[OpenInequality, str]]:
+        """Conditions that alone decide whether what is wanted follows, and cannot be told.
+
+        Of each transition at most one: all its others hold. Where one changes another
+        transition follows, or none.
+        """
+        if len(self.plan.orders) > 1 or any(follower.doubt for follower in followers):
+            return []
+        found = []
+        for number, follower in enumerate(followers, 1):
+            left = []
+            for k, (behind, expected) in enumerate(follower.conditions, 1):
+                try:
+                    if (self._sign(behind) > 0) != expected:
+                        break
+                except Undecided as trouble:
+                    left.append(k if trouble.digits else 0)
+            else:
+                if len(left) > 1 or 0 in left:
+                    return []
+                if left:
+                    name = f"{number}.{left[0]}"
+                    which = OpenInequality("condition", self.plan.place, name, "end")
+                    found.append((which, follower.target))
+                elif not follower.wanted:
+                    return []
+        return found
 
     def _sign(self, behind: Derivative | None) -> int:
         """Sign of a function behind the end; 0 for none."""

@@ -18,13 +18,14 @@ from nonsmooth.runtime.proof.motion.exact_rows import Row
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 from nonsmooth.runtime.shooting.variational import (
     MATRICES,
+    Ahead,
     Phase,
     Shooting,
     section_map,
     shooting_map,
 )
 
-__all__ = ["Equations", "Flows", "Linearised", "equations_in", "phases_of"]
+__all__ = ["Equations", "Flows", "Linearised", "ShortPhase", "equations_in", "phases_of"]
 
 
 def phases_of(
@@ -92,6 +93,43 @@ class Linearised(NamedTuple):
     shooting: Shooting
 
 
+class ShortPhase(NamedTuple):
+    """A phase that begins and ends on one boundary, and may vanish.
+
+    Its switching condition is divided by its dwell time: what is left is regular where the
+    dwell time is zero, and elsewhere it has the same solutions.
+
+    Attributes
+    ----------
+    place : int
+        Counted from 0.
+    saltations : tuple
+        For each phase a column (N + 1, 1): the jump of the velocity at its end over the rate of
+        the boundary function, where that is a number though both may be zero; else None.
+    """
+
+    place: int
+    saltations: tuple[Any, ...]
+
+    def at(self, number: Number) -> ShortPhase:
+        """The same with numbers in place of exact entries.
+
+        Parameters
+        ----------
+        number : callable
+            Maps exact entries to numbers: balls or Taylor models.
+
+        Returns
+        -------
+        ShortPhase
+        """
+        columns = [
+            None if column is None else numbers([[entry] for entry in column], number)
+            for column in self.saltations
+        ]
+        return ShortPhase(self.place, tuple(columns))
+
+
 class Equations:
     """Equations of a cycle that closes in its way, at the working precision.
 
@@ -105,6 +143,8 @@ class Equations:
         Of the closing's forcings, in the phases' numbers.
     projection : matrix (N + 1, N + 1), optional
         Along the closing's translations, where it has any.
+    short : ShortPhase, optional
+        The phase whose switching condition is divided by its dwell time.
     """
 
     def __init__(
@@ -114,11 +154,12 @@ class Equations:
         period: Any,
         speeds: Sequence[Any],
         projection: Any = None,
+        short: ShortPhase | None = None,
     ) -> None:
         from flint import arb_mat
 
         self.phases, self.closing, self.period, self.speeds = phases, closing, period, speeds
-        self.projection = projection
+        self.projection, self.short = projection, short
         self.size = phases[0].field.nrows() - 1
         self.free = [k for k in range(self.size) if k not in closing.forced]
         self.closed = [k for k in self.free if k != closing.dropped]
@@ -164,6 +205,7 @@ class Equations:
             self.closing,
             None if period is None else change(period),
             list(map(change, self.speeds)),
+            short=self.short,
         )
 
     def dwell(self, unknowns: Sequence[Any]) -> Sequence[Any]:
@@ -222,7 +264,8 @@ class Equations:
         """
         start, slope = self.start(unknowns)
         passed = (flows(place, time) for place, time in enumerate(self.dwell(unknowns)))
-        now = shooting_map(MATRICES, self.phases, passed, start, slope, self._marks)
+        ahead = self._divided(unknowns)
+        now = shooting_map(MATRICES, self.phases, passed, start, slope, self._marks, ahead)
         values = [value[0, 0] for value in now.residual]
         rows = [slope.entries() for slope in now.slopes]
         change, closure = now.starts[-1] - start, now.variational - slope
@@ -234,6 +277,30 @@ class Equations:
             values.append(total - self.period)
             rows.append([int(j >= self.first) for j in range(self.count)])
         return Linearised(matrix([[v] for v in values]), matrix(rows), now)
+
+    def _divided(self, unknowns: Sequence[Any]) -> list[Ahead | None] | None:
+        """The short phase's condition over its dwell time t, by the phase's start.
+
+        With its field B and boundary n that is n phi1(B t) B, and its rate
+        n (phi1 - phi2)(B t) B B, where phi1(z) = (e^z - 1) / z and phi2(z) = (phi1(z) - 1) / z
+        (N. Higham, Functions of Matrices, 2008, 10.7.4).
+        """
+        if self.short is None:
+            return None
+        place, size = self.short.place, self.size + 1
+        phase, time = self.phases[place], self.dwell(unknowns)[place]
+        inner, last = phase.field * time, phase.row.entries()
+        rows: list[list[Any]] = [[0] * (size + 2) for _ in range(size + 2)]
+        rows[0][1] = 1
+        rows[1][2:] = last
+        for i in range(size):
+            rows[i + 2][2:] = [inner[i, j] for j in range(size)]
+        found = matrix(rows).exp()
+        second, first = (matrix([[found[k, j + 2] for j in range(size)]]) for k in (0, 1))
+        by_start = first * phase.field
+        ahead: list[Ahead | None] = [None] * len(self.phases)
+        ahead[place] = Ahead(by_start, (by_start - second * phase.field) * phase.field)
+        return ahead
 
     def maps(self, now: Shooting) -> list[Any]:
         """Derivative (N, N) of each phase's start by that before it, as the cycle closes.
@@ -285,7 +352,13 @@ class Equations:
 
     def _maps(self, now: Shooting, behind: Sequence[Any]) -> list[Any]:
         parts = zip(self.phases, now.flows, now.velocities, behind, strict=True)
-        return [self._linear(section_map(MATRICES, *part)) for part in parts]
+        known = [None] * len(self.phases) if self.short is None else self.short.saltations
+        return [
+            self._linear(
+                section_map(MATRICES, *part) if column is None else _salted(*part[:2], column)
+            )
+            for part, column in zip(parts, known, strict=True)
+        ]
 
     def _linear(self, whole: Any) -> Any:
         """The part that acts on changes of the state."""
@@ -293,8 +366,17 @@ class Equations:
         return matrix([[whole[i, j] for j in range(size)] for i in range(size)])
 
 
+def _salted(phase: Phase, flow: Any, jump: Any) -> Any:
+    """The map at fixed times of a phase whose jump over the boundary's rate is known."""
+    return phase.reset * flow + jump * (phase.row * flow)
+
+
 def equations_in(
-    phases: Sequence[Phase], closing: ClosureConditions, number: Number, period: Any
+    phases: Sequence[Phase],
+    closing: ClosureConditions,
+    number: Number,
+    period: Any,
+    short: ShortPhase | None = None,
 ) -> Equations:
     """The equations of a cycle in the numbers of its phases.
 
@@ -306,6 +388,8 @@ def equations_in(
         From the closing's exact entries to the phases' numbers.
     period : arb, TaylorModel or None
         What the dwell times sum up to, where it is given.
+    short : ShortPhase, optional
+        The phase whose switching condition is divided by its dwell time.
 
     Returns
     -------
@@ -320,4 +404,4 @@ def equations_in(
     along = None
     if closing.translations:
         along = numbers(projection(closing.translations, phases[0].field.nrows() - 1), number)
-    return Equations(phases, closing, period, speeds, along)
+    return Equations(phases, closing, period, speeds, along, short)

@@ -46,12 +46,15 @@ class ExactZeros(NamedTuple):
     order : int
         At the start its derivatives below that order vanish; 0 where it does not itself.
     last : int
-        At the end: 1 where it rises to it, 2 where it does so ever slower, its rate being
-        not negative there; 0 where it is not.
+        At the end: 1 where it rises to it, 2 where its rate is not negative there; 0 where it
+        is not.
+    falls : bool
+        Whether the derivative of that order is known to be negative at the start.
     """
 
     order: int
     last: int
+    falls: bool = False
 
 
 class EventFunctions:
@@ -215,7 +218,8 @@ class EventFunctions:
             # where the last window may not rise: it has nothing negative or zero behind it
             falling = last if final and not zeros.last else None
             slow = last if final and zeros.last > 1 else None
-            left = self._segment(expansion, last, order, falling, slow, touching=touching)
+            falls = zeros.falls and number == 0
+            left = self._segment(expansion, last, order, falls, falling, slow, touching=touching)
             found += [(number, begin, end) for begin, end in left]
         return found
 
@@ -228,6 +232,7 @@ class EventFunctions:
         function: Expansion,
         last: arb,
         order: int,
+        falls: bool,
         falling: arb | None,
         slow: arb | None,
         *,
@@ -243,6 +248,7 @@ class EventFunctions:
             middle = places.mid()
             if order and begin == -1:
                 done = bool(function.at(order, places) < 0)
+                done = done or bool(falls and function.at(order + 1, places) < 0)
             else:
                 window = function.over(places)
                 rising = falling is None or end < falling

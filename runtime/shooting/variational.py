@@ -257,7 +257,7 @@ def shooting_map(
     start: Any,
     changes: Any,
     rates: Sequence[Any] | None = None,
-    ahead: Sequence[Ahead] | None = None,
+    ahead: Sequence[Ahead | None] | None = None,
 ) -> Shooting:
     """Carry a start, and changes of it, through a chain of phases.
 
@@ -275,7 +275,7 @@ def shooting_map(
         Change of each dwell time by each unknown. Without them a dwell time changes such that
         its switching condition, linearised, is solved; the last unknown stands for the 1 that
         multiplies constants.
-    ahead : sequence of Ahead, optional
+    ahead : sequence of (Ahead or None), optional
         Boundary functions by the starts of their phases, where these are sharper than those
         at the ends.
 

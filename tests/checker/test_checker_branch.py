@@ -132,11 +132,21 @@ def a_flip_beside_a_grazing(content: Content) -> None:
     with_event(content, "grazing")["event"]["also"] = [["flip", 1, "", ""]]
 
 
+def divide_a_phase(content: Content) -> None:
+    """No phase of this orbit begins where it ends."""
+    content["tiles"][4]["divided"] = 1
+
+
+def end_where_nothing_vanishes(content: Content) -> None:
+    content["ends"][0] = "a phase vanishes"
+
+
 ATTACKS: list[Callable[[Content], None]] = [
     drop_a_tile, drop_an_event, hide_both_sides, exchange_the_sides, another_kind, a_fold,
     move_the_event, sharpen_the_event, move_the_window, move_the_tube, widen_the_tube,
     reverse_a_tile, shorten_a_tile, widen_the_interval, call_it_stable, call_a_tile_undecided,
     forget_an_end, another_phase, an_event_of_its_own, a_flip_beside_a_grazing,
+    divide_a_phase, end_where_nothing_vanishes,
 ]  # fmt: skip
 
 

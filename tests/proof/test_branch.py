@@ -1,9 +1,12 @@
 """Certified branches: what is proved, against the integrator, the events' certificates, attacks."""
 
+import hashlib
+import json
 import random
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import mpmath
@@ -13,13 +16,17 @@ import sympy as sp
 from flint import arb
 
 import nonsmooth as ns
+from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.admissibility import OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
+from nonsmooth.runtime.proof.branch import look as look_module
 from nonsmooth.runtime.proof.branch.certified_branch import (
     FINISHED,
+    VANISHED,
     BranchTile,
     CertifiedBranch,
 )
@@ -27,6 +34,7 @@ from nonsmooth.runtime.proof.branch.certify_branch import _begin, _event, _recor
 from nonsmooth.runtime.proof.branch.crossing import crossing_of
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
 from nonsmooth.runtime.proof.branch.look import UNDECIDED, look
+from nonsmooth.runtime.proof.branch.passage import CyclePassage, time_of_touch
 from nonsmooth.runtime.proof.branch.tube import orbit_at, proved_piece
 from nonsmooth.runtime.proof.events.certify_event import certify_event
 from nonsmooth.runtime.proof.orbit_to_prove import subject_near
@@ -251,6 +259,60 @@ def test_a_pair_that_leaves_the_circle_at_both_ends_is_not_one_flip(tmp_path: Pa
     assert "may meet at 1" in str(check.difference)
 
 
+def test_a_pair_that_may_leave_the_circle_on_both_sides_is_undecided(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A flip of a conservative orbit is one event if m + 1/m is nowhere 2 on the tile."""
+    ends = {"T": (Fraction("7.235"), Fraction("7.25"))}
+    values = {"m2": "1.13", "k1": "7.74", "k2": "0.85", "T": "7.24"}
+    orbit, _ = with_open_ones(ns.solve("rigid-stop/one-impact", values), ends)
+    curve = OrbitCurve(region_of(orbit, ends))
+    piece = proved_piece(
+        curve, curve.parameter, ends["T"], curve.others(curve.parameter, _begin(curve)), None
+    )
+    assert not isinstance(piece, str), piece
+    found = look(curve, piece)
+    assert (found.below, found.above) == ("unstable", "neutral")
+    assert found.event is not None
+    assert found.event.which == "flip"
+    monkeypatch.setattr(look_module, "trace_of", lambda section: arb(1, "2.01"))
+    assert look(curve, piece).event is None
+
+
+def test_a_touch_behind_the_end_of_its_phase_is_none() -> None:
+    """A window of time may reach beyond the phase; what is touched there is not touched."""
+    curve = curve_near("0.6653")
+    with flint_precision(192):
+        begin = _begin(curve)
+        passage = CyclePassage(curve.region, begin)
+        opens = [
+            OpenInequality("grazing", place, watched.name, "inside")
+            for place, plan in enumerate(curve.region.plans)
+            for watched in plan.watched
+        ]
+        found = []
+        for which in opens:
+            dwell = passage.dwell[which.phase]
+            window = dwell / 20, dwell * 19 / 20
+            time = time_of_touch(passage, which, window)
+            if time is not None:
+                found.append((which, window, time))
+        assert found
+        for which, window, time in found:
+            dwell = [*passage.dwell]
+            dwell[which.phase] = time - arb("1e-9")
+            shorter = SimpleNamespace(
+                region=passage.region,
+                number=passage.number,
+                equations=passage.equations,
+                shooting=passage.shooting,
+                dwell=dwell,
+            )
+            assert time_of_touch(shorter, which, window) is None
+            dwell[which.phase] = time + arb("1e-9")
+            assert time_of_touch(shorter, which, window) is not None
+
+
 def test_a_neutral_saddle_is_no_torus(tmp_path: Path) -> None:
     """Two real multipliers whose product passes 1 do not pass the circle."""
     found = forged(impacts.orbit(-0.05), "c", ("-0.2", "0.1"), ("-0.2", "-0.197"), "neimark-sacker")
@@ -287,6 +349,29 @@ def test_what_is_asked_wrongly_is_told(branch: Any) -> None:
         ns.certify_branch(branch, interval=("1.2", "1.3"))
     with pytest.raises(InputError, match="state to resume"):
         ns.certify_branch(branch, resume=branch)
+
+
+def test_narrow_tiles_are_proved_again(tmp_path: Path) -> None:
+    """Where tubes are as narrow as rounding the check takes more bits."""
+    orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
+    branch = ns.continue_orbit(orbit, "V", (1.07, 1.09))
+    found = ns.certify_branch(branch, interval=("1.08", "1.08000000001"))
+    assert found.complete
+    found.save(tmp_path / "narrow.json")
+    check = ns.check_certificate(tmp_path / "narrow.json")
+    assert check.claims == {"branch": "proved"}, check.difference
+
+
+def test_little_is_looked_at_beside_an_event_at_an_end(branch: Any) -> None:
+    """What is undecided at an end grows by doubling, not tile by tile of the smallest width."""
+    event = branch.events[-1]
+    orbit = ns.solve("dry-friction/symmetric", {"V": "1.08059"})
+    beside = ns.continue_orbit(orbit, "V", (1.0805, 1.0807))
+    found = ns.certify_branch(beside, interval=("1.080588074177112019767064076", "1.0806"))
+    assert not found.complete
+    assert all(abs(part.begin - event.value) < 1e-9 for part in found.undecided)
+    assert sum(part.width for part in found.undecided) < 1e-11
+    assert len(found.tiles) < 100
 
 
 def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: CertifiedBranch) -> None:
@@ -335,3 +420,96 @@ def test_a_fold_is_passed_by_another_coordinate(tmp_path: Path) -> None:
     assert check.difference is None
     assert check.claims == {"branch": "proved"}
     assert found.plot() is not None
+
+
+def soft_stop() -> Any:
+    from nonsmooth.derive import Harmonic, SoftStop, oscillator
+
+    rate = sp.symbols("Omega")
+    return oscillator(
+        "soft-stop",
+        ["x"],
+        mass=[[1]],
+        damping=[["1/5"]],
+        stiffness=[[1]],
+        forcing=[Harmonic(rate, cosine=["2/5"])],
+        elements=[SoftStop("x", at=1, stiffness="1/2", damping="1/20", name="pad")],
+    )
+
+
+@pytest.fixture(scope="module")
+def grazing(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A branch that ends where its contact vanishes."""
+    found = ns.find_orbits(soft_stop(), {"Omega": "0.82"}, 10, transitions=300).orbits
+    branch = ns.continue_orbit(found[0].orbit, "Omega", (0.79, 0.83))
+    path = tmp_path_factory.mktemp("soft") / "soft.json"
+    ns.certify_branch(branch, interval=("0.79", "0.83")).save(path)
+    return path
+
+
+def test_a_branch_ends_where_a_contact_with_a_soft_stop_vanishes(grazing: Path) -> None:
+    found = ns.load(grazing)
+    assert found.complete
+    assert found.ends == (VANISHED, FINISHED)
+    (event,) = found.events
+    assert event.kind == "vanishing-phase"
+    assert "fold" in [other[0] for other in event.also]
+    assert found.tiles[0].divided == 0
+    assert found.intervals[-1].verdict == "stable"
+    # there the amplitude of the oscillator without the stop is its distance
+    with mpmath.workprec(200):
+        half = mpmath.mpf(49) / 50
+        closed = mpmath.sqrt(half - mpmath.sqrt(half**2 - mpmath.mpf(21) / 25))
+        assert event.enclosures["Omega"].ball.contains(exact_ball(closed))
+    assert ns.check_certificate(grazing).claims == {"branch": "proved"}
+
+
+def undivide(content: dict[str, Any]) -> None:
+    content["tiles"][0]["divided"] = None
+
+
+def divide_another(content: dict[str, Any]) -> None:
+    content["tiles"][0]["divided"] = 2
+
+
+def divide_none_that_is_there(content: dict[str, Any]) -> None:
+    content["tiles"][0]["divided"] = 3
+
+
+def hide_the_turn(content: dict[str, Any]) -> None:
+    event = content["tiles"][0]["event"]
+    event["also"] = [other for other in event["also"] if other[0] != "fold"]
+
+
+def turn_in_another_phase(content: dict[str, Any]) -> None:
+    content["tiles"][0]["event"]["also"][-1][1] = 2
+
+
+def hide_a_tangency(content: dict[str, Any]) -> None:
+    event = content["tiles"][0]["event"]
+    event["also"] = [other for other in event["also"] if other[0] != "tangent"]
+
+
+def vanish_at_the_other_end(content: dict[str, Any]) -> None:
+    content["ends"] = [FINISHED, VANISHED]
+
+
+def call_it_admissible(content: dict[str, Any]) -> None:
+    content["tiles"][0]["before"] = "stable"
+
+
+@pytest.mark.parametrize(
+    "attack",
+    [
+        undivide, divide_another, divide_none_that_is_there, hide_the_turn, turn_in_another_phase,
+        hide_a_tangency, vanish_at_the_other_end, call_it_admissible,
+    ],
+    ids=lambda attack: attack.__name__,
+)  # fmt: skip
+def test_an_edited_end_is_refused(grazing: Path, attack: Any) -> None:
+    content = json.loads(grazing.read_text())
+    del content["sha256"]
+    attack(content)
+    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+    with pytest.raises(Failure):
+        check_branch({**content, "sha256": digest})

@@ -67,6 +67,7 @@ class BranchTileEntries:
     centre: tuple[tuple[float, ...], ...]
     radii: tuple[float, ...]
     event: BranchEventEntries | None
+    divided: FromOne | None
 
 
 @dataclass(frozen=True, kw_only=True)

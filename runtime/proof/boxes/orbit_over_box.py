@@ -28,7 +28,12 @@ from nonsmooth.runtime.proof.exact_tables import (
     tables_over,
 )
 from nonsmooth.runtime.proof.invariants import CycleInvariants, invariants_of
-from nonsmooth.runtime.proof.orbit_equations import Equations, equations_in, phases_of
+from nonsmooth.runtime.proof.orbit_equations import (
+    Equations,
+    ShortPhase,
+    equations_in,
+    phases_of,
+)
 from nonsmooth.runtime.proof.orbit_to_prove import (
     NotCovered,
     Subject,
@@ -69,6 +74,8 @@ class Region:
         The subject's point.
     guess : list of arb
         Unknowns of the equations there, about.
+    short : ShortPhase or None
+        The phase whose switching condition is divided by its dwell time, with exact columns.
     """
 
     subject: Subject
@@ -78,6 +85,7 @@ class Region:
     closing: ClosureConditions
     at: tuple[Fraction, ...]
     guess: Sequence[arb]
+    short: ShortPhase | None = None
 
     @property
     def cycle(self) -> ItineraryShape:
@@ -127,7 +135,8 @@ class Region:
             Of the unknowns: start, forcing time and dwell times.
         """
         period = None if self.closing.period is None else number(self.closing.period)
-        return equations_in(self.phases(number), self.closing, number, period)
+        short = None if self.short is None else self.short.at(number)
+        return equations_in(self.phases(number), self.closing, number, period, short)
 
     def statement(self, orbit: Orbit) -> tuple[dict[str, Any], dict[str, Any]]:
         """Declaration and closing as a file states them.

@@ -7,6 +7,7 @@
 `crossing`          one zero of a number along a tile, with a speed that is not zero
 `passage`           the cycle along a branch, and the numbers whose zeros are events
 `tube`              polynomials with exactly one orbit near them, by any coordinate
+`short_phases`      equations divided by the dwell time of a phase that may vanish
 `curve`             unknowns and parameter on one footing; derivatives along the branch
 `certified_branch`  `CertifiedBranch`: what is proved
 ==================  =================================================================

@@ -17,6 +17,7 @@ from nonsmooth.runtime.proof.certificate import Stated, balls_json, orbit_json
 
 __all__ = [
     "FINISHED",
+    "VANISHED",
     "BranchEvent",
     "BranchInterval",
     "BranchTile",
@@ -26,6 +27,7 @@ __all__ = [
 ]
 
 FINISHED = "end of the interval"
+VANISHED = "a phase vanishes"
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -36,7 +38,7 @@ class BranchEvent:
     ----------
     kind : str
         "flip", "fold" or "neimark-sacker"; "grazing", "tangent", "entry", "simultaneous" or
-        "vanishing-phase".
+        "vanishing-phase"; "condition", of a transition.
     phase : int or None
         Counted from 0, in files from 1.
     configuration, boundary : str
@@ -46,7 +48,8 @@ class BranchEvent:
     window : tuple of Fraction
         Of a grazing: between these times of its phase the boundary function is concave.
     also : tuple of (str, int, str, str)
-        Kind, phase, boundary and instant of what happens within the same bounds.
+        Kind, phase, boundary and instant of what happens within the same bounds; "fold" where
+        the branch turns as a phase vanishes.
     enclosures : dict of str to Stated
         The orbit's unknowns and the parameter.
     """
@@ -86,6 +89,9 @@ class BranchTile:
     radii : tuple of float
         There is exactly one orbit as near to these as they tell.
     event : BranchEvent or None
+    divided : int or None
+        The phase whose switching condition is divided by its dwell time, as it may vanish;
+        counted from 0, in files from 1.
     """
 
     coordinate: str
@@ -98,6 +104,7 @@ class BranchTile:
     centre: tuple[tuple[float, ...], ...] = field(repr=False)
     radii: tuple[float, ...] = field(repr=False)
     event: BranchEvent | None
+    divided: int | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -156,6 +163,8 @@ class CertifiedBranch(Shown):
         How many of them lie before the orbit from which it was followed.
     ends : tuple of (str, str)
         Why it ends, at its beginning and at its end; empty where it was not followed further.
+        "a phase vanishes": there its last orbit is, beyond it the phase would last less than
+        no time and the parameter goes back.
     declaration, closing : dict
         As in a `BoxCertificate`, over the parameter and those that were given.
     """
@@ -237,7 +246,8 @@ class CertifiedBranch(Shown):
     @property
     def complete(self) -> bool:
         """Whether it consists of exactly these intervals and events, all proved."""
-        return bool(self.tiles) and self.ends == (FINISHED, FINISHED) and not self.undecided
+        there = all(end in (FINISHED, VANISHED) for end in self.ends)
+        return bool(self.tiles) and there and not self.undecided
 
     @property
     def claims(self) -> dict[str, str]:
@@ -381,4 +391,5 @@ def _tile_json(tile: BranchTile) -> dict[str, Any]:
         "centre": [list(row) for row in tile.centre],
         "radii": list(tile.radii),
         "event": None if tile.event is None else event_json(tile.event),
+        "divided": None if tile.divided is None else tile.divided + 1,
     }

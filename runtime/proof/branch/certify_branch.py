@@ -23,6 +23,7 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
 )
 from nonsmooth.runtime.proof.branch.certified_branch import (
     FINISHED,
+    VANISHED,
     BranchEvent,
     BranchTile,
     CertifiedBranch,
@@ -177,7 +178,8 @@ class _Following:
         with flint_precision(JOINT):
             from flint import arb
 
-            point = orbit_at(curve, tube, arb(rational_of(value)), JOINT)
+            equations = curve if tile.divided is None else curve.divided[tile.divided]
+            point = orbit_at(equations, tube, arb(rational_of(value)), JOINT)
         if point is None:
             raise InputError("the state to resume is not one of this branch")
         others = tube.slopes(1.0 if forwards else -1.0)
@@ -193,6 +195,8 @@ class _Following:
             step.place.value in self.curve.region.box[0]
         ):
             end = FINISHED
+        elif step.found.ends:
+            end = VANISHED
         if step.piece is not None:
             tile = _tile(self.curve, step, step.forwards == (side == 1))
             if side == 0:
@@ -264,6 +268,7 @@ def _tile(curve: OrbitCurve, step: BranchStep, forwards: bool) -> BranchTile:
         centre=step.piece.tube.centre,
         radii=step.piece.tube.radii,
         event=None if found.event is None else _event(curve, found.event),
+        divided=step.divided,
     )
 
 

@@ -45,7 +45,7 @@ class EventCrossing(NamedTuple):
     window : tuple of (arb, arb) or None
         Of a grazing: between these times the boundary function is concave.
     also : tuple of OpenInequality
-        Inequalities that cease to hold between these values too.
+        Inequalities that cease to hold between these values too; "fold" where the branch turns.
     """
 
     which: Which

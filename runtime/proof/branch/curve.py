@@ -9,16 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
+from functools import cached_property, reduce
+from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
+from nonsmooth.runtime.proof.branch.short_phases import divided_regions
 from nonsmooth.runtime.proof.enclosure import unknown_names
 from nonsmooth.runtime.proof.orbit_equations import Equations, Linearised
 
-__all__ = ["AlongUnknown", "OrbitCurve", "directions"]
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["AlongUnknown", "OrbitCurve", "directions", "largest_of"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,10 +43,20 @@ class OrbitCurve:
         region = self.region
         return (*unknown_names(region.subject, region.closing), *region.names)
 
+    @cached_property
+    def divided(self) -> dict[int, OrbitCurve]:
+        """The same curve where the condition of a phase that may vanish is divided by its time."""
+        return {place: OrbitCurve(found) for place, found in divided_regions(self.region).items()}
+
     @property
     def parameter(self) -> int:
         """The coordinate that is the parameter: the last one."""
         return len(self.names) - 1
+
+    @cached_property
+    def first_time(self) -> int:
+        """The coordinate that is the first dwell time."""
+        return self.parameter - len(self.region.cycle.configurations)
 
     def equations(self, coordinate: int, value: Any) -> Equations | AlongUnknown:
         """Equations of the other coordinates where one has a value.
@@ -254,6 +268,21 @@ def directions(
     return jets
 
 
+def largest_of(numbers: Sequence[arb]) -> arb:
+    """A bound of all numbers, by exact comparisons; no number if one of them is none.
+
+    Parameters
+    ----------
+    numbers : sequence of arb
+
+    Returns
+    -------
+    arb
+        Exact, not below any of their values.
+    """
+    return reduce(lambda left, right: left.max(right), numbers).upper()
+
+
 def _solved(slopes: Any, inverse: Any, right: Any) -> list[Any] | None:
     """Enclosures of the solution of a linear system, for all values of the variables."""
     from flint import arb, arb_mat
@@ -271,11 +300,11 @@ def _solved(slopes: Any, inverse: Any, right: Any) -> list[Any] | None:
         sum((abs(rest[i, j]) * sizes[j] for j in range(size)), arb(0)) / sizes[i]
         for i in range(size)
     ]
-    largest = max((x.upper() for x in shares), key=float)
+    largest = largest_of(shares)
     if not largest < 1:
         return None
     errors = [abs(range_of(x)).upper() for x in missed.entries()]
-    worst = max((e / s for e, s in zip(errors, sizes, strict=True)), key=float) / (1 - largest)
+    worst = largest_of([e / s for e, s in zip(errors, sizes, strict=True)]) / (1 - largest)
     return [
         x + arb(0, (e + share * s * worst).upper())
         for x, e, share, s in zip(guess.entries(), errors, shares, sizes, strict=True)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.admissibility import Judgement
+from nonsmooth.runtime.proof.admissibility import Judgement, OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
 from nonsmooth.runtime.proof.branch.crossing import SHARP, EventCrossing, Which, crossing_of
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
@@ -48,6 +48,11 @@ class Look(NamedTuple):
     event: EventCrossing | None = None
 
     @property
+    def ends(self) -> bool:
+        """Whether the branch turns where a phase vanishes: no orbits lie beyond."""
+        return self.event is not None and any(w.kind == "fold" for w in self.event.also)
+
+    @property
     def decided(self) -> bool:
         """Whether there is a verdict at all of its points, but that of an event."""
         return UNDECIDED not in (self.below, self.above)
@@ -71,9 +76,10 @@ def look(curve: OrbitCurve, piece: Piece) -> Look:
             return _undecided(NOT_CONSERVED)
         judgement = passage.judged()
         turns = _turns(curve, piece)
-        if turns is None:
+        vanishes = curve.region.short is not None and judgement.verdict == "undecided"
+        if turns is None and not vanishes:
             return _turned(curve, piece, passage, judgement)
-        if not turns:
+        if turns is False:
             return _undecided("the derivative along the branch is not known")
         if judgement.verdict == "refuted":
             return Look(NOT_ADMISSIBLE, NOT_ADMISSIBLE, "")
@@ -84,7 +90,7 @@ def look(curve: OrbitCurve, piece: Piece) -> Look:
             return _multipliers(curve, piece, passage)
         if verdict == UNDECIDED:
             return _undecided(judgement.reason)
-        return _border(curve, piece, passage, judgement, verdict)
+        return _border(curve, piece, passage, judgement, verdict, turns=turns is None)
 
 
 def _undecided(reason: str) -> Look:
@@ -193,15 +199,31 @@ def _event(
 
 
 def _border(
-    curve: OrbitCurve, piece: Piece, passage: CyclePassage, judgement: Judgement, verdict: str
+    curve: OrbitCurve,
+    piece: Piece,
+    passage: CyclePassage,
+    judgement: Judgement,
+    verdict: str,
+    *,
+    turns: bool,
 ) -> Look:
-    """A tile in which the orbit may meet a border beyond which it is no motion."""
+    """A tile in which the orbit may meet a border beyond which it is no motion.
+
+    Where a phase vanishes that begins and ends on one boundary the branch turns too, if the
+    condition is divided: to leading order the parameter is even in the dwell time.
+    """
     opens = [which for which in judgement.open if which is not None]
     if len(opens) < len(judgement.open):
         return _undecided(judgement.reason)
     told = passage.judged(opens)
+    if told.verdict == "undecided":
+        # beside a phase that vanishes more may be open
+        opens += [which for which in told.open if which is not None]
+        if None in told.open:
+            return _undecided(told.reason)
+        told = passage.judged(opens)
     if told.verdict != "proved":
-        return _undecided(judgement.reason)
+        return _undecided(told.reason or judgement.reason)
     # a phase that vanishes ends where the one before it does
     opens.sort(key=lambda which: which.kind != "vanishing-phase")
     found: list[EventCrossing] = []
@@ -210,6 +232,12 @@ def _border(
         if crossing is None or crossing.rises != (found or [crossing])[0].rises:
             return _undecided(judgement.reason)
         found.append(crossing)
+    if turns:
+        fold = crossing_of(curve, piece, "fold")
+        if fold is None or opens[0].kind != "vanishing-phase":
+            return _undecided(_TURNS)
+        found.append(fold)
+        opens.append(OpenInequality("fold", opens[0].phase, "", ""))
     lower, upper = min(x.lower for x in found), max(x.upper for x in found)
     if max(x.lower for x in found) > min(x.upper for x in found):
         return _undecided("several borders are met, one after the other")

@@ -29,6 +29,7 @@ _GROWTH, _SHRINK = Fraction(2), Fraction(1, 3)
 _LEAST = Fraction(1, 2**45)  # of these: what stays undecided at an event
 _STEEP, _FLAT = 30.0, 8.0  # relative rates at which the coordinate is changed, and changed back
 _OVERLAP = Fraction(1, 1000)  # of a step, where the coordinate changes
+_SHORT = 0.02  # of the period: dwell times by which the equations are divided
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +70,8 @@ class BranchStep:
     found : Look
     place : MarchPlace
         Behind it.
+    divided : int or None
+        The phase by whose dwell time its condition is divided, counted from 0.
     """
 
     coordinate: int
@@ -78,6 +81,7 @@ class BranchStep:
     piece: Piece | None
     found: Look
     place: MarchPlace
+    divided: int | None = None
 
 
 def march(curve: OrbitCurve, place: MarchPlace) -> Iterator[BranchStep]:
@@ -97,24 +101,29 @@ def march(curve: OrbitCurve, place: MarchPlace) -> Iterator[BranchStep]:
     low, high = curve.region.box[0]
     sizes = _sizes(curve, place.point)
     step = sizes[place.coordinate] * _FIRST
+    left = Fraction(0)  # what was left undecided right behind: more is left with it
     while True:
         sizes = [max(pair) for pair in zip(sizes, _sizes(curve, place.point), strict=True)]
         turned = _turned(curve, place, sizes)
         if turned.coordinate != place.coordinate:
-            step = step * rational(abs(place.slopes[turned.coordinate]) or 1.0)
+            rate = rational(abs(place.slopes[turned.coordinate]) or 1.0)
+            step, left = step * rate, left * rate
         size = sizes[turned.coordinate]
-        least = size * _LEAST
+        smallest = size * _LEAST
+        least = max(smallest, left * _GROWTH)
         step = max(min(step, size * _FIRST), least)
         reason = ""
         while True:
             taken = _tried(curve, place, turned, step, (low, high))
-            if isinstance(taken, BranchStep) and (taken.found.decided or step <= least):
-                break
             if isinstance(taken, str):
                 reason = taken
-                if step <= least:
+                if step <= smallest:
                     break
-            step = max(step * _SHRINK, least)
+                step = max(step * _SHRINK, smallest)
+            elif taken.found.decided or step <= least:
+                break
+            else:
+                step = max(step * _SHRINK, least)
         if isinstance(taken, str):
             yield _gap(curve, place, turned, step, reason)
             return
@@ -122,8 +131,11 @@ def march(curve: OrbitCurve, place: MarchPlace) -> Iterator[BranchStep]:
         place = taken.place
         if place.coordinate == curve.parameter and place.value in (low, high):
             return
-        if taken.found.decided:
-            step = (taken.upper - taken.lower) * _GROWTH
+        if taken.found.ends:
+            return
+        width = taken.upper - taken.lower
+        left = Fraction(0) if taken.found.decided else width
+        step = width * _GROWTH
 
 
 def rational(number: float) -> Fraction:
@@ -195,6 +207,7 @@ def _tried(
     from flint import arb
 
     coordinate, sign = turned.coordinate, 1 if turned.forwards else -1
+    curve, divided = _equations_for(curve, turned.point)
     begin = turned.value
     if coordinate != place.coordinate:
         if not _leads_on(curve, place, turned):
@@ -237,7 +250,19 @@ def _tried(
     slopes = piece.tube.slopes(float(sign))
     every = [*slopes[:coordinate], 1.0, *slopes[coordinate:]]
     behind = MarchPlace(coordinate, end, turned.forwards, point, every)
-    return BranchStep(coordinate, lower, upper, turned.forwards, piece, found, behind)
+    return BranchStep(coordinate, lower, upper, turned.forwards, piece, found, behind, divided)
+
+
+def _equations_for(curve: OrbitCurve, point: Sequence[arb]) -> tuple[OrbitCurve, int | None]:
+    """The curve by equations that are regular where a short phase vanishes, and that phase."""
+    times = point[curve.first_time : -1]
+    period = sum(abs(float(time.mid())) for time in times)
+    for place, divided in curve.divided.items():
+        time = times[place]
+        # where it is zero other solutions of the conditions may be
+        if abs(float(time.mid())) < _SHORT * period and (time > 0 or time < 0):
+            return divided, place
+    return curve, None
 
 
 def _leads_on(curve: OrbitCurve, place: MarchPlace, turned: MarchPlace) -> bool:

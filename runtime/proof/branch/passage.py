@@ -9,6 +9,7 @@ from typing import Any
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
 from nonsmooth.runtime.proof.admissibility import Judgement, OpenInequality
+from nonsmooth.runtime.proof.admissibility_conditions import Plan
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.events.augmented_system import determinant, pair_products
 from nonsmooth.runtime.proof.motion.exact_rows import evaluate
@@ -122,6 +123,8 @@ def border(passage: CyclePassage, which: OpenInequality, time: Any = None) -> An
     if which.kind == "vanishing-phase":
         return -passage.dwell[place]
     plan = passage.region.plans[place].at(passage.number)
+    if which.kind == "condition":
+        return _condition(plan, which, passage.shooting.ends[place].entries()[:-1])
     watched = next(w for w in plan.watched if w.name == which.boundary)
     start, end = (column[place] for column in (passage.shooting.starts, passage.shooting.ends))
     if which.kind == "grazing":
@@ -133,6 +136,16 @@ def border(passage: CyclePassage, which: OpenInequality, time: Any = None) -> An
     if which.kind == "simultaneous":
         return evaluate(watched.ends, end.entries()[:-1])
     return -evaluate(watched.speed, end.entries()[:-1])
+
+
+def _condition(plan: Plan, which: OpenInequality, state: Sequence[Any]) -> Any:
+    """A number that is negative where a condition is as the itinerary asks."""
+    number, k = (int(part) - 1 for part in which.boundary.split("."))
+    follower = plan.orders[0][number]
+    behind, expected = follower.conditions[k]
+    assert behind is not None  # it is open
+    value = evaluate(behind.row, state)
+    return -value if expected == follower.wanted else value
 
 
 def time_of_touch(

@@ -1,0 +1,128 @@
+"""Phases that begin and end on one boundary and may vanish: equations divided by a dwell time.
+
+Where the dwell time t is zero the switching condition n y(t) = 0 holds whatever the speed is. As
+n y(0) = 0 follows from the phase before, (n y(t) - n y(0)) / t = 0 has the same solutions for
+all other t, and is regular at zero.
+"""
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from nonsmooth.runtime.checker.declared import StatedSystem
+from nonsmooth.runtime.checker.exact import demand, product
+from nonsmooth.runtime.core.taylor_models import matrix
+
+__all__ = ["Short", "quotient", "quotients", "short_phase"]
+
+
+class Short(NamedTuple):
+    """A phase whose condition is divided, and jumps of the velocity over speeds.
+
+    For each phase the column c with F+ R - R F- = c (n F-) where n y = 0: exact entries; None
+    where there is none.
+    """
+
+    place: int
+    jumps: list[Any]
+
+
+def short_phase(declared: StatedSystem, place: int) -> Short:
+    """A phase that can be divided by its dwell time.
+
+    Parameters
+    ----------
+    declared : StatedSystem
+    place : int
+        Counted from 0.
+
+    Returns
+    -------
+    Short
+
+    Raises
+    ------
+    Failure
+        If the phase before it does not end on the boundary that ends it.
+    """
+    steps = declared.steps
+    demand(0 <= place < len(steps) and len(steps) > 1, "there is no such phase to divide")
+    timed = declared.closing["kind"] == "forcing"
+    demand(timed and declared.rational and not declared.translations, "no phase can be divided")
+    before = steps[place - 1]
+    start, last = product(steps[place].exit, before.reset), before.exit
+    together = all(a * y == b * x for a, x in zip(start, last, strict=True)
+                   for b, y in zip(start, last, strict=True))  # fmt: skip
+    demand(together and any(last), "a phase that is divided does not begin where it may end")
+    return Short(place, [_jump(declared, k) for k in range(len(steps))])
+
+
+def _jump(declared: StatedSystem, place: int) -> list[Any] | None:
+    """The jump of the velocity behind a phase over the rate of its boundary function."""
+    step, following = declared.steps[place], declared.steps[(place + 1) % len(declared.steps)]
+    own = next((k for k, x in enumerate(step.exit) if x), None)
+
+    def left(row: Sequence[Any]) -> list[Any]:
+        if own is None:
+            return list(row)
+        share = row[own] / step.exit[own]
+        return [x - share * y for x, y in zip(row, step.exit, strict=True)]
+
+    rate = left(product(step.exit, step.field))
+    pivot = next((k for k, x in enumerate(rate) if x), None)
+    if pivot is None:
+        return None
+    found: list[Any] = []
+    for ahead, behind in zip(following.field, step.reset, strict=True):
+        both = zip(product(ahead, step.reset), product(behind, step.field), strict=True)
+        jump = left([x - y for x, y in both])
+        share = jump[pivot] / rate[pivot]
+        if any(x - share * y for x, y in zip(jump, rate, strict=True)):
+            return None
+        found.append(share)
+    return found
+
+
+def quotient(b: Any, time: Any) -> Any:
+    """The mean of exp (b s) over s from 0 to a time, which may be zero.
+
+    Parameters
+    ----------
+    b : matrix (m, m)
+    time : arb, TaylorModel or Jet
+
+    Returns
+    -------
+    matrix (m, m)
+    """
+    size, inner = b.nrows(), b * time
+    rows: list[list[Any]] = [
+        [*(inner[i, j] for j in range(size)), *(int(i == j) for j in range(size))]
+        for i in range(size)
+    ]
+    rows += [[0] * (2 * size) for _ in range(size)]
+    found = matrix(rows).exp()
+    return matrix([[found[i, size + j] for j in range(size)] for i in range(size)])
+
+
+def quotients(b: Any, vector: Any, time: Any) -> Any:
+    """The derivative by the time of that mean, times a vector.
+
+    It is b (p1 - p2) with p1 and p2 the integrals of exp (b t s) and (1 - s) exp (b t s).
+
+    Parameters
+    ----------
+    b : matrix (m, m)
+    vector : matrix (m, 1)
+    time : arb, TaylorModel or Jet
+
+    Returns
+    -------
+    matrix (m, 1)
+    """
+    size, inner = b.nrows(), b * time
+    rows: list[list[Any]] = [
+        [*(inner[i, j] for j in range(size)), vector[i, 0], 0] for i in range(size)
+    ]
+    rows += [[*([0] * size), 0, 1], [0] * (size + 2)]
+    found = matrix(rows).exp()
+    return b * matrix([[found[i, size] - found[i, size + 1]] for i in range(size)])

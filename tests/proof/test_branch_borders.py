@@ -1,0 +1,175 @@
+"""Borders of branches: entry, tangent, simultaneous and condition events, proved and checked."""
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import (
+    Boundary,
+    Condition,
+    Configuration,
+    FirstOrder,
+    Parameter,
+    System,
+    Transition,
+)
+from nonsmooth.runtime.checker import Failure, check_branch
+from nonsmooth.runtime.core.arithmetic import exact_ball
+
+A, B = sp.symbols("a b", real=True)
+THRESHOLD = Parameter("w", "a threshold, nondimensional", lower=-sp.oo)
+WIDTH = sp.Rational(1, 10)
+
+
+def relay(
+    on: Any = (), off: Any = (), more: Any = (), reset: Any = None, before: Any = (), when: Any = ()
+) -> System:
+    """Two lags behind a relay with hysteresis: a' = +-1 - a, b' = a - b."""
+    lags = [[-1, 0], [1, -1]]
+    heats, cools = FirstOrder(lags, [1, 0]), FirstOrder(lags, [-1, 0])
+    return System(
+        name="relay",
+        description="two lags and a relay; nondimensional",
+        states=(A, B),
+        parameters=(THRESHOLD,),
+        configurations=(
+            Configuration("on", heats, (Boundary("warm", B - WIDTH), *on)),
+            Configuration("off", cools, (Boundary("cold", -B - WIDTH), *off)),
+        ),
+        transitions=(
+            *before,
+            Transition("on", {"warm"}, "off", reset=reset or {}, conditions=when),
+            Transition("off", {"cold"}, "on"),
+            *more,
+        ),
+    )
+
+
+def peak() -> Any:
+    """The largest a of the orbit, which both phases reach with opposite signs."""
+    with mpmath.workprec(200):
+
+        def missed(time: Any) -> Any:
+            tenth = mpmath.mpf(1) / 10
+            start, decay = -mpmath.tanh(time / 2), mpmath.exp(-time)
+            return 1 + (start - 1) * time * decay - (1 + tenth) * decay - tenth
+
+        return mpmath.tanh(mpmath.findroot(missed, 1.15) / 2)
+
+
+HOT = Boundary("hot", A - THRESHOLD.symbol)
+COOLED: Any = {"source": "on", "boundaries": {"warm"}, "target": "on", "reset": {A: 0, B: 0}}
+SYSTEMS = {
+    # the other boundary is reached together with the one that ends the phase
+    "simultaneous": (relay(on=(HOT,), more=(Transition("on", {"hot"}, "off"),)), "0.6", 0.3, 0.7),
+    # the phase begins beyond a boundary
+    "entry": (relay(off=(HOT,), more=(Transition("off", {"hot"}, "on"),)), "0.6", 0.3, 0.7),
+    # what follows is followed no more, as its condition does not hold
+    "condition": (
+        relay(
+            when=(Condition(THRESHOLD.symbol - A, "off"),),
+            more=(Transition(**COOLED),),
+        ),
+        "0.6",
+        0.3,
+        0.7,
+    ),
+    # what stands before it begins to follow, as both of its conditions hold
+    "condition, of another transition": (
+        relay(
+            before=(
+                Transition(
+                    **COOLED,
+                    conditions=(Condition(A, "off"), Condition(A - THRESHOLD.symbol, "off")),
+                ),
+            ),
+        ),
+        "0.6",
+        0.3,
+        0.7,
+    ),
+    # the phase begins on a boundary, and leaves it to the wrong side
+    "tangent": (
+        relay(
+            off=(Boundary("again", B - WIDTH),),
+            more=(Transition("off", {"again"}, "on"),),
+            reset={A: THRESHOLD.symbol},
+        ),
+        "0.05",
+        0.01,
+        0.2,
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", SYSTEMS)
+def test_a_lone_border_is_one_event(kind: str, tmp_path: Path) -> None:
+    system, value, low, high = SYSTEMS[kind]
+    itinerary = [("on", "warm"), ("off", "cold")]
+    orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
+    branch = ns.continue_orbit(orbit, "w", (low, high))
+    found = ns.certify_branch(branch, interval=(str(low), str(high)))
+    assert found.complete, found.statement
+    (event,) = found.events
+    assert (event.kind, event.also) == (kind.split(",")[0], ())
+    assert {part.verdict for part in found.intervals} == {"stable", "not admissible"}
+    (first, second) = found.intervals
+    inside = second if kind != "tangent" else first
+    assert inside.verdict == "stable"
+    with mpmath.workprec(200):
+        closed = mpmath.mpf(1) / 10 if kind == "tangent" else peak()
+        assert event.enclosures["w"].ball.contains(exact_ball(closed))
+    found.save(tmp_path / "border.json")
+    assert ns.check_certificate(tmp_path / "border.json").claims == {"branch": "proved"}
+
+
+def certified(system: System, path: Path) -> Any:
+    itinerary = [("on", "warm"), ("off", "cold")]
+    orbit = ns.solve(system, {"w": "0.6"}, [1.0, 1.0], itinerary=itinerary)
+    branch = ns.continue_orbit(orbit, "w", (0.45, 0.65))
+    found = ns.certify_branch(branch, interval=("0.45", "0.65"))
+    found.save(path)
+    return found
+
+
+def edited(path: Path, **changes: Any) -> dict[str, Any]:
+    """A file's content with another event."""
+    content = json.loads(path.read_text())
+    (tile,) = (tile for tile in content["tiles"] if tile["event"])
+    tile["event"].update(changes)
+    del content["sha256"]
+    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+    return {**content, "sha256": digest}
+
+
+def test_a_condition_without_effect_is_no_event(tmp_path: Path) -> None:
+    """A transition whose other condition fails does not follow, whatever this one does."""
+    idle = Condition(-A, "off"), Condition(A - THRESHOLD.symbol, "off")
+    before = (Transition(**COOLED, conditions=idle),)
+    found = certified(relay(before=before), tmp_path / "idle.json")
+    assert found.complete
+    assert found.events == ()
+    # nor is it one in a file: the declaration of the one that has it, with this sign
+    both = Condition(A, "off"), Condition(A - THRESHOLD.symbol, "off")
+    path = tmp_path / "event.json"
+    assert certified(relay(before=(Transition(**COOLED, conditions=both),)), path).complete
+    for boundary in ("1.1", "2.1", "1.3", "0.2", "1.2.1", "-1.2", ""):
+        with pytest.raises(Failure):
+            check_branch(edited(path, boundary=boundary))
+    with pytest.raises(Failure):
+        check_branch(edited(path, phase=2))
+    with pytest.raises(Failure):
+        check_branch(edited(path, also=[["condition", 1, "1.1", "end"]]))
+    content = edited(path)
+    first = content["declaration"]["transitions"][0]["conditions"][0]
+    first[2] = not first[2]
+    del content["sha256"]
+    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+    with pytest.raises(Failure):
+        check_branch({**content, "sha256": digest})
