@@ -302,8 +302,22 @@ CHAOS = {
     "h_sets": [{"name": str, "centre": [NUMBER], "sides": [[NUMBER]]}],
     "coverings": [(str, str)],
     "itineraries": Named([(str, str, str)]),
-    "growth": re.compile(r"\d+(/[1-9]\d*)?", re.ASCII),
+    "growth": re.compile(r"\d{1,4000}(/[1-9]\d{0,3999})?", re.ASCII),
     "entropy": NUMBER,
+    "cones": Maybe(
+        Either(
+            (
+                type(None),
+                {
+                    "forms": Named([NUMBER]),
+                    "strips": [(str, str, [(NUMBER, NUMBER)])],
+                    "expansion": NUMBER,
+                    "contraction": NUMBER,
+                    "exponent": NUMBER,
+                },
+            )
+        )
+    ),
     "tried": [str],
     "bits": int,
     "declaration": Either(({}, _DECLARATION, {**_DECLARATION, **_CONSTANTS[1]})),

@@ -385,7 +385,11 @@ def chaos_lines(found: ChaosCertificate) -> list[str]:
         )
         lines.append(f"{h_set.name} about {centre} covers {', '.join(targets)} by {power}")
     counts = ", ".join(str(found.periodic_points(steps)) for steps in range(1, 7))
-    lines.append(f"points that come back after 1 to 6 times {power}, at least: {counts}")
+    least = "at least" if found.cones is None else "exactly, of these histories"
+    lines.append(f"points that come back after 1 to 6 times {power}, {least}: {counts}")
+    if found.cones is not None:
+        lines.append(f"largest Lyapunov exponents of these motions at least {found.exponent} by P")
+        lines.append("each history through the graph is that of one motion, which is hyperbolic")
     return lines
 
 

@@ -424,6 +424,8 @@ def _chaos(found: ChaosCertificate) -> Summary:
         pairs = [f"{one} covers {other}" for one, other in found.coverings]
         power = f"by {found.iterates} iterates of the map"
         rows.append(("entropy", [f"at least {found.entropy}"]))
+        if found.cones is not None:
+            rows.append(("exponents", [f"at least {found.exponent}"]))
         rows.append(("sets", [_many(len(found.h_sets), "set"), power, *_first(pairs)]))
     rows += [("tried", _first(found.tried)), ("given", _given(found.parameters))]
     return f"certificate of chaos of {shown_name(found.system)}", rows
