@@ -42,7 +42,7 @@ def integrated(point: np.ndarray, until: float) -> tuple[np.ndarray, np.ndarray]
     def wall(t: float, y: np.ndarray) -> float:
         return float(y[0] - 0.2)
 
-    wall.terminal, wall.direction = True, 1  # type: ignore[attr-defined]
+    wall.terminal, wall.direction = True, 1  # type: ignore[attr-defined]  # SciPy reads them
     begin, state, values, impacts = 0.0, [START["x"], v], np.full(len(TIMES), np.nan), []
     while begin < until and len(impacts) < 4 * COUNT:
         part = solve_ivp(

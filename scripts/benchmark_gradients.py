@@ -128,7 +128,7 @@ def integrated(numbers: np.ndarray, tolerance: float) -> float:
     def reaches(t: float, y: np.ndarray) -> float:
         return float(y[0] - gap)
 
-    reaches.terminal, reaches.direction = True, 1  # type: ignore[attr-defined]
+    reaches.terminal, reaches.direction = True, 1  # type: ignore[attr-defined]  # SciPy reads them
     now, state = 0.0, np.array([x, v])
     while True:
         done = solve_ivp(

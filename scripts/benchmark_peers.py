@@ -220,7 +220,7 @@ def dop853_ball() -> tuple[list[float], float]:
     def ground(_: float, state: np.ndarray) -> float:
         return float(state[0])
 
-    ground.terminal, ground.direction = True, -1.0  # type: ignore[attr-defined]
+    ground.terminal, ground.direction = True, -1.0  # type: ignore[attr-defined]  # SciPy reads them
     begin, when, state = time.perf_counter(), 0.0, np.array([HEIGHT, 0.0])
     solutions = []
     while when < WATCHED and abs(state[1]) + state[0] > 1e-6:

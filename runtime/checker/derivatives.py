@@ -1,4 +1,4 @@
-"""Derivatives of a located orbit by its parameters, proved again by dual numbers.
+"""Derivatives of a located orbit by its parameters, proved again by jets of order 1.
 
 The orbit is a regular root: by the implicit function theorem it moves with J x' = -F_p. What the
 declaration says is read once more, as functions of the parameters that move: what makes the
@@ -15,7 +15,7 @@ from nonsmooth.runtime.checker.exact import Failure, ball, demand, exact, inside
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, number_in, values_of
 from nonsmooth.runtime.checker.stability import characteristic
-from nonsmooth.runtime.core.dual_balls import DualBall, rate_of, value_of
+from nonsmooth.runtime.core.jets import jet, part_of
 
 __all__ = ["check_derivatives"]
 
@@ -67,7 +67,7 @@ def check_derivatives(
         demand(rates and all(rates.values()), f"{name} moves nothing")
         demand(name not in parameters or rates.get(name) == 1, f"{name} moves something else")
         numbers = [
-            DualBall(value, arb(rates[parameter])) if parameter in rates else value
+            jet(value, arb(rates[parameter])) if parameter in rates else value
             for parameter, value in zip(moving, point, strict=True)
         ]
         moved = CheckedOrbit(declared, number_at([*numbers, *constants]))
@@ -94,18 +94,18 @@ def _rates(
     """Derivatives of all that is stated of the orbit, along a direction."""
     missed = moving.along(orbit.root)
     try:
-        rates = slopes.solve(arb_mat([[-rate_of(value)] for value in missed])).entries()
+        rates = slopes.solve(arb_mat([[-part_of(value, 1)] for value in missed])).entries()
     except ZeroDivisionError:
         raise Failure("the equations may be singular at the orbit") from None
-    moving.along([DualBall(x, rate) for x, rate in zip(orbit.root, rates, strict=True)])
+    moving.along([jet(x, rate) for x, rate in zip(orbit.root, rates, strict=True)])
     # of the whole map: multipliers beside those on a section are zero at all parameters
     free, size = moving.declared.free, moving.declared.size
     basis = [[fmpq(int(i == k)) for k in free] for i in range(size + 1)]
     section = moving.map_on(0, free, basis)
-    found = {name: rate_of(x) for name, x in moving.enclosures(section).items()}
+    found = {name: part_of(x, 1) for name, x in moving.enclosures(section).items()}
     coefficients = characteristic(section)[::-1]
-    polynomial = acb_poly([acb(value_of(c)) for c in coefficients])
-    change = acb_poly([acb(rate_of(c)) for c in coefficients])
+    polynomial = acb_poly([acb(part_of(c, 0)) for c in coefficients])
+    change = acb_poly([acb(part_of(c, 1)) for c in coefficients])
     slope = polynomial.derivative()
     for number, disc in enumerate(multipliers, 1):
         root = disc.mid() - polynomial(disc.mid()) / slope(disc)  # it is in the disc, and sharper

@@ -25,6 +25,7 @@ from typer.core import TyperGroup
 from nonsmooth.runtime.cli.keeping import heed_interrupts, interrupted, same_command, say
 from nonsmooth.runtime.cli.options import PICTURES
 from nonsmooth.runtime.core.errors import InputError, NoConvergence, NonsmoothError, one_line
+from nonsmooth.runtime.core.valid_json import nan_as_null
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.core.values import Value
@@ -349,6 +350,6 @@ def print_json(found: Mapping[str, Any]) -> None:
     Parameters
     ----------
     found : dict
-        Ready for JSON.
+        Ready for JSON; a number that is not known is printed as null.
     """
-    print(json.dumps(found, indent=2, allow_nan=False))
+    print(json.dumps(nan_as_null(found), indent=2, allow_nan=False))

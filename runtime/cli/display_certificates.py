@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.table import Table
@@ -16,6 +17,9 @@ from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.core.values import Value
 
 __all__ = [
     "STYLES",
@@ -70,10 +74,7 @@ def show_certificate(certificate: Certificate) -> None:
     values = {**certificate.parameters}
     if certificate.given_period is not None:
         values["period"] = certificate.given_period
-    out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
-    if certificate.chosen:
-        names = ", ".join(certificate.chosen)
-        out.print(Text(f"{names} left open: chosen for this proof", style="dim"))
+    _show_point(values, certificate.chosen, out)
     for name, reason in certificate.no_derivatives.items():
         out.print(Text(f"no derivatives by {name}: {reason}", style="dim"))
     if not certificate.enclosures:
@@ -139,14 +140,17 @@ def show_box(found: BoxCertificate) -> None:
         table.add_row(name, Text(verdict, style=STYLES[verdict]), told)
     show_table(table, out)
     show_table(share_table(found), out)
-    values = found.parameters
-    if values:
-        out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
-    if found.chosen:
-        names = ", ".join(found.chosen)
-        out.print(Text(f"{names} left open: chosen for this proof", style="dim"))
+    _show_point(found.parameters, found.chosen, out)
     if found.enclosures:
         show_table(enclosure_table(found), out)
+
+
+def _show_point(values: Mapping[str, Value], chosen: Sequence[str], out: Console) -> None:
+    """The parameters at which it holds, and which of them were chosen."""
+    if values:
+        out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
+    if chosen:
+        out.print(Text(f"{', '.join(chosen)} left open: chosen for this proof", style="dim"))
 
 
 def share_table(found: BoxCertificate) -> Table:
@@ -237,12 +241,7 @@ def show_branch(found: CertifiedBranch) -> None:
     for name, value in (("beginning", found.ends[0]), ("end", found.ends[1])):
         if value != FINISHED:
             out.print(Text(f"{name}: {value or 'not followed further'}", style="dim"))
-    values = found.parameters
-    if values:
-        out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
-    if found.chosen:
-        names = ", ".join(found.chosen)
-        out.print(Text(f"{names} left open: chosen for this proof", style="dim"))
+    _show_point(found.parameters, found.chosen, out)
     if found.complete:
         out.print(Text("the branch consists of exactly these intervals and events", style="green"))
 

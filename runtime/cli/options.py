@@ -65,7 +65,7 @@ class Format(StrEnum):
 
 # What `plot` draws. Typer wants an enumeration; mypy wants its names written out, which are
 # those of `present.pictures.kinds`, where a new kind is added.
-Kind = StrEnum("Kind", {name.upper(): name for name in KINDS})  # type: ignore[misc]
+Kind = StrEnum("Kind", {name.upper(): name for name in KINDS})  # type: ignore[misc]  # as above
 
 
 class RequiredVerdict(StrEnum):

@@ -5,22 +5,23 @@
 `arithmetic`               one set of functions for floats, mpmath and balls
 `complex_steps`            derivatives by tiny imaginary parts, in doubles and in any digits
 `differentiable`           functions with exact derivatives, as optimisers take them
-`dual_balls`               derivatives in balls, by dual numbers
 `errors`                   the exceptions of the package, under one root
 `exponential_balls`        divided differences of the exponential in balls and Taylor models
 `exponential_differences`  the same in doubles
 `expressions`              functions as data, in one small grammar, over any arithmetic
 `files`                    files that are written whole or not at all
 `irrational_numbers`       irrational numbers by few of them, and their exact relations
-`jets`                     numbers with their derivatives along a direction, in balls too
+`jets`                     numbers with their derivatives along a direction, in balls
 `json_codec`               records to JSON and back
 `matrices`                 exponentials and eigenvalues of many small matrices at once
+`quadrature`               integrals by Gauss and Legendre's rule
 `rational_functions`       exact arithmetic of rational functions of parameters
 `registry`                 how records find the functions that show and keep them, by name
 `result_files`             the codec of result files: format, version, checksum
 `resuming`                 whether interrupted work asked the same
 `showing`                  how results show themselves, in a few lines and as a table
 `taylor_models`            functions of a few variables as polynomials with ball coefficients
+`valid_json`               answers as JSON without NaN and Infinity
 `vectorised`               any-arithmetic kernels as NumPy generalized ufuncs
 `workload`                 how large a work is, before it begins
 `threads`                  threads whose compiled loops end when their caller is interrupted

@@ -4,12 +4,14 @@ A jet is a0 + a1 e + ... + ak e^k with e^(k+1) = 0: what it stands for is a func
 parameter near one of its values, and its coefficients are that function's derivatives by the
 parameter, divided by factorials. They are balls or Taylor models, and where these enclose
 values and derivatives of what is computed with, the result encloses its own: nothing is cut off
-(automatic differentiation; R. Moore, Methods and Applications of Interval Analysis, 1979).
+(automatic differentiation; R. Moore, Methods and Applications of Interval Analysis, 1979). With
+k = 1 they are the dual numbers of W. K. Clifford (1873). A Taylor model alone does not enclose a
+derivative: its radius holds what is beyond its order, of whose derivative nothing is known.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
@@ -80,11 +82,37 @@ class Jet(TaylorModel):
         found: list[Any] = [first]
         for k in range(1, len(self.parts)):
             total = None
-            for i in range(1, k + 1):
-                if self.parts[i] is not None and found[k - i] is not None:
-                    total = _sum(total, self.parts[i] * found[k - i])
+            for _, term in self._terms(found, k):
+                total = _sum(total, term)
             found.append(None if total is None else -(first * total))
         return Jet(self.space, tuple(found))
+
+    def sin_cos(self) -> tuple[Jet, Jet]:
+        """Sine and cosine of a number a, whose derivatives are a' cos a and -a' sin a.
+
+        Returns
+        -------
+        sine, cosine : Jet
+        """
+        sines, cosines = ([part] for part in self.parts[0].sin_cos())
+        for k in range(1, len(self.parts)):
+            sine = cosine = None
+            for i, term in self._terms(cosines, k):
+                sine = _sum(sine, term * i / k)
+            for i, term in self._terms(sines, k):
+                cosine = _sum(cosine, term * -i / k)
+            sines.append(sine)
+            cosines.append(cosine)
+        return Jet(self.space, tuple(sines)), Jet(self.space, tuple(cosines))
+
+    def _terms(self, others: Sequence[Any], k: int) -> Iterator[tuple[int, Any]]:
+        """Those of the product's coefficient k that have a derivative of this number, of order i.
+
+        Each behind its i; what is zero is left out.
+        """
+        for i in range(1, k + 1):
+            if self.parts[i] is not None and others[k - i] is not None:
+                yield i, self.parts[i] * others[k - i]
 
     def stacked(self, rows: Sequence[Sequence[Any]]) -> Jet:
         """A matrix of jets and of numbers that do not depend on the parameter.

@@ -15,8 +15,6 @@ from functools import cache
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.core.dual_balls import DualBall, rate_of, value_of
-
 if TYPE_CHECKING:
     from flint import arb, arb_mat
 
@@ -389,17 +387,17 @@ class TaylorModel:
 
 
 def range_of(number: Any) -> Any:
-    """All values of a model, or of what is a ball already; of a dual number its value.
+    """All values of a model, or of what is a ball already.
 
     Parameters
     ----------
-    number : TaylorModel, DualBall, arb or arb_mat
+    number : TaylorModel, arb or arb_mat
 
     Returns
     -------
     arb or arb_mat
     """
-    return number.range() if isinstance(number, TaylorModel) else value_of(number)
+    return number.range() if isinstance(number, TaylorModel) else number
 
 
 def middle_of(number: Any) -> Any:
@@ -407,7 +405,7 @@ def middle_of(number: Any) -> Any:
 
     Parameters
     ----------
-    number : TaylorModel, DualBall, arb or arb_mat
+    number : TaylorModel, arb or arb_mat
 
     Returns
     -------
@@ -415,29 +413,26 @@ def middle_of(number: Any) -> Any:
     """
     while isinstance(number, TaylorModel):
         number = number.parts[0]
-    return value_of(number).mid()
+    return number.mid()
 
 
 def matrix(rows: Sequence[Sequence[Any]]) -> Any:
-    """A matrix of balls and models, or of balls and dual numbers: one of these if any entry is.
+    """A matrix of balls and models: a model if any entry is.
 
     Parameters
     ----------
-    rows : sequence of sequence of number, arb, TaylorModel or DualBall
+    rows : sequence of sequence of number, arb or TaylorModel
 
     Returns
     -------
-    arb_mat, TaylorModel or DualBall
+    arb_mat or TaylorModel
     """
     from flint import arb_mat
 
     models = [x for row in rows for x in row if isinstance(x, TaylorModel)]
     if models:
         return max(models, key=lambda x: x.depth).stacked(rows)
-    values = arb_mat([list(map(value_of, row)) for row in rows])
-    if not any(isinstance(x, DualBall) for row in rows for x in row):
-        return values
-    return DualBall(values, arb_mat([list(map(rate_of, row)) for row in rows]))
+    return arb_mat([list(row) for row in rows])
 
 
 def _stacked(space: Space, rows: Sequence[Sequence[Any]]) -> Iterator[arb_mat | None]:

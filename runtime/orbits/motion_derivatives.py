@@ -14,6 +14,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, stepped
 from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.quadrature import composite_rule
 from nonsmooth.runtime.events.boundary_functions import PhaseWaves, interior_maxima
 from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise
@@ -34,8 +35,8 @@ __all__ = ["BoundaryMargin", "Differentiated", "OrbitMotionDerivatives", "Transv
 _TOUCH = 1e-9  # relative size below which a boundary function is zero at a phase's end
 _TIED = 1e-9  # relative difference of extremes that are as large as each other
 _EDGE = 1e-9  # of a phase: an extreme nearer to its end is taken at the end
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
-_ANGLE = 2.0  # radians in a piece of an integral
+_NODES = 12  # of an integral, in a piece
+_ANGLE = 2.0  # radians in a piece
 
 Row = Callable[[int], np.ndarray]  # of a configuration: (q, N + 1) with steps
 
@@ -354,6 +355,33 @@ class OrbitMotionDerivatives:
             raise InputError(f"{name}: two extremes are equally large and change differently")
         return top
 
+    def quadrature(self, phase: int) -> tuple[np.ndarray, np.ndarray]:
+        """States at the nodes of an integral over a phase, in double precision.
+
+        The nodes move with the dwell time, so that derivatives are exact.
+
+        Parameters
+        ----------
+        phase : int
+
+        Returns
+        -------
+        states : array (q, n, N + 1)
+            Each with a 1 behind it, with their steps.
+        weights : array (q, n)
+            With their steps; their sum is the dwell time.
+        """
+        configuration = self.cycle.configurations[phase]
+        angle = fastest(self._system, configuration) * float(self.dwell[phase])
+        nodes, weights = composite_rule(_NODES, max(1, int(np.ceil(angle / _ANGLE))))
+        wait = stepped(self.dwell[phase], self.waits[:, phase, None], None)
+        times = wait * nodes
+        field = self.numbers.fields[:, None, configuration]
+        flow = flows_over(np.broadcast_to(field, (*times.shape, *field.shape[2:])), times)
+        states = flow[..., :-1] @ self.starts[:, None, phase, :, None] + flow[..., -1:]
+        ones = np.ones((*times.shape, 1))
+        return np.concatenate([states[..., 0], ones], axis=-1), wait * weights
+
     def dissipation(self, name: str | None = None) -> Differentiated:
         """Energy lost over a period through contacts: through one, or through all of them.
 
@@ -376,27 +404,17 @@ class OrbitMotionDerivatives:
             raise InputError("dissipation has derivatives in double precision only")
         contacts = self.structure.contacts if name is None else (self._contact(name),)
         total = np.zeros(len(self.by), dtype=complex)
-        waits = stepped(self.dwell, self.waits, None)
         for phase, configuration in enumerate(self.cycle.configurations):
             acting = [c for c in contacts if configuration in c.forces]
             if not acting:
                 continue
-            angle = fastest(self._system, configuration) * float(self.dwell[phase])
-            pieces = max(1, int(np.ceil(angle / _ANGLE)))
-            nodes = ((np.arange(pieces)[:, None] + (1 + _NODES) / 2) / pieces).ravel()
-            weights = np.tile(_WEIGHTS / 2 / pieces, pieces)
-            field = self.numbers.fields[:, None, configuration]
-            times = waits[:, phase, None] * nodes
-            flow = flows_over(np.broadcast_to(field, (*times.shape, *field.shape[2:])), times)
-            start = self.starts[:, None, phase, :, None]
-            states = (flow[..., :-1] @ start)[..., 0] + flow[..., -1]
-            extended = np.concatenate([states, np.ones((*times.shape, 1))], axis=-1)
+            states, weights = self.quadrature(phase)
             for contact in acting:
                 force, velocity, surface = (
-                    np.einsum("qi,qni->qn", self.numbers.rows[:, place], extended)
+                    np.einsum("qi,qni->qn", self.numbers.rows[:, place], states)
                     for place in (contact.forces[configuration], contact.velocity, contact.surface)
                 )
-                total += waits[:, phase] * ((force * (surface - velocity)) @ weights)
+                total += (force * (surface - velocity) * weights).sum(axis=1)
         for loss in impact_losses(self):
             if loss.contact in contacts:
                 total += loss.energy

@@ -2,8 +2,8 @@
 
 Krawczyk's test shows that the Jacobian J of the equations F(x, p) = 0 is regular over the box, so
 that the orbit x(p) is unique there and analytic near its parameters, and J x' = -F_p. All numbers
-are computed over the orbit's own enclosure, as dual numbers: F_p at a fixed x, and then, from x and
-x' together, what is stated of the orbit.
+are computed over the orbit's own enclosure, as jets of order 1: F_p at a fixed x, and then, from
+x and x' together, what is stated of the orbit.
 
 The equations have to be those of the orbit at neighbouring parameters too. So fields, rows,
 resets and what makes the cycle close are rational functions of the parameters that move.
@@ -16,8 +16,8 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.core.dual_balls import DualBall, rate_of, value_of
 from nonsmooth.runtime.core.errors import InputError, unknown_name
+from nonsmooth.runtime.core.jets import jet, part_of
 from nonsmooth.runtime.core.taylor_models import matrix
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.model.completion import followers
@@ -294,19 +294,19 @@ def _rates(
 
     balls = [value.ball(_bits()) for value in _values(region.subject, names)]
     point = [
-        DualBall(ball, arb(rational_of(direction[name]))) if name in direction else ball
+        jet(ball, arb(rational_of(direction[name]))) if name in direction else ball
         for name, ball in zip(names, balls, strict=True)
     ]
     equations = region.equations(region.tables.number_at(point))
     image = root.contraction.image
     missed = _linearised(equations, image).residual
-    moved = root.linearised.jacobian.solve(-rate_of(missed)).entries()
-    orbit = [DualBall(x, rate) for x, rate in zip(image, moved, strict=True)]
+    moved = root.linearised.jacobian.solve(-part_of(missed, 1)).entries()
+    orbit = [jet(x, rate) for x, rate in zip(image, moved, strict=True)]
     now = _linearised(equations, orbit).shooting
     section = _section(equations, now)
     named = named_numbers(region, equations, now, equations.dwell(orbit), trace_of(section))
-    return {name: rate_of(number) for name, number in named.items()} | _of_multipliers(
-        value_of(section), rate_of(section), multipliers
+    return {name: part_of(number, 1) for name, number in named.items()} | _of_multipliers(
+        part_of(section, 0), part_of(section, 1), multipliers
     )
 
 

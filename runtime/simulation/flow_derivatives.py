@@ -18,6 +18,7 @@ from typing import Protocol
 
 import numpy as np
 
+from nonsmooth.runtime.core.quadrature import composite_rule
 from nonsmooth.runtime.model.factored_flows import FactoredFlows, matrices_of
 from nonsmooth.runtime.model.flows import functions_of, parts_of
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
@@ -25,8 +26,8 @@ from nonsmooth.runtime.simulation.phase_functions import Phases, fastest
 
 __all__ = ["ConfigurationFlows", "configuration_flows", "quadrature"]
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(20)
-_ANGLE = 10.0
+_NODES = 20  # of an integral, in a piece
+_ANGLE = 10.0  # radians in a piece
 _FEW = 4
 _CHUNK = 2_000_000  # numbers in memory at a time
 
@@ -193,7 +194,8 @@ def quadrature(
     parts = []
     for place, configuration in enumerate(phases.configurations.tolist()):
         duration = phases.durations[place]
-        nodes, weights = _nodes(1 + int(fastest(system, configuration) * duration / _ANGLE))
+        pieces = 1 + int(fastest(system, configuration) * duration / _ANGLE)
+        nodes, weights = composite_rule(_NODES, pieces)
         times = phases.begins[place] + duration * nodes
         parts.append((np.full(len(nodes), place), times, duration * weights))
     places, times, weights = (np.concatenate(part) for part in zip(*parts, strict=True))
@@ -211,7 +213,7 @@ def _convolutions(
     many = pieces > _FEW  # as many as a power of two
     pieces[many] = 2 ** np.ceil(np.log2(pieces[many])).astype(int)
     for piece in np.unique(pieces).tolist():
-        nodes, weights = _nodes(piece)
+        nodes, weights = composite_rule(_NODES, piece)
         here = np.flatnonzero(pieces == piece)
         step = max(1, _CHUNK // (len(nodes) * max(1, count)))
         for low in range(0, len(here), step):
@@ -224,10 +226,3 @@ def _convolutions(
             products[part] = weighted[:, ::-1].swapaxes(1, 2) @ functions
             integrals[part] = weighted.sum(axis=1)
     return products, integrals
-
-
-def _nodes(pieces: int) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes and weights of the composite rule on [0, 1]."""
-    begins = np.arange(pieces)[:, None]
-    nodes = (begins + (_NODES + 1) / 2) / pieces
-    return nodes.ravel(), np.tile(_WEIGHTS / (2 * pieces), pieces)

@@ -47,5 +47,6 @@ UPDATE = Progress.update
 
 if __name__ == "__main__":
     Progress.update = update
+    # all that is asked of it is there
     sys.stderr = Watched(sys.stderr, sys.argv.pop(1))  # type: ignore[assignment]
     main()

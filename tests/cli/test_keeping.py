@@ -61,7 +61,7 @@ def test_a_picture_that_is_interrupted_keeps_the_answer(
 ) -> None:
     worked(lambda: None)
     written = Written()
-    written.draw(press, tmp_path / "never.png")  # type: ignore[arg-type]
+    written.draw(press, tmp_path / "never.png")  # type: ignore[arg-type]  # never drawn
     press()  # nor does the answer go now
     assert written.show(dict, lambda: print("the answer"), as_json=False) == INTERRUPTED
     told = capsys.readouterr()

@@ -1,15 +1,21 @@
-"""Jets: derivatives of what is computed, against mpmath's."""
+"""Jets: derivatives of what is computed, against mpmath's and closed forms."""
 
+import random
 from typing import Any
 
+import mpmath
 import pytest
-from flint import arb
+from flint import arb, arb_mat
 from mpmath import mp
 
-from nonsmooth.runtime.core.jets import jet, part_of
-from nonsmooth.runtime.core.taylor_models import matrix, range_of, space_of
+from nonsmooth.runtime.core.arithmetic import exact_ball
+from nonsmooth.runtime.core.jets import Jet, jet, part_of
+from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of, space_of
+from nonsmooth.runtime.core.values import flint_precision
 
 AT = 0.3
+BITS = 200
+STEP = mpmath.mpf(10) ** -20
 
 
 def functions(x: Any) -> list[Any]:
@@ -23,16 +29,21 @@ def expected(x: Any) -> list[Any]:
     return [3 / (2 + mp.sin(x) * mp.cos(x)), (1 - x) ** 3 / x, *flow]
 
 
+def slope(function: Any, at: mpmath.mpf) -> Any:
+    """Central difference."""
+    return (function(at + STEP) - function(at - STEP)) / (2 * STEP)
+
+
 @pytest.mark.parametrize("place", range(6))
 def test_derivatives_are_enclosed_at_a_point_and_over_a_tile(place: int) -> None:
     space = space_of(1, 5)
-    over = jet(space.variable(0, arb(AT), arb(0.01)), arb(1), None)
+    over = jet(space.variable(0, arb(AT), arb(0.01)), arb(1), None, None)
     with mp.workdps(40):
-        series = mp.taylor(lambda x: expected(x)[place], mp.mpf(AT), 2)
-        beside = mp.taylor(lambda x: expected(x)[place], mp.mpf(AT + 0.009), 2)
-    at = functions(jet(arb(AT), arb(1), None))[place]
+        series = mp.taylor(lambda x: expected(x)[place], mp.mpf(AT), 3)
+        beside = mp.taylor(lambda x: expected(x)[place], mp.mpf(AT + 0.009), 3)
+    at = functions(jet(arb(AT), arb(1), None, None))[place]
     tile = functions(over)[place]
-    for k in range(3):
+    for k in range(4):
         point = part_of(at, k)
         assert abs(float(point.mid()) - float(series[k])) < 1e-12
         assert point.rad() < 1e-12
@@ -45,8 +56,72 @@ def test_what_is_no_jet_does_not_depend_on_the_parameter() -> None:
     x = jet(arb(2), arb(1))
     space = space_of(1, 3)
     model = space.variable(0, arb(1), arb(0.5))
-    for found, slope in ((model * x, 1), (model - x, -1), (model / x, -0.25), (x + 1, 1)):
+    for found, rate in ((model * x, 1), (model - x, -1), (model / x, -0.25), (x + 1, 1)):
         told = part_of(found, 1)
         value = told.at([arb(0)]) if hasattr(told, "at") else told
-        assert value.contains(slope)
+        assert value.contains(rate)
     assert part_of(arb(3), 1) == 0
+
+
+@pytest.mark.parametrize("of", ["sine", "cosine"])
+def test_circular_functions_of_a_curved_angle(of: str) -> None:
+    """Every coefficient of the angle is felt, in each of the result: order 3, signs included."""
+    angle = jet(arb("0.7"), arb(-2), arb(3), arb(5))
+    found = angle.sin_cos()[of == "cosine"]
+    with mp.workdps(40):
+        function = mp.sin if of == "sine" else mp.cos
+        series = mp.taylor(lambda t: function(0.7 - 2 * t + 3 * t**2 + 5 * t**3), 0, 3)
+    for k in range(4):
+        assert abs(float(part_of(found, k).mid()) - float(series[k])) < 1e-12
+
+
+def test_no_digits_are_lost_at_a_high_precision() -> None:
+    with flint_precision(BITS), mpmath.workdps(70):
+        x = jet(arb("0.7"), arb(1))
+
+        def of(t: mpmath.mpf) -> mpmath.mpf:
+            return 3 * mpmath.sin(t * t) / (2 - t) + mpmath.cos(t) - 1 / t
+
+        sine, _ = (x * x).sin_cos()
+        _, cosine = x.sin_cos()
+        found = 3 * sine / (2 - x) + cosine - 1 / x
+        point = mpmath.mpf("0.7")
+        for k, number in enumerate((of(point), slope(of, point))):
+            ball = part_of(found, k)
+            assert abs(ball - exact_ball(number)) < 1e-35
+            assert float(ball.rad()) < 1e-40
+
+
+def test_exponentials_of_matrices_that_do_not_commute_with_their_derivative() -> None:
+    drawn = random.Random(3)
+    size = 3
+    a, b = ([[drawn.randint(-9, 9) for _ in range(size)] for _ in range(size)] for _ in range(2))
+    with flint_precision(BITS), mpmath.workdps(70):
+        found = part_of((jet(arb_mat(a), arb_mat(b)) * (arb(1) / 4)).exp(), 1)
+
+        def of(t: mpmath.mpf) -> mpmath.matrix:
+            return mpmath.expm((mpmath.matrix(a) + t * mpmath.matrix(b)) / 4)
+
+        rates = slope(of, mpmath.mpf(0))
+        for i in range(size):
+            for j in range(size):
+                assert abs(found[i, j] - exact_ball(rates[i, j])) < 1e-25
+                assert float(found[i, j].rad()) < 1e-40
+
+
+def test_the_radius_of_a_value_reaches_its_derivative() -> None:
+    # over all x in the ball the derivative of x^2 is 2 x: what a Taylor model does not enclose
+    x = jet(arb(1, 0.25), arb(1))
+    rate = part_of(x * x, 1)
+    assert rate.contains(arb(1.5))
+    assert rate.contains(arb(2.5))
+
+
+def test_matrices_of_balls_and_jets() -> None:
+    found = matrix([[jet(arb(2), arb(3)), 1], [arb(4), 0]])
+    assert isinstance(found, Jet)
+    assert part_of(found, 0) == arb_mat([[2, 1], [4, 0]])
+    assert part_of(found, 1) == arb_mat([[3, 0], [0, 0]])
+    assert (found.nrows(), found.ncols()) == (2, 2)
+    assert middle_of(found) == range_of(found) == part_of(found, 0)
+    assert part_of(arb_mat([[0, 1], [1, 0]]) * found, 1) == arb_mat([[0, 0], [3, 0]])

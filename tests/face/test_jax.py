@@ -176,7 +176,7 @@ def test_modes_that_are_not_there() -> None:
     with pytest.raises(ns.InputError, match="no reverse pass"):
         differentiable(made(), mode="reverse")
     with pytest.raises(ns.InputError, match="unknown mode 'forward'; known: both, reverse"):
-        differentiable(made(), mode="forward")  # type: ignore[arg-type]
+        differentiable(made(), mode="forward")  # type: ignore[arg-type]  # what is refused
 
 
 def test_without_jax_the_command_is_told(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -449,6 +449,7 @@ def without_spaces(row: Row) -> Row:
     """A row without spaces at its ends."""
     items = list(row)
     for place in (0, -1):
+        # the one that is an Atom is the one whose kind is asked for
         while items and isinstance(items[place], Atom) and items[place].kind == "space":  # type: ignore[union-attr]
             items.pop(place)
     return tuple(items)

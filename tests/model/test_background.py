@@ -215,7 +215,7 @@ def waiting(monkeypatch: pytest.MonkeyPatch, cache: Path) -> KernelLibrary:
 @posix
 def test_a_killed_compilation_leaves_nothing(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     library = waiting(monkeypatch, cache)
-    process = library._building.process  # type: ignore[union-attr]
+    process = library._building.process  # type: ignore[union-attr]  # it is building
     assert library.module() is None  # it goes on
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
@@ -230,7 +230,7 @@ def test_who_interrupts_the_wait_ends_the_compilation(
     cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     library = waiting(monkeypatch, cache)
-    process = library._building.process  # type: ignore[union-attr]
+    process = library._building.process  # type: ignore[union-attr]  # it is building
     wait, calls = process.wait, []
 
     def interrupted(timeout: float | None = None) -> int:

@@ -222,7 +222,7 @@ def first_crossing(orbit: Orbit) -> float:
     def stop(_: float, state: np.ndarray) -> float:
         return float(state[0] - 1)
 
-    stop.terminal, stop.direction = True, 1  # type: ignore[attr-defined]
+    stop.terminal, stop.direction = True, 1  # type: ignore[attr-defined]  # SciPy reads them
     start = [*orbit.states[0][:4], 1.0]
     step = 1e-6
     begin = expm(matrix * step) @ start  # away from the impact

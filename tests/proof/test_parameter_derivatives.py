@@ -25,8 +25,8 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.dual_balls import DualBall
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.jets import Jet
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -305,15 +305,15 @@ def test_sums_move_what_was_left_open() -> None:
 
 def test_a_wrong_sign_is_seen(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A bug in the prover's right-hand side: the tests here and the checker see it."""
-    rate_of = parameter_derivatives.rate_of
+    part_of = parameter_derivatives.part_of
     orbit = loop()
 
-    def turned(number: Any) -> Any:
-        wrong = isinstance(number, DualBall) and isinstance(number.value, arb_mat)
+    def turned(number: Any, k: int) -> Any:
+        wrong = k == 1 and isinstance(number, Jet) and isinstance(number.parts[0], arb_mat)
         wrong = wrong and number.ncols() == 1
-        return -rate_of(number) if wrong else rate_of(number)
+        return -part_of(number, k) if wrong else part_of(number, k)
 
-    monkeypatch.setattr(parameter_derivatives, "rate_of", turned)
+    monkeypatch.setattr(parameter_derivatives, "part_of", turned)
     found = ns.certify(orbit, derivatives=True)
     found.save(tmp_path / "proof.json")
     told = ns.check_certificate(tmp_path / "proof.json").difference

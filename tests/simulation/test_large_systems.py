@@ -224,7 +224,7 @@ def test_rounding_by_factors_is_bounded_as_by_matrices(count: int, growing: bool
     assert engine is not None
 
     def decide(*what: object) -> tuple[int, int, int]:
-        told.append([np.frombuffer(what[4]), what[5]])  # type: ignore[call-overload]
+        told.append([np.frombuffer(what[4]), what[5]])  # type: ignore[call-overload]  # bytes
         return Status.UNDECLARED, 0, 0
 
     for factored in (False, True):

@@ -2,6 +2,7 @@
 
 ==================  ========================================================================
 `design`            `design`: minimise, maximise or solve over parameters in bounds
+`question`          `DesignQuestion`: what is asked for, read and checked
 `optimum`           `Design`: what was found, which limits act there, and how it was reached
 `condition`         `DesignCondition`: a quantity and what it has to be
 `quantities`        values of quantities at an orbit, and their exact derivatives

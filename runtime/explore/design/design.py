@@ -8,18 +8,15 @@ from typing import Any, get_args
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
-from nonsmooth.runtime.core.resuming import check_same_question
-from nonsmooth.runtime.core.values import as_value
-from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
 from nonsmooth.runtime.explore.design.aim import Aim, MarginKey, Trial
 from nonsmooth.runtime.explore.design.branch_points import BranchPoints
-from nonsmooth.runtime.explore.design.condition import DesignCondition, condition_in
 from nonsmooth.runtime.explore.design.design_points import DesignPoint, DesignPoints
 from nonsmooth.runtime.explore.design.largest import extreme_keys, is_largest_of_several
 from nonsmooth.runtime.explore.design.limits import Optimality, bounds_met, optimality
 from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Method, optimise
 from nonsmooth.runtime.explore.design.optimum import CONVERGED, NOT_REACHED, Design
-from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, RADIUS, is_extreme
+from nonsmooth.runtime.explore.design.quantities import is_extreme
+from nonsmooth.runtime.explore.design.question import design_question
 from nonsmooth.runtime.explore.design.solving import solve_conditions
 from nonsmooth.runtime.explore.design.telling import (
     MET,
@@ -28,10 +25,8 @@ from nonsmooth.runtime.explore.design.telling import (
     message_of,
     values_of,
 )
-from nonsmooth.runtime.explore.design.worst_over import branch_interval, optimise_worst, spread
-from nonsmooth.runtime.model.saved_system import same_system
+from nonsmooth.runtime.explore.design.worst_over import optimise_worst, spread
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.shooting import newton
 
 __all__ = ["METHODS", "design"]
 
@@ -130,22 +125,12 @@ def design(
     >>> found.message, round(found.after["V"], 4)
     ('an optimum', 2.7457)
     """
-    aim_name, quantity = _aim_of(minimise, maximise, solve)
-    names, bounds = _bounds_of(orbit, over)
-    conditions = _conditions_of(solve, subject_to, len(names))
-    branch = branch_interval(orbit, worst_over, names)
     _check_options(method, iterations)
-    _check_spread(branch is not None, aim_name, conditions)
-    asked = dict.fromkeys(([quantity] if quantity else []) + [c.quantity for c in conditions])
-    measured = [name for name in asked if name != MULTIPLIER]
-    if quantity == MULTIPLIER:
-        raise InputError(f"{MULTIPLIER} is no quantity to {aim_name}: ask for {RADIUS}")
+    question = design_question(orbit, minimise, maximise, solve, over, worst_over, subject_to)
     if resume is not None:
-        question = _question(orbit, aim_name, quantity, names, bounds, conditions, branch)
-        _check_resumed(question, resume, orbit)
-        begins = resume.orbit
-    else:
-        begins = orbit
+        question.check_resumed(resume)
+    quantity, names, bounds = question.quantity, question.parameters, question.bounds
+    branch, asked, measured = question.branch, question.quantities, question.measured
     history: list[Trial] = []
 
     def told(visited: int) -> None:
@@ -153,24 +138,23 @@ def design(
             progress(len(history), visited)
 
     points = DesignPoints(
-        begins,
+        orbit if resume is None else resume.orbit,
         names if branch is None else (*names, branch[0]),
         bounds if branch is None else np.vstack([bounds, branch[1]]),
         measured,
-        rough=_rough(aim_name, quantity, conditions),
+        rough=question.rough,
         admissible=admissible,
         progress=told,
     )
     first = points.visited[0]
-    watched = _watched(first) if admissible and aim_name != "solve" else ()
+    watched = _watched(first) if admissible and question.aim != "solve" else ()
     points.watching = bool(watched)
     size = abs(first.quantities.values[quantity]) if quantity else 1.0
-    sign = -1 if aim_name == "maximise" else 1
-    several = is_extreme(quantity) and is_largest_of_several(quantity, sign)
+    several = is_extreme(quantity) and is_largest_of_several(quantity, question.sign)
     aim = Aim(
         quantity,
-        sign,
-        conditions,
+        question.sign,
+        question.conditions,
         max(size, _LEAST_UNIT),
         np.asarray(bounds[:, 1] - bounds[:, 0]),
         watched,
@@ -182,7 +166,7 @@ def design(
         aim, trials = spread(points, aim)
     begin: Trial = trials.visited[0]
     _check_dependence(names, begin, aim)
-    if aim_name == "solve":
+    if question.aim == "solve":
         ended = solve_conditions(points, aim, iterations, history)
         method = "least-squares"
         left, status = _solved(aim, ended.point, names, bounds)
@@ -202,14 +186,14 @@ def design(
         status, ended = NOT_REACHED, ended._replace(reason="the orbit there is no motion")
     iterates = iterates_of(names, aim, history, asked)
     found = Design(
-        aim=aim_name,
+        aim=question.aim,
         quantity=quantity,
         parameters=names,
         bounds=bounds,
-        worst_over={} if branch is None else dict([branch]),
-        conditions=conditions,
+        worst_over=question.worst_over,
+        conditions=question.conditions,
         method=method,
-        quantities=tuple(asked),
+        quantities=asked,
         before=values_of(names, aim, begin, asked) if resume is None else resume.before,
         after=values_of(names, aim, ended.point, asked),
         worst_at=_worst_at(left, branch),
@@ -240,104 +224,6 @@ def _worst_at(
     return tuple(float(member.orbit.given[branch[0]]) for member in left.worst_at)
 
 
-def _question(
-    orbit: Orbit,
-    aim: str,
-    quantity: str,
-    names: tuple[str, ...],
-    bounds: np.ndarray,
-    conditions: tuple[DesignCondition, ...],
-    branch: tuple[str, tuple[float, float]] | None,
-) -> dict[str, Any]:
-    """What has to be the same where a design goes on."""
-    varied = {*names, *([] if branch is None else [branch[0]])}
-    return {
-        "orbit": orbit.name.removeprefix(orbit.system.name),
-        "aim": aim,
-        "quantity": quantity,
-        "parameters": names,
-        "bounds": bounds,
-        "conditions": conditions,
-        "worst_over": {} if branch is None else dict([branch]),
-        **{name: value for name, value in orbit.given.items() if name not in varied},
-    }
-
-
-def _check_resumed(asked: Mapping[str, Any], known: Design, orbit: Orbit) -> None:
-    """Refuse to go on with the design of another question."""
-    if not isinstance(known, Design):
-        raise InputError(f"{type(known).__name__} is no design, such as nonsmooth.design gives")
-    branch = next(iter(known.worst_over.items()), None)
-    same = (known.aim, known.quantity, known.parameters, known.bounds, known.conditions, branch)
-    check_same_question("design", asked, _question(known.orbit, *same))
-    if not same_system(known.orbit.system, orbit.system):
-        raise InputError(f"the declaration of {orbit.name} has changed since the design was saved")
-
-
-def _check_spread(whole: bool, aim: str, conditions: Sequence[DesignCondition]) -> None:
-    """Refuse what cannot hold all along a branch."""
-    if not whole:
-        return
-    if aim == "solve":
-        raise InputError("values that are solved for are of one orbit: leave out worst_over")
-    for each in conditions:
-        if each.relation == "=":
-            raise InputError(f"{each.text}: an equation cannot hold all along worst_over")
-
-
-def _aim_of(
-    minimise: str | None, maximise: str | None, solve: Mapping[str, object] | None
-) -> tuple[Any, str]:
-    given = {"minimise": minimise, "maximise": maximise, "solve": solve}
-    chosen = [name for name, value in given.items() if value]
-    if len(chosen) != 1:
-        raise InputError(f"one of minimise, maximise and solve is given, not {len(chosen)}")
-    return chosen[0], minimise or maximise or ""
-
-
-def _bounds_of(orbit: Any, over: Any) -> tuple[tuple[str, ...], np.ndarray]:
-    if not isinstance(orbit, Orbit):
-        raise InputError(f"{type(orbit).__name__} is no orbit, such as nonsmooth.solve gives")
-    if orbit.status != newton.CONVERGED:
-        raise InputError(f"{orbit.name} cannot be designed: {orbit.message}")
-    if not isinstance(over, Mapping) or not over:
-        raise InputError('over gives the bounds of parameters, such as {"V": (0.6, 1.3)}')
-    opened = {table.name for table in orbit.system.parameters} - {*orbit.given, *orbit.unknowns}
-    for name in over:
-        if name in opened:
-            raise InputError(
-                f"no equation of {orbit.name} depends on {name}: it is at most a limit of its"
-                " admissibility"
-            )
-    return tuple(over), np.array([check_interval(orbit, *each) for each in over.items()])
-
-
-def _conditions_of(
-    solve: Mapping[str, object] | None, subject_to: Iterable[str], count: int
-) -> tuple[DesignCondition, ...]:
-    texts = [subject_to] if isinstance(subject_to, str) else list(subject_to)
-    if not solve:
-        found = tuple(condition_in(text) for text in texts)
-        for each in found:
-            if each.quantity == MULTIPLIER and each.relation != "=":
-                raise InputError(f"{each.text}: a multiplier is wanted by =, or {RADIUS} by <=")
-        equations = sum(each.relation == "=" for each in found)
-        if equations > count:
-            raise InputError(f"{equations} equations for {count} parameters: solve for them")
-        return found
-    if texts:
-        raise InputError("values that are solved for take no other conditions")
-    wanted = tuple(
-        DesignCondition(quantity=name, relation="=", value=as_value(value))
-        for name, value in solve.items()
-    )
-    if len(wanted) != count:
-        raise InputError(
-            f"{len(wanted)} wanted values for {count} parameters: as many of one as of the other"
-        )
-    return wanted
-
-
 def _watched(first: DesignPoint) -> tuple[MarginKey, ...]:
     """The boundaries that stay away; none where open parameters decide how far they are."""
     kernels = first.orbit.problem.kernels
@@ -347,25 +233,6 @@ def _watched(first: DesignPoint) -> tuple[MarginKey, ...]:
         return ()
     margins = first.quantities.derivatives.margins
     return tuple(MarginKey(m.phase, m.boundary) for m in margins)
-
-
-def _check_options(method: str, iterations: int) -> None:
-    if method not in METHODS:
-        raise unknown_name("method", method, METHODS)
-    if isinstance(iterations, bool) or not isinstance(iterations, int) or iterations < 1:
-        raise InputError(f"iterations = {iterations} is not a positive integer")
-
-
-def _rough(aim: str, quantity: str, conditions: Sequence[DesignCondition]) -> tuple[str, ...]:
-    """Quantities of which levels above are asked for alone, and these are smooth."""
-    rough = []
-    sign = -1 if aim == "maximise" else 1
-    if is_largest_of_several(quantity, sign):
-        rough.append(quantity)
-    asked = quantity != RADIUS or sign > 0
-    if asked and all(c.relation == "<=" for c in conditions if c.quantity == RADIUS):
-        rough.append(RADIUS)
-    return tuple(rough)
 
 
 def _check_dependence(names: Sequence[str], first: Trial, aim: Aim) -> None:
@@ -385,3 +252,10 @@ def _solved(
     left = aim.missed(point)
     status = CONVERGED if left <= _SOLVED else NOT_REACHED
     return Optimality(bounds_met(point, names, bounds), left, ""), status
+
+
+def _check_options(method: str, iterations: int) -> None:
+    if method not in METHODS:
+        raise unknown_name("method", method, METHODS)
+    if isinstance(iterations, bool) or not isinstance(iterations, int) or iterations < 1:
+        raise InputError(f"iterations = {iterations} is not a positive integer")

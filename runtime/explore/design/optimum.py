@@ -101,7 +101,7 @@ class Design(Shown):
         Returns
         -------
         dict of str to JSON value
-            Numbers are decimal strings with all their digits.
+            Numbers are decimal strings with all their digits; one that is not known is null.
         """
         told: dict[str, Any] = registered("design_json")(self)
         return told

@@ -352,6 +352,7 @@ class Fit(Shown):
         Returns
         -------
         dict of str to object
+            A number that is not known is null.
         """
         found: dict[str, Any] = registered("fit_json")(self)
         return found

@@ -1,8 +1,7 @@
 """What is measured of a steady response: peaks, amplitudes, averages and the first harmonic.
 
 Extremes are guaranteed, and differentiated where they are attained. Averages are integrals by
-Gauss and Legendre's rule, phase by phase; a tiny imaginary part of each parameter moves the nodes
-with the dwell times, so that derivatives are exact.
+Gauss and Legendre's rule, phase by phase.
 """
 
 from __future__ import annotations
@@ -12,22 +11,17 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
+from nonsmooth.runtime.core.complex_steps import imaginary_parts
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.explore.fitting.affine_outputs import Output, output_of
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.structure import Structure
 from nonsmooth.runtime.orbits.derivatives import OrbitDerivatives
-from nonsmooth.runtime.shooting.derivatives import flows_over
-from nonsmooth.runtime.simulation.phase_functions import fastest
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 
 __all__ = ["KINDS", "ResponseQuantity", "response_quantity"]
-
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
-_ANGLE = 2.0  # radians in a piece of an integral
 
 
 class ResponseQuantity(NamedTuple):
@@ -176,28 +170,19 @@ def _parts(number: np.ndarray) -> Value:
 
 def _averages(along: OrbitMotionDerivatives, output: Output) -> np.ndarray:
     """Averages of f, f^2, f cos and f sin of the first forcing's angle, (4, q), with steps."""
-    system, row = along.orbit.tables.piecewise, _row(along, output)
-    waits = stepped(along.dwell, along.waits, None)
+    row, forcing = _row(along, output), along.structure.forcing
     total = np.zeros((4, len(along.by)), dtype=complex)
-    forcing = along.structure.forcing
+    period = np.zeros(len(along.by), dtype=complex)
     for phase, configuration in enumerate(along.cycle.configurations):
-        angle = fastest(system, configuration) * float(along.dwell[phase])
-        pieces = max(1, int(np.ceil(angle / _ANGLE)))
-        nodes = ((np.arange(pieces)[:, None] + (1 + _NODES) / 2) / pieces).ravel()
-        weights = np.tile(_WEIGHTS / 2 / pieces, pieces)
-        field = along.numbers.fields[:, None, configuration]
-        times = waits[:, phase, None] * nodes
-        flow = flows_over(np.broadcast_to(field, (*times.shape, *field.shape[2:])), times)
-        start = along.starts[:, None, phase, :, None]
-        states = (flow[..., :-1] @ start)[..., 0] + flow[..., -1]
-        own = row(configuration)
-        values = np.einsum("qi,qni->qn", own[:, :-1], states) + own[:, -1:]
+        states, weights = along.quadrature(phase)
+        values = np.einsum("qi,qni->qn", row(configuration), states)
         parts = [values, values**2]
         if forcing:
             parts += [values * states[..., place] for place in forcing[0]]
         for place, part in enumerate(parts):
-            total[place] += waits[:, phase] * (part @ weights)
-    return np.asarray(total / waits.sum(axis=1))
+            total[place] += (part * weights).sum(axis=1)
+        period += weights.sum(axis=1)
+    return np.asarray(total / period)
 
 
 _OF_FORCING = ("harmonic", "phase")

@@ -11,13 +11,13 @@ from typing import Any
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import decode
 from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
-from nonsmooth.runtime.core.values import LARGEST_EXPONENT, Value
-from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
+from nonsmooth.runtime.core.values import LARGEST_EXPONENT
+from nonsmooth.runtime.model.saved_system import system_in
 from nonsmooth.runtime.present.files.claim_entries import (
     Ball,
     ClaimEntries,
     Enclosures,
-    Itinerary,
+    OrbitProofEntries,
     enclosed,
     stated,
 )
@@ -49,15 +49,9 @@ class TileEntries:
 
 
 @dataclass(frozen=True, kw_only=True)
-class BoxEntries:
+class BoxEntries(OrbitProofEntries):
     """What a map's file states."""
 
-    orbit: str
-    system: str
-    tables: SavedSystem | None
-    parameters: Mapping[str, Value]
-    chosen: tuple[str, ...]
-    itinerary: Itinerary
     box: Mapping[str, tuple[Fraction, Fraction]]
     claims: ClaimEntries
     stability: str

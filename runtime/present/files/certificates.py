@@ -10,13 +10,12 @@ from typing import Any
 
 from nonsmooth.runtime.core.json_codec import BlankValue
 from nonsmooth.runtime.core.result_files import FileFormat, naming
-from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
+from nonsmooth.runtime.model.saved_system import system_in
 from nonsmooth.runtime.present.files.claim_entries import (
     Ball,
     ClaimEntries,
     Enclosures,
-    Itinerary,
+    OrbitProofEntries,
     enclosed,
     stated,
 )
@@ -41,16 +40,10 @@ class MultiplierBalls:
 
 
 @dataclass(frozen=True, kw_only=True)
-class CertificateEntries:
+class CertificateEntries(OrbitProofEntries):
     """What a certificate's file states."""
 
-    orbit: str
-    system: str
-    tables: SavedSystem | None
-    parameters: Mapping[str, Value]
-    chosen: tuple[str, ...]
     given_period: BlankValue
-    itinerary: Itinerary
     bits: int
     claims: ClaimEntries
     stability: str

@@ -10,12 +10,11 @@ from typing import Any, Literal
 
 from nonsmooth.runtime.core.json_codec import FromOne
 from nonsmooth.runtime.core.result_files import FileFormat, naming
-from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
+from nonsmooth.runtime.model.saved_system import system_in
 from nonsmooth.runtime.present.files.box_certificates import check_exponents
 from nonsmooth.runtime.present.files.claim_entries import (
     Enclosures,
-    Itinerary,
+    OrbitProofEntries,
     enclosed,
     stated,
 )
@@ -78,15 +77,9 @@ class BranchClaimEntries:
 
 
 @dataclass(frozen=True, kw_only=True)
-class CertifiedBranchEntries:
+class CertifiedBranchEntries(OrbitProofEntries):
     """What a certified branch's file states."""
 
-    orbit: str
-    system: str
-    tables: SavedSystem | None
-    parameters: Mapping[str, Value]
-    chosen: tuple[str, ...]
-    itinerary: Itinerary
     parameter: str
     interval: tuple[Fraction, Fraction]
     stability: str

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeVar
 
 from nonsmooth.runtime.core.json_codec import Exact, decode, encode
+from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import known_system
-from nonsmooth.runtime.model.saved_system import named
+from nonsmooth.runtime.model.saved_system import SavedSystem, named
 from nonsmooth.runtime.proof.certificate import Stated
 
 __all__ = [
@@ -16,6 +17,7 @@ __all__ = [
     "ClaimEntries",
     "Enclosures",
     "Itinerary",
+    "OrbitProofEntries",
     "Verdict",
     "enclosed",
     "entries_of",
@@ -51,6 +53,18 @@ class Ball:
 
 
 Enclosures = Mapping[str, Ball]
+
+
+@dataclass(frozen=True, kw_only=True)
+class OrbitProofEntries:
+    """Which orbit a file proves something of, at which parameters."""
+
+    orbit: str
+    system: str
+    tables: SavedSystem | None
+    parameters: Mapping[str, Value]
+    chosen: tuple[str, ...]
+    itinerary: Itinerary
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -12,6 +12,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import AnyDigits, AnyTable, Digits, Table, encode, one_of
 from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.valid_json import nan_as_null
 from nonsmooth.runtime.explore.design.condition import DesignCondition
 from nonsmooth.runtime.explore.design.limits import ActiveLimit
 from nonsmooth.runtime.explore.design.optimum import AIMS, Design
@@ -83,19 +84,15 @@ def design_json(design: Design) -> dict[str, Any]:
     Returns
     -------
     dict of str to JSON value
-        Numbers are decimal strings; what is not finite is null.
+        Numbers are decimal strings; one that is not known is null.
     """
     from nonsmooth.runtime.present.report import orbit_json
 
     told = encode(_entries(design))
     told = {name: entry for name, entry in told.items() if name not in ("start", "orbit")}
-    gradient = {
-        name: {parameter: None if rate == "nan" else rate for parameter, rate in rates.items()}
-        for name, rates in told["gradient"].items()
-    }
     conditions = [each.text for each in design.conditions]
-    orbit = orbit_json(design.orbit)
-    return {**told, "conditions": conditions, "gradient": gradient, "orbit": orbit}
+    found = {**told, "conditions": conditions, "orbit": orbit_json(design.orbit)}
+    return {name: nan_as_null(entry) for name, entry in found.items()}
 
 
 def load_design(path: str | os.PathLike[str]) -> Design:

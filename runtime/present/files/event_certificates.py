@@ -9,11 +9,10 @@ from typing import Any, Literal
 
 from nonsmooth.runtime.core.json_codec import FromOne
 from nonsmooth.runtime.core.result_files import FileFormat, naming
-from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
+from nonsmooth.runtime.model.saved_system import system_in
 from nonsmooth.runtime.present.files.claim_entries import (
     Enclosures,
-    Itinerary,
+    OrbitProofEntries,
     enclosed,
     stated,
 )
@@ -24,15 +23,9 @@ __all__ = ["EVENTS", "event_entries", "events_of", "load_event_certificates", "s
 
 
 @dataclass(frozen=True, kw_only=True)
-class EventCertificateEntries:
+class EventCertificateEntries(OrbitProofEntries):
     """What a file states of one event."""
 
-    orbit: str
-    system: str
-    tables: SavedSystem | None
-    parameters: Mapping[str, Value]
-    chosen: tuple[str, ...]
-    itinerary: Itinerary
     kind: str
     text: str
     parameter: str

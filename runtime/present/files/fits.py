@@ -11,6 +11,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import encode
 from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.valid_json import nan_as_null
 from nonsmooth.runtime.explore.fitting.fit_record import Fit
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
@@ -111,6 +112,7 @@ def fit_json(fit: Fit) -> dict[str, Any]:
     Returns
     -------
     dict of str to object
+        A number that is not known is null.
     """
     found = encode(fit)
     found["standard_errors"] = [repr(each) for each in fit.standard_errors.tolist()]
@@ -119,4 +121,4 @@ def fit_json(fit: Fit) -> dict[str, Any]:
     for entries, experiment in zip(found["experiments"], fit.experiments, strict=True):
         for written, series in zip(entries["series"], experiment.series, strict=True):
             written["residuals"] = [repr(each) for each in np.asarray(series.residuals).tolist()]
-    return found
+    return {name: nan_as_null(entry) for name, entry in found.items()}

@@ -1,0 +1,220 @@
+"""What a design is asked for: an aim, parameters in bounds, conditions, a branch perhaps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.resuming import check_same_question
+from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
+from nonsmooth.runtime.explore.design.condition import DesignCondition, condition_in
+from nonsmooth.runtime.explore.design.largest import is_largest_of_several
+from nonsmooth.runtime.explore.design.optimum import Design
+from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, RADIUS
+from nonsmooth.runtime.explore.design.worst_over import branch_interval
+from nonsmooth.runtime.model.saved_system import same_system
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.shooting import newton
+
+__all__ = ["DesignQuestion", "design_question"]
+
+
+@dataclass(frozen=True, eq=False)
+class DesignQuestion:
+    """What is asked of an orbit.
+
+    Attributes
+    ----------
+    orbit : Orbit
+    aim : "minimise", "maximise" or "solve"
+    quantity : str
+        What is made small or large; empty for wanted values.
+    parameters : tuple of str
+        Those that vary.
+    bounds : array (p, 2)
+    conditions : tuple of DesignCondition
+        The wanted values among them.
+    branch : (str, (float, float)) or None
+        Another parameter, along whose interval the worst counts.
+    """
+
+    orbit: Orbit
+    aim: Any
+    quantity: str
+    parameters: tuple[str, ...]
+    bounds: np.ndarray
+    conditions: tuple[DesignCondition, ...]
+    branch: tuple[str, tuple[float, float]] | None
+
+    @property
+    def sign(self) -> int:
+        """-1 for what is made large, else 1."""
+        return -1 if self.aim == "maximise" else 1
+
+    @property
+    def quantities(self) -> tuple[str, ...]:
+        """All that is asked for, each once."""
+        conditions = [condition.quantity for condition in self.conditions]
+        return tuple(dict.fromkeys(([self.quantity] if self.quantity else []) + conditions))
+
+    @property
+    def measured(self) -> list[str]:
+        """Those of them that are numbers of the orbit: not one of its multipliers."""
+        return [name for name in self.quantities if name != MULTIPLIER]
+
+    @property
+    def rough(self) -> tuple[str, ...]:
+        """Quantities of which levels above are asked for alone, and these are smooth."""
+        rough = []
+        if is_largest_of_several(self.quantity, self.sign):
+            rough.append(self.quantity)
+        asked = self.quantity != RADIUS or self.sign > 0
+        if asked and all(c.relation == "<=" for c in self.conditions if c.quantity == RADIUS):
+            rough.append(RADIUS)
+        return tuple(rough)
+
+    @property
+    def worst_over(self) -> dict[str, tuple[float, float]]:
+        """The branch as `Design` holds it."""
+        return {} if self.branch is None else dict([self.branch])
+
+    def check_resumed(self, known: Design) -> None:
+        """Refuse to go on with the design of another question.
+
+        Parameters
+        ----------
+        known : Design
+
+        Raises
+        ------
+        InputError
+            The message names what differs.
+        """
+        if not isinstance(known, Design):
+            raise InputError(f"{type(known).__name__} is no design, such as nonsmooth.design gives")
+        branch = next(iter(known.worst_over.items()), None)
+        same = (known.aim, known.quantity, known.parameters, known.bounds, known.conditions, branch)
+        other = DesignQuestion(known.orbit, *same)
+        check_same_question("design", self._entries(), other._entries())
+        if not same_system(known.orbit.system, self.orbit.system):
+            raise InputError(
+                f"the declaration of {self.orbit.name} has changed since the design was saved"
+            )
+
+    def _entries(self) -> dict[str, Any]:
+        """What has to be the same where a design goes on."""
+        orbit, varied = self.orbit, {*self.parameters, *self.worst_over}
+        return {
+            "orbit": orbit.name.removeprefix(orbit.system.name),
+            "aim": self.aim,
+            "quantity": self.quantity,
+            "parameters": self.parameters,
+            "bounds": self.bounds,
+            "conditions": self.conditions,
+            "worst_over": self.worst_over,
+            **{name: value for name, value in orbit.given.items() if name not in varied},
+        }
+
+
+def design_question(
+    orbit: Orbit,
+    minimise: str | None,
+    maximise: str | None,
+    solve: Mapping[str, object] | None,
+    over: Mapping[str, tuple[float, float]],
+    worst_over: Mapping[str, tuple[float, float]] | None,
+    subject_to: Iterable[str],
+) -> DesignQuestion:
+    """Read what a design is asked for.
+
+    Parameters
+    ----------
+    orbit, minimise, maximise, solve, over, worst_over, subject_to
+        As `design` takes them.
+
+    Returns
+    -------
+    DesignQuestion
+
+    Raises
+    ------
+    InputError
+        For what is no question.
+    """
+    aim, quantity = _aim_of(minimise, maximise, solve)
+    names, bounds = _bounds_of(orbit, over)
+    conditions = _conditions_of(solve, subject_to, len(names))
+    branch = branch_interval(orbit, worst_over, names)
+    _check_spread(branch is not None, aim, conditions)
+    if quantity == MULTIPLIER:
+        raise InputError(f"{MULTIPLIER} is no quantity to {aim}: ask for {RADIUS}")
+    return DesignQuestion(orbit, aim, quantity, names, bounds, conditions, branch)
+
+
+def _aim_of(
+    minimise: str | None, maximise: str | None, solve: Mapping[str, object] | None
+) -> tuple[Any, str]:
+    given = {"minimise": minimise, "maximise": maximise, "solve": solve}
+    chosen = [name for name, value in given.items() if value]
+    if len(chosen) != 1:
+        raise InputError(f"one of minimise, maximise and solve is given, not {len(chosen)}")
+    return chosen[0], minimise or maximise or ""
+
+
+def _bounds_of(orbit: Any, over: Any) -> tuple[tuple[str, ...], np.ndarray]:
+    if not isinstance(orbit, Orbit):
+        raise InputError(f"{type(orbit).__name__} is no orbit, such as nonsmooth.solve gives")
+    if orbit.status != newton.CONVERGED:
+        raise InputError(f"{orbit.name} cannot be designed: {orbit.message}")
+    if not isinstance(over, Mapping) or not over:
+        raise InputError('over gives the bounds of parameters, such as {"V": (0.6, 1.3)}')
+    opened = {table.name for table in orbit.system.parameters} - {*orbit.given, *orbit.unknowns}
+    for name in over:
+        if name in opened:
+            raise InputError(
+                f"no equation of {orbit.name} depends on {name}: it is at most a limit of its"
+                " admissibility"
+            )
+    return tuple(over), np.array([check_interval(orbit, *each) for each in over.items()])
+
+
+def _conditions_of(
+    solve: Mapping[str, object] | None, subject_to: Iterable[str], count: int
+) -> tuple[DesignCondition, ...]:
+    texts = [subject_to] if isinstance(subject_to, str) else list(subject_to)
+    if not solve:
+        found = tuple(condition_in(text) for text in texts)
+        for each in found:
+            if each.quantity == MULTIPLIER and each.relation != "=":
+                raise InputError(f"{each.text}: a multiplier is wanted by =, or {RADIUS} by <=")
+        equations = sum(each.relation == "=" for each in found)
+        if equations > count:
+            raise InputError(f"{equations} equations for {count} parameters: solve for them")
+        return found
+    if texts:
+        raise InputError("values that are solved for take no other conditions")
+    wanted = tuple(
+        DesignCondition(quantity=name, relation="=", value=as_value(value))
+        for name, value in solve.items()
+    )
+    if len(wanted) != count:
+        raise InputError(
+            f"{len(wanted)} wanted values for {count} parameters: as many of one as of the other"
+        )
+    return wanted
+
+
+def _check_spread(whole: bool, aim: str, conditions: Sequence[DesignCondition]) -> None:
+    """Refuse what cannot hold all along a branch."""
+    if not whole:
+        return
+    if aim == "solve":
+        raise InputError("values that are solved for are of one orbit: leave out worst_over")
+    for each in conditions:
+        if each.relation == "=":
+            raise InputError(f"{each.text}: an equation cannot hold all along worst_over")
