@@ -112,6 +112,23 @@ def test_every_start_of_a_box_comes_to_a_leaf(system, mapped):
     assert several >= 2  # sets whose states do not all go the same way
 
 
+def test_both_ways_are_taken_where_the_friction_force_is_about_the_static_limit(system, mapped):
+    # the second mass comes to the belt and sticks, or slips on, as chi (x2 - x1) is below ur2
+    box = [(0.99, 1.01), (3.94, 3.99), (-0.01, 0.01), (1.02, 1.03)]
+    random = np.random.default_rng(2)
+    ways = set()
+    with flint_precision(BITS):
+        configuration = system.structure.configuration("slip-overshoot")
+        found = spans(mapped.leaves(lifted(box, NONE, 4), configuration, NONE))
+        for _ in range(40):
+            state = [random.uniform(*bounds) for bounds in box]
+            motion = ns.simulate("dry-friction", DATA, state, "slip-overshoot", transitions=1)
+            ways.add(motion.configurations[1])
+            x2 = arrival(state, "slip-overshoot")
+            assert any(low - 1e-9 <= x2 <= high + 1e-9 for low, high in found)
+    assert ways == {"slip-stick", "slip-slip"}
+
+
 def test_a_set_that_goes_one_way_has_the_image_that_it_has_without_branches(system, mapped):
     section = mapped.section
     single = SectionMap(system, section, 1)
