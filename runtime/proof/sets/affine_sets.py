@@ -16,6 +16,7 @@ passed is known as a function of the state too.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.events.leading_derivative import Undecided
@@ -151,8 +152,8 @@ def affine_set(columns: arb_mat, rest: arb_mat, tangents: tuple[AffineSet, ...] 
     AffineSet
     """
     middle = columns.mid()
-    unsure = [[_around(_total(row))] for row in (columns - middle).tolist()]
-    return AffineSet(middle, rest + _matrix(unsure), tangents)
+    unsure = (columns - middle) * _ones(columns.ncols())
+    return AffineSet(middle, rest + unsure, tangents)
 
 
 def _mean_value(states: AffineSet, change: arb_mat, centre: arb_mat) -> AffineSet:
@@ -226,6 +227,13 @@ def _arrived(field: arb_mat, row: arb_mat, centre: arb_mat, late: arb) -> arb_ma
         late = late.intersection(middle - (row * there)[0, 0] / (row * rates)[0, 0])
     middle = late.mid()
     return (field * (late - middle)).exp() * ((field * middle).exp() * centre)
+
+
+@lru_cache(maxsize=128)
+def _ones(count: int) -> arb_mat:
+    from flint import arb, arb_mat
+
+    return arb_mat([[arb(0, 1)]] * count)
 
 
 def _total(row: Sequence[arb]) -> arb:

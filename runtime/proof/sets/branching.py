@@ -23,7 +23,15 @@ from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, product
 from nonsmooth.runtime.proof.motion.validate import BallJudge, transition_behind
 from nonsmooth.runtime.proof.sets.affine_sets import AffineSet, affine_set, with_time
 from nonsmooth.runtime.proof.sets.images import PassedTransition
-from nonsmooth.runtime.proof.sets.parts import fewer_sides, halves, hull, kept, values_over
+from nonsmooth.runtime.proof.sets.parts import (
+    fewer_sides,
+    halves,
+    hull,
+    kept,
+    united,
+    values_over,
+    within,
+)
 from nonsmooth.runtime.proof.sets.sections import MapSection
 
 if TYPE_CHECKING:
@@ -31,10 +39,11 @@ if TYPE_CHECKING:
 
 __all__ = ["BranchingMap", "Leaf"]
 
-_DEEPEST = 3  # halvings of a window of time
+_DEEPEST = 5  # halvings of a window of time
 _PIPE = 256  # of the shortest windows in one branch, at most
 _LOOSE = 0.5  # part of a set's size by which a pipe may be larger, if it can be shorter
-_LONGEST = 4000  # windows of one phase
+_RISING = 2  # windows by which a pipe may be longer where functions rise: narrow sets need no more
+_LONGEST = 1500  # windows of one phase
 _SPARE = 2.0**-40  # of a time, for its rounding
 _CLOCK = -1  # stands for the boundary at which the forcing has the section's phase
 
@@ -69,9 +78,10 @@ class _Part(NamedTuple):
 
 
 class _End(NamedTuple):
-    """States that reach boundaries of their configuration."""
+    """States that reach boundaries of their configuration, also inside a box (N + 2, 1)."""
 
     states: AffineSet
+    box: arb_mat
     boundaries: tuple[int, ...]
     facts: Invariants
 
@@ -118,6 +128,7 @@ class BranchingMap:
         self._resets = [with_time(reset, 0) for reset in exact.resets]
         self._timed = section.phase is not None
         self._rates = lru_cache(50_000)(self._find_rates)
+        self._function = lru_cache(None)(self._find_function)
         self._flow = lru_cache(20_000)(self._find_flow)
         self._lasting = lru_cache(1000)(self._find_lasting)
 
@@ -142,7 +153,8 @@ class BranchingMap:
             If balls do not tell where some of the states go, or the ways are too many.
         """
         found: list[Leaf] = []
-        left = [_Part(start, configuration, facts, frozenset(), (), 0)]
+        inside = {shape.row for shape in self.system.structure.boundaries[configuration]}
+        left = [_Part(start, configuration, facts, frozenset(inside), (), 0)]
         looked = 0
         while left:
             part = left.pop()
@@ -155,13 +167,32 @@ class BranchingMap:
                 both = halves(part.states, self.scales)
                 left += [part._replace(states=half) for half in both]
                 continue
-            for end in self._ends(part):
-                for behind in self._behind(part, end):
-                    leaf = self._leaf(behind, end)
-                    if leaf is None:
-                        left.append(behind)
-                    else:
-                        found.append(leaf)
+            behind = [
+                (next_part, end.boundaries == (_CLOCK,))
+                for end in self._ends(part)
+                for next_part in self._behind(part, end)
+            ]
+            for next_part, forced in self._merged(behind):
+                leaf = self._leaf(next_part, forced)
+                if leaf is None:
+                    left.append(next_part)
+                else:
+                    found.append(leaf)
+        return found
+
+    def _merged(self, parts: Sequence[tuple[_Part, bool]]) -> list[tuple[_Part, bool]]:
+        """The same states in fewer sets: boxes about two that went one way and nearly fill it."""
+        found: list[tuple[_Part, bool]] = []
+        for part, forced in parts:
+            for k, (other, also) in enumerate(found):
+                if also != forced or part[1:] != other[1:]:
+                    continue
+                both = united(part.states, other.states, part.facts, self._timed, self.scales)
+                if both is not None:
+                    found[k] = part._replace(states=both), forced
+                    break
+            else:
+                found.append((part, forced))
         return found
 
     def _wide(self, states: AffineSet) -> bool:
@@ -172,11 +203,11 @@ class BranchingMap:
             for row, scale in zip(states.columns.tolist(), self.scales, strict=False)
         )
 
-    def _leaf(self, part: _Part, end: _End) -> Leaf | None:
+    def _leaf(self, part: _Part, forced: bool) -> Leaf | None:
         """A leaf if the section is reached."""
         section, last = self.section, part.passages[-1] if part.passages else None
         if section.phase is not None:
-            if end.boundaries != (_CLOCK,) or part.configuration != section.configuration:
+            if not forced or part.configuration != section.configuration:
                 return None
         elif last is None or (last.source, frozenset(last.boundaries), last.target) != (
             section.source,
@@ -259,7 +290,7 @@ class BranchingMap:
     ) -> Iterator[_End]:
         """Along the phase, window by window."""
         here, states = part.configuration, part.states
-        step = float(self.system.flows[here].half) / 4  # a power of 2, as all times are
+        step = float(self.system.flows[here].half)  # a power of 2, as all times are
         depth, index, looked = 0, 0, 0
         first, pipe = None, 0  # where a pipe begins, in the shortest windows, and how many
         most = self._pipe_length(here, states, step / 2**_DEEPEST)
@@ -272,11 +303,12 @@ class BranchingMap:
             if first is not None and depth < _DEEPEST:
                 index, depth = index << (_DEEPEST - depth), _DEEPEST
             window = step / 2 ** (depth + 1), index  # half of its length, and its number
-            may, all_passed = [], False
+            may, all_passed, rising = [], False, True
             for boundary in watched:
-                inside, passed = self._over(here, boundary, states, window)
+                inside, passed, rises = self._over(here, boundary, states, window)
                 if not inside:
                     may.append(boundary)
+                    rising = rising and rises
                 all_passed = all_passed or passed
             ticks = clock and self._ticks(part, states, window)
             if not may and not ticks and first is None:
@@ -291,9 +323,9 @@ class BranchingMap:
             pipe += 1
             all_passed = all_passed or ticks == 2
             index += 1
-            if may and not all_passed and pipe < most:
-                continue
-            if ticks == 1 and not all_passed and pipe < most:
+            # what rises is reached in a part of the pipe alone, however long the pipe is
+            longest = most + _RISING if rising else most
+            if (may or ticks == 1) and not all_passed and pipe < longest:
                 continue
             ends = 2 * window[0] * first, 2 * window[0] * index
             yield from self._pipe(part._replace(states=states), lasting, reached, ends, clock)
@@ -335,36 +367,39 @@ class BranchingMap:
 
     def _over(
         self, here: int, boundary: _Watched, states: AffineSet, window: tuple[float, int]
-    ) -> tuple[bool, bool]:
-        """Whether a boundary is not reached in a window, and whether all are beyond it behind."""
-        from flint import arb
-
+    ) -> tuple[bool, bool, bool]:
+        """Whether a boundary is not reached in a window, all are beyond it behind, and it rises."""
         half, index = window
         order = 0 if index else boundary.order
-        rates = self._rates(here, boundary.row, half, index, order)
+        rates, around, bulge = self._rates(here, boundary.boundaries[0], half, index, order)
         value, rate, curve = values_over(rates, states).entries()
-        around = arb(0, half)
-        over = value + around * rate + (around * around / 2).union(arb(0)) * curve
+        over = value + around * rate + bulge * curve
         at_end = value + half * rate + half * half / 2 * curve
         slope = rate + around * curve
         if over < 0 or slope <= 0:  # what is zero where a window begins belongs to the one before
-            return True, False
+            return True, False, False
         rises = slope > 0
         inside = bool(rises and at_end < 0 and (index or not order))
-        return inside, bool(order == 0 and at_end > 0)
+        return inside, bool(order == 0 and at_end > 0), bool(rises)
 
-    def _find_rates(self, here: int, row: Row, half: float, index: int, order: int) -> arb_mat:
-        """Rows that give a function, its rate and bounds of its curvature over a window."""
+    def _find_rates(
+        self, here: int, boundary: int, half: float, index: int, order: int
+    ) -> tuple[arb_mat, arb, arb]:
+        """Rows for a function, its rate and its curvature over a window; the times t, t^2/2."""
         from flint import arb, arb_mat
 
-        field = self._fields[here]
+        field, around = self._fields[here], arb(0, half)
         flow = self._flow(here, half * (2 * index + 1))
-        own = _timed(row)
+        own = self._function(here, boundary)
         for _ in range(order):
             own = own * field
-        over = (field * arb(0, half)).exp()
+        over = (field * around).exp()
         rows = [own * flow, own * field * flow, own * field * field * over * flow]
-        return arb_mat([x.entries() for x in rows])
+        return arb_mat([x.entries() for x in rows]), around, (around * around / 2).union(arb(0))
+
+    def _find_function(self, here: int, boundary: int) -> arb_mat:
+        shape = self.system.structure.boundaries[here][boundary]
+        return _timed(self.system.exact.rows[shape.row])
 
     def _find_flow(self, here: int, time: float) -> arb_mat:
         from flint import arb
@@ -407,7 +442,8 @@ class BranchingMap:
             between = self._between(here, part.states, row, ends)
             if between is None:
                 continue
-            states = kept(self._flowed(here, part.states, *between), row, zero=True)
+            whole = self._flowed(here, part.states, *between)
+            states, box = kept(whole, row, zero=True), hull(whole)
             states = states and kept(states, row * self._fields[here])
             for other, more in rows.items():
                 if other != own:
@@ -416,7 +452,7 @@ class BranchingMap:
                 states = states and kept(states, -tick)
             if not states:
                 continue
-            yield _End(states, own, Invariants.of([*lasting.rows, exact[own]]))
+            yield _End(states, box, own, Invariants.of([*lasting.rows, exact[own]]))
             for other, more in rows.items():
                 if other > own:
                     both = kept(states, more, zero=True)
@@ -426,15 +462,16 @@ class BranchingMap:
                     if both is not None:
                         facts = Invariants.of([*lasting.rows, exact[own], exact[other]])
                         if facts.consistent:
-                            yield _End(both, (*own, *other), facts)
+                            yield _End(both, box, (*own, *other), facts)
         between = None if tick is None else self._between(here, part.states, tick, ends)
         if tick is not None and between is not None:
-            states = kept(self._flowed(here, part.states, *between), tick, zero=True)
+            whole = self._flowed(here, part.states, *between)
+            states, box = kept(whole, tick, zero=True), hull(whole)
             for more in rows.values():
                 states = states and kept(states, -more)
             if states:
                 forced = self._forcing_facts()
-                yield _End(states, (_CLOCK,), Invariants.of([*lasting.rows, *forced]))
+                yield _End(states, box, (_CLOCK,), Invariants.of([*lasting.rows, *forced]))
 
     def _between(
         self, here: int, states: AffineSet, row: arb_mat, ends: tuple[float, float]
@@ -494,7 +531,7 @@ class BranchingMap:
         """The ways in which states go on behind what they reach."""
         here = part.configuration
         if end.boundaries == (_CLOCK,):
-            states = fewer_sides(end.states, end.facts, self._timed)
+            states = fewer_sides(end.states, end.facts, self._timed, end.box)
             yield part._replace(
                 states=states, facts=end.facts, under=frozenset(), clock=part.clock + 1
             )
@@ -508,7 +545,11 @@ class BranchingMap:
             facts = end.facts.reset(exact.resets[reset])
             if not facts.consistent:
                 continue
-            moved = fewer_sides(states.mapped(self._resets[reset]), facts, self._timed)
+            matrix = self._resets[reset]
+            box = matrix * end.box
+            for row in sorted(inside):
+                box = within(box, exact.rows[row]) if self._kept_by(row, reset) else box
+            moved = fewer_sides(states.mapped(matrix), facts, self._timed, box)
             kept_rows = {r for r in under if self._kept_by(r, reset)}
             passage = PassedTransition(here, tuple(sorted(reached)), target)
             watched = {shape.row for shape in structure.boundaries[target]}
@@ -615,7 +656,8 @@ def _passed_at_start(
                 continue
             if count > 2:
                 raise Undecided("three boundaries may be passed at the start of a phase")
-            yield _End(left, tuple(b for k in chosen for b in every[k][0]), part.facts)
+            boundaries = tuple(b for k in chosen for b in every[k][0])
+            yield _End(left, hull(part.states), boundaries, part.facts)
 
 
 def _next(depth: int, index: int) -> tuple[int, int]:

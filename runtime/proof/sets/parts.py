@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from math import floor
-from typing import TYPE_CHECKING
+from math import floor, prod
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,9 +21,11 @@ from nonsmooth.runtime.proof.sets.affine_sets import AffineSet, affine_set
 if TYPE_CHECKING:
     from flint import arb, arb_mat
 
-__all__ = ["fewer_sides", "halves", "hull", "kept", "values_over"]
+__all__ = ["fewer_sides", "halves", "hull", "kept", "lifted", "united", "values_over", "within"]
 
 _PLACES = 2.0**24  # of a side that are told apart where it is cut
+_POINT = 1e-3  # of a scale: smaller boxes count as points when they are united
+_UNITED = 1  # coordinates of sets that are united: boxes of more lose their directions
 _APART = 0.3  # the sine of the angle between directions, at least
 _THIN = 2.0  # times the longest half of a side: then a function takes its place
 
@@ -157,10 +159,11 @@ def _substituted(
     return affine_set(columns, states.rest - side * shift)
 
 
-def fewer_sides(states: AffineSet, facts: Invariants, timed: bool) -> AffineSet:
+def fewer_sides(states: AffineSet, facts: Invariants, timed: bool, box: arb_mat) -> AffineSet:
     """A parallelepiped about a set, with as many sides as its states have free coordinates.
 
-    It has the directions of the largest sides, and the facts give the other coordinates exactly.
+    It has the directions of the largest sides, or those of the coordinates if the set is smaller
+    so; the facts give the other coordinates exactly.
 
     Parameters
     ----------
@@ -169,6 +172,8 @@ def fewer_sides(states: AffineSet, facts: Invariants, timed: bool) -> AffineSet:
         What is exactly true of the states.
     timed : bool
         Whether the time counts; else it is set to 0.
+    box : arb_mat (N + 2, 1)
+        In which the states are too.
 
     Returns
     -------
@@ -194,12 +199,131 @@ def fewer_sides(states: AffineSet, facts: Invariants, timed: bool) -> AffineSet:
         frame = inward = arb_mat([[int(i == j) for j in range(count)] for i in range(count)])
     sides = inward * own * arb_mat([[arb(0, 1)]] * own.ncols()) + inward * boxed
     sizes = [x.abs_upper() for x in sides.entries()]
+    straight = [listed[k][0] for k in places]
+    around, given = hull(states).entries(), box.entries()
+    inside = [_common(around[k], given[k]) for k in places]
+    if _volume([x.rad() for x in inside]) <= _volume(sizes) * abs(frame.det()).mid():
+        frame = arb_mat([[int(i == j) for j in range(count)] for i in range(count)])
+        straight = [x.mid() for x in inside]
+        sizes = [(x - x.mid()).abs_upper() for x in inside]
     rows = [
-        [listed[k][0], *(frame[i, j] * x for j, x in enumerate(sizes))]
-        for i, k in enumerate(places)
+        [middle, *(frame[i, j] * x for j, x in enumerate(sizes))]
+        for i, middle in enumerate(straight)
     ]
     one = [arb(1), *(arb(0),) * count]
     return affine_set(lift * arb_mat([*rows, one]), arb_mat(size + 2, 1))
+
+
+def lifted(box: Sequence[tuple[float, float]], facts: Invariants, size: int) -> AffineSet:
+    """The states whose free coordinates are in a box, at the time 0.
+
+    Parameters
+    ----------
+    box : sequence of (float, float)
+        Bounds of the coordinates that the facts leave free, in order.
+    facts : Invariants
+    size : int
+        How many states there are.
+
+    Returns
+    -------
+    AffineSet
+    """
+    from flint import arb, arb_mat
+
+    rows = []
+    for k, (low, high) in enumerate(box):
+        middle, half = (arb(high) + arb(low)) / 2, (arb(high) - arb(low)) / 2
+        rows.append([middle, *(half if j == k else arb(0) for j in range(len(box)))])
+    rows.append([arb(1), *(arb(0),) * len(box)])
+    return affine_set(_lift(facts, size, False) * arb_mat(rows), arb_mat(size + 2, 1))
+
+
+def united(
+    one: AffineSet, other: AffineSet, facts: Invariants, timed: bool, scales: Sequence[float]
+) -> AffineSet | None:
+    """A box about two sets for which the facts hold, if it is no larger than both together.
+
+    Parameters
+    ----------
+    one, other : AffineSet
+        As `fewer_sides` gives them.
+    facts : Invariants
+    timed : bool
+        Whether the time counts.
+    scales : sequence of float, length N
+        Of the states.
+
+    Returns
+    -------
+    AffineSet or None
+    """
+    from flint import arb, arb_mat
+
+    size = one.columns.nrows() - 2
+    places = [k for k in range(size) if k not in facts.pivots]
+    units = [scales[k] for k in places]
+    if timed:
+        places, units = [*places, size], [*units, 1.0]
+    if len(places) > _UNITED:
+        return None
+    boxes = [(a, b) for a, b in zip(hull(one).entries(), hull(other).entries(), strict=True)]
+    around = [boxes[k][0].union(boxes[k][1]) for k in places]
+    total = prod(float(x.rad()) + _POINT * u for x, u in zip(around, units, strict=True))
+    apart = 0.0
+    for k in (0, 1):
+        sizes = zip(places, units, strict=True)
+        apart += prod(float(boxes[j][k].rad()) + _POINT * u for j, u in sizes)
+    if total > apart:
+        return None
+    count = len(places)
+    rows = [
+        [x.mid(), *(x.rad() if j == i else arb(0) for j in range(count))]
+        for i, x in enumerate(around)
+    ]
+    rows.append([arb(1), *(arb(0),) * count])
+    return affine_set(_lift(facts, size, timed) * arb_mat(rows), arb_mat(size + 2, 1))
+
+
+def within(box: arb_mat, row: Sequence[Any]) -> arb_mat:
+    """A box about the states of a box for which a function is not positive.
+
+    Parameters
+    ----------
+    box : arb_mat (N + 2, 1)
+    row : Row, length N + 1
+        Exact.
+
+    Returns
+    -------
+    arb_mat (N + 2, 1)
+        The same box where there are none.
+    """
+    from flint import arb, arb_mat
+
+    found = box.entries()
+    terms = [arb(x) * y for x, y in zip(row[:-1], found, strict=False)]
+    least = sum((x.lower() for x in terms), arb(row[-1])).lower()
+    for k, x in enumerate(row[:-1]):
+        if x:
+            bound = (found[k].lower() if x > 0 else found[k].upper()) - least / arb(x)
+            other = found[k].lower() if x > 0 else found[k].upper()
+            if (bound < found[k].upper()) if x > 0 else (bound > found[k].lower()):
+                if (bound < other) if x > 0 else (bound > other):
+                    return box
+                found[k] = other.union(bound)
+    return arb_mat([[x] for x in found])
+
+
+def _common(one: arb, other: arb) -> arb:
+    """What two balls that meet have in common, or one of them."""
+    return one.intersection(other) if one.overlaps(other) else one
+
+
+def _volume(sizes: Sequence[arb]) -> arb:
+    from flint import arb
+
+    return prod((x.mid() for x in sizes), start=arb(1))
 
 
 def _frame(sides: list[list[float]]) -> arb_mat:
@@ -208,20 +332,25 @@ def _frame(sides: list[list[float]]) -> arb_mat:
 
     matrix = np.array(sides)
     spans = np.abs(matrix).sum(axis=1)
-    unit = np.diag(np.where(spans > 0, spans, 1.0))
-    scaled = np.linalg.solve(unit, matrix)
-    order = np.argsort(-np.abs(scaled).max(axis=0, initial=0.0), kind="stable")
-    least = min(_APART, 0.5 / np.sqrt(len(matrix)))  # some axis is always as far from the others
+    unit = np.where(spans > 0, spans, 1.0)
+    scaled = (matrix / unit[:, None]).T
+    lengths = np.sqrt((scaled * scaled).sum(axis=1))
+    order = np.argsort(-lengths, kind="stable")
+    least = min(_APART, 0.5 / len(matrix) ** 0.5)  # some axis is always as far from the others
     found: list[np.ndarray] = []
-    for column in [*scaled.T[order], *np.eye(len(matrix))]:
+    basis: list[np.ndarray] = []
+    for column in [*scaled[order], *np.eye(len(matrix))]:
         if len(found) == len(matrix):
             break
-        length = float(np.linalg.norm(column))
-        basis = np.linalg.qr(np.array(found).T)[0] if found else np.zeros((len(column), 0))
-        left = float(np.linalg.norm(column - basis @ (basis.T @ column)))
-        if left > least * length:
+        length = float(np.sqrt(column @ column))
+        left = column
+        for own in basis:
+            left = left - (own @ left) * own
+        apart = float(np.sqrt(left @ left))
+        if apart > least * length:
             found.append(column / length)
-    return arb_mat((unit @ np.array(found).T).tolist())
+            basis.append(left / apart)
+    return arb_mat((unit[:, None] * np.array(found).T).tolist())
 
 
 @lru_cache(maxsize=256)
