@@ -62,7 +62,7 @@ class Leaf(NamedTuple):
     passages: tuple[PassedTransition, ...]
 
 
-class _StatesOnTheWay(NamedTuple):
+class _StatesOnWay(NamedTuple):
     """States of one configuration.
 
     `under` are functions, by number, that are not positive; `clock` counts passages of the
@@ -154,7 +154,7 @@ class BranchingMap:
         """
         found: list[Leaf] = []
         inside = {shape.row for shape in self.system.structure.boundaries[configuration]}
-        left = [_StatesOnTheWay(start, configuration, facts, frozenset(inside), (), 0)]
+        left = [_StatesOnWay(start, configuration, facts, frozenset(inside), (), 0)]
         looked = 0
         while left:
             part = left.pop()
@@ -181,10 +181,10 @@ class BranchingMap:
         return found
 
     def _merged(
-        self, parts: Sequence[tuple[_StatesOnTheWay, bool]]
-    ) -> list[tuple[_StatesOnTheWay, bool]]:
+        self, parts: Sequence[tuple[_StatesOnWay, bool]]
+    ) -> list[tuple[_StatesOnWay, bool]]:
         """The same states in fewer sets: boxes about two that went one way and nearly fill it."""
-        found: list[tuple[_StatesOnTheWay, bool]] = []
+        found: list[tuple[_StatesOnWay, bool]] = []
         for part, forced in parts:
             for k, (other, also) in enumerate(found):
                 if also != forced or part[1:] != other[1:]:
@@ -205,7 +205,7 @@ class BranchingMap:
             for row, scale in zip(states.columns.tolist(), self.scales, strict=False)
         )
 
-    def _leaf(self, part: _StatesOnTheWay, forced: bool) -> Leaf | None:
+    def _leaf(self, part: _StatesOnWay, forced: bool) -> Leaf | None:
         """A leaf if the section is reached."""
         section, last = self.section, part.passages[-1] if part.passages else None
         if section.phase is not None:
@@ -223,7 +223,7 @@ class BranchingMap:
 
     # along a phase
 
-    def _ends(self, part: _StatesOnTheWay) -> Iterator[_End]:
+    def _ends(self, part: _StatesOnWay) -> Iterator[_End]:
         """The ways in which a phase may end."""
         here, states = part.configuration, part.states
         lasting = self._lasting(part.facts, here)
@@ -263,7 +263,7 @@ class BranchingMap:
         yield from self._march(part._replace(states=states), lasting, watched)
 
     def _functions(
-        self, part: _StatesOnTheWay, lasting: Invariants
+        self, part: _StatesOnWay, lasting: Invariants
     ) -> list[tuple[tuple[int, ...], Row]]:
         """Functions of the boundaries that are not constant, each with those that have it."""
         exact, here = self.system.exact, part.configuration
@@ -279,7 +279,7 @@ class BranchingMap:
             together.setdefault(tuple(x / size for x in reduced), ([], row))[0].append(b)
         return [(tuple(own), row) for own, row in together.values()]
 
-    def _start(self, part: _StatesOnTheWay, row: Row) -> tuple[Row, int]:
+    def _start(self, part: _StatesOnWay, row: Row) -> tuple[Row, int]:
         """The first derivative that is not exactly zero at the start, and its order; -1: none."""
         field = self.system.exact.fields[part.configuration]
         for order in range(len(row) + 1):
@@ -290,7 +290,7 @@ class BranchingMap:
         return row, -1
 
     def _march(
-        self, part: _StatesOnTheWay, lasting: Invariants, watched: Sequence[_Watched]
+        self, part: _StatesOnWay, lasting: Invariants, watched: Sequence[_Watched]
     ) -> Iterator[_End]:
         """Along the phase, window by window."""
         here, states = part.configuration, part.states
@@ -413,7 +413,7 @@ class BranchingMap:
     def _find_lasting(self, facts: Invariants, here: int) -> Invariants:
         return facts.lasting(self.system.exact.fields[here])
 
-    def _tick_row(self, part: _StatesOnTheWay) -> arb_mat:
+    def _tick_row(self, part: _StatesOnWay) -> arb_mat:
         """The time since the forcing has come back as often as it will, as a row."""
         from flint import arb
 
@@ -421,7 +421,7 @@ class BranchingMap:
         size = part.states.columns.nrows()
         return _row([*(arb(0),) * (size - 2), arb(1), -whole])
 
-    def _ticks(self, part: _StatesOnTheWay, states: AffineSet, window: tuple[float, int]) -> int:
+    def _ticks(self, part: _StatesOnWay, states: AffineSet, window: tuple[float, int]) -> int:
         """Whether the forcing comes back in a window: 0 no, 1 for some states, 2 by its end."""
         half, index = window
         (time,) = values_over(self._tick_row(part), states).entries()
@@ -431,7 +431,7 @@ class BranchingMap:
 
     def _pipe(
         self,
-        part: _StatesOnTheWay,
+        part: _StatesOnWay,
         lasting: Invariants,
         reached: Sequence[_Watched],
         ends: tuple[float, float],
@@ -531,7 +531,7 @@ class BranchingMap:
 
     # behind a boundary
 
-    def _behind(self, part: _StatesOnTheWay, end: _End) -> Iterator[_StatesOnTheWay]:
+    def _behind(self, part: _StatesOnWay, end: _End) -> Iterator[_StatesOnWay]:
         """The ways in which states go on behind what they reach."""
         here = part.configuration
         if end.boundaries == (_CLOCK,):
@@ -557,7 +557,7 @@ class BranchingMap:
             kept_rows = {r for r in under if self._kept_by(r, reset)}
             passage = PassedTransition(here, tuple(sorted(reached)), target)
             watched = {shape.row for shape in structure.boundaries[target]}
-            yield _StatesOnTheWay(
+            yield _StatesOnWay(
                 moved,
                 target,
                 facts,
@@ -637,7 +637,7 @@ class BranchingMap:
 
 
 def _passed_at_start(
-    part: _StatesOnTheWay,
+    part: _StatesOnWay,
     passed: Sequence[tuple[tuple[int, ...], arb_mat, bool]],
     touched: Sequence[tuple[tuple[int, ...], arb_mat, bool]],
 ) -> Iterator[_End]:
