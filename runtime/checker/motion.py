@@ -386,7 +386,8 @@ def _below(
     Where it may be reached without speed it is concave at the end.
     """
     length = orbit.dwell[place]
-    if not length > 0:  # it may vanish: at most so long
+    lasts = bool(length > 0)
+    if not lasts:  # it may vanish: at most so long
         length = range_of(length).upper()
     b = lower(orbit.chain.fields[place] * length)
     wide = range_of(b)
@@ -429,7 +430,7 @@ def _below(
                         rest.append(i)
                     continue
             if value > 0:
-                return 1
+                return 1 if lasts else None  # the phase may end before
             change = slope + curve * around
             top = value + least + slope * around + curve * arb(0).union(r * r / 2)
             rising = watched.ends_it or shape.ends or not last

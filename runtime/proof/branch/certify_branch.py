@@ -273,12 +273,15 @@ def _tile(curve: OrbitCurve, step: BranchStep, forwards: bool) -> BranchTile:
 
 
 def _event(curve: OrbitCurve, found: EventCrossing) -> BranchEvent:
+    from flint import arb
+
     which = found.which
     cycle = curve.region.cycle
     place = which.phase if isinstance(which, OpenInequality) else None
     with flint_precision(SHARP):
+        # what is exactly zero too is stated with a radius: another proof need not see that it is
         enclosures = {
-            name: Stated.around(x, STATED)
+            name: Stated.around(x + arb(0, arb(2) ** -STATED), STATED)
             for name, x in zip(curve.names, found.enclosures, strict=True)
         }
     return BranchEvent(
