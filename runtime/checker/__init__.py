@@ -20,8 +20,10 @@ functions. The table is in the order in which to read.
 `derivatives`  derivatives of an orbit by its parameters
 `points`       a certificate at one parameter point
 `tiles`        a map of tiles in a box of parameters
+`divided`      a tile that the curve of an event divides
 `events`       bifurcations and limits of admissibility
 `branch`       a branch: tiles that follow each other, and the events between them
+`doubling`     orbits of twice the period that begin at flips
 `census`       orbits that were counted
 `sets`         sets of states through the phases of a motion
 `chaos`        sets that cover each other, and the entropy of their graph
@@ -31,6 +33,7 @@ functions. The table is in the order in which to read.
 from nonsmooth.runtime.checker.branch import check_branch
 from nonsmooth.runtime.checker.census import check_census
 from nonsmooth.runtime.checker.chaos import check_chaos
+from nonsmooth.runtime.checker.doubling import check_cascade
 from nonsmooth.runtime.checker.events import check_events
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.checker.points import check
@@ -42,6 +45,7 @@ __all__ = [
     "Malformed",
     "check",
     "check_branch",
+    "check_cascade",
     "check_census",
     "check_chaos",
     "check_events",

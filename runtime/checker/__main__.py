@@ -6,6 +6,7 @@ import sys
 from nonsmooth.runtime.checker import (
     check,
     check_branch,
+    check_cascade,
     check_census,
     check_chaos,
     check_events,
@@ -14,7 +15,9 @@ from nonsmooth.runtime.checker import (
 
 with open(sys.argv[1], encoding="utf-8") as file:
     content = json.load(file)
-if "unknown_names" in content:
+if "doublings" in content:
+    check_cascade(content)
+elif "unknown_names" in content:
     check_branch(content)
 elif "tiles" in content:
     check_tiles(content)

@@ -16,15 +16,22 @@ from flint import arb, arb_mat, ctx
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
 from nonsmooth.runtime.checker.motion import Border, admissibility, time_of_touch
-from nonsmooth.runtime.checker.orbit import CheckedOrbit, trace_of
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import BRANCH, check_shape
 from nonsmooth.runtime.checker.short import Short, short_phase
-from nonsmooth.runtime.checker.stability import characteristic, paired, products_less_one, stability
+from nonsmooth.runtime.checker.stability import (
+    MULTIPLIERS,
+    characteristic,
+    demand_alone,
+    paired,
+    passing,
+    stability,
+)
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 
-__all__ = ["check_branch"]
+__all__ = ["CheckedCurve", "CheckedTile", "check_branch", "checked_tiles", "solution"]
 
 _BITS, _SHARP = 64, 192
 _ORDER = 5  # of the models: that of the polynomials
@@ -32,7 +39,6 @@ _STEPS = 8  # of Newton's method
 _DEEPEST = 5  # halvings of a tile whose claims take smaller ones
 _FINISHED, _VANISHED = "end of the interval", "a phase vanishes"
 _OPEN = "undecided"
-_MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
 
 
 def check_branch(content: dict[str, Any]) -> None:
@@ -52,10 +58,31 @@ def check_branch(content: dict[str, Any]) -> None:
     """
     check_shape(content, BRANCH)
     check_sum(content)
+    checked_tiles(content)
+
+
+def checked_tiles(content: dict[str, Any]) -> list["CheckedTile"]:
+    """Prove every claim of a branch whose entries have their shape.
+
+    Parameters
+    ----------
+    content : dict
+        Entries of a branch.
+
+    Returns
+    -------
+    list of CheckedTile
+        Its tiles, proved.
+
+    Raises
+    ------
+    Failure
+        If a claim is not proved.
+    """
     tiles = content["tiles"]
     _claimed(content)
     if not tiles:
-        return
+        return []
     demand(content["declaration"], "claims about no declaration")
     with ctx.workprec(_BITS):
         told = content["declaration"].get("constants", [])
@@ -65,8 +92,8 @@ def check_branch(content: dict[str, Any]) -> None:
         demand(declared.bound and declared.rational, "the declaration is not exact")
         demand(content["stability"] == declared.stability, "stability of another kind")
         demand(content["unknown_names"] == declared.unknowns, "other unknowns")
-        curve = _Curve(declared, declared.closes(), constants, content)
-        found = [_CheckedTile(curve, tile) for tile in tiles]
+        curve = CheckedCurve(declared, declared.closes(), constants, content)
+        found = [CheckedTile(curve, tile) for tile in tiles]
         for number, tile in enumerate(found, 1):
             try:
                 tile.check_sharply()
@@ -79,6 +106,7 @@ def check_branch(content: dict[str, Any]) -> None:
                 raise Failure(f"tiles {number} and {number + 1}: {failure}") from None
         _ends(found, content)
         independent(declared, constants, [tuple(map(exact, content["interval"]))])
+    return found
 
 
 def _claimed(content: dict[str, Any]) -> None:
@@ -99,7 +127,7 @@ def _claimed(content: dict[str, Any]) -> None:
         demand(same or tile["event"], "the verdict changes without an event")
 
 
-class _Curve:
+class CheckedCurve:
     """The equations of the orbits: their unknowns, and last the parameter, on one footing."""
 
     def __init__(
@@ -111,7 +139,7 @@ class _Curve:
         self.interval = tuple(map(exact, content["interval"]))
         self.short: Short | None = None
 
-    def divided(self, place: int | None) -> "_Curve":
+    def divided(self, place: int | None) -> "CheckedCurve":
         """The same orbits by equations with one phase's condition divided by its dwell time."""
         if place is None:
             return self
@@ -189,7 +217,7 @@ class _Curve:
         for k in range(1, order + 1):
             orbit = self._with(found[-1])
             missed = part_of(matrix([[v] for v in orbit.along(found[:-1])]), k)
-            step = _solution(square, y, -missed)
+            step = solution(square, y, -missed)
             others = _without(place, found)
             moved = [
                 Jet(x.space, tuple(d if i == k else part for i, part in enumerate(x.parts)))
@@ -199,10 +227,10 @@ class _Curve:
         return found
 
 
-class _CheckedTile:
+class CheckedTile:
     """One tile of a branch."""
 
-    def __init__(self, curve: _Curve, tile: dict[str, Any]) -> None:
+    def __init__(self, curve: CheckedCurve, tile: dict[str, Any]) -> None:
         self.curve, self.tile = curve.divided(tile["divided"]), tile
         self.place = curve.place(tile["coordinate"])
         self.low, self.high = exact(tile["lower"]), exact(tile["upper"])
@@ -360,13 +388,13 @@ def _verdict(orbit: CheckedOrbit) -> str:
 class _CheckedEvent:
     """The event of a tile."""
 
-    def __init__(self, tile: _CheckedTile) -> None:
+    def __init__(self, tile: CheckedTile) -> None:
         self.tile, self.curve, self.event = tile, tile.curve, tile.event
         own = [self.event[name] for name in ("kind", "phase", "boundary", "instant")]
         self.borders = [
             Border(kind, place - 1, boundary, instant)
             for kind, place, boundary, instant in (own, *self.event["also"])
-            if kind not in _MULTIPLIERS
+            if kind not in MULTIPLIERS
         ]
         self.below, self.above = tile.tile["before"], tile.tile["after"]
         if not tile.forwards:
@@ -379,14 +407,14 @@ class _CheckedEvent:
         demand(tile.low < self.low < self.high < tile.high, "its event is outside")
         window = [arb(exact(x)) for x in event["window"]]
         self.window = (window[0], window[1]) if len(window) == 2 else None
-        if event["kind"] in _MULTIPLIERS:
+        if event["kind"] in MULTIPLIERS:
             own = [event[name] for name in ("phase", "configuration", "boundary", "instant")]
             demand(own == [None, "", "", ""] and not event["also"] and not window, "a phase")
             tile.parts(self._no_other)
             self._verdicts()
             self._passes(event["kind"], None)
         else:
-            beside = [entry for entry in event["also"] if entry[0] in _MULTIPLIERS]
+            beside = [entry for entry in event["also"] if entry[0] in MULTIPLIERS]
             if beside:  # the branch turns where a phase vanishes, and no multiplier is 1
                 short = (
                     tile.curve.short is not None and tile.curve.short.place == event["phase"] - 1
@@ -420,17 +448,7 @@ class _CheckedEvent:
         demand(admissible == ("proved" if self._moves else "refuted"), "it may be no motion")
         if not self._moves:
             return
-        demand(orbit.declared.alone, "one-sided maps")
-        if orbit.declared.stability == "neutral":
-            demand(kind == "flip" and orbit.declared.size == 4, "more than one pair")
-            total = range_of(trace_of(orbit.section)) - 1  # m + 1/m of the pair
-            demand(total > 2 or total < 2, "the pair may meet at 1")
-            return
-        polynomial = characteristic(orbit.section)
-        for other in _MULTIPLIERS:
-            if other != kind and (other != "neimark-sacker" or len(polynomial) > 2):
-                value = range_of(_passing(polynomial, other))
-                demand(value > 0 or value < 0, f"there may be another event: {other}")
+        demand_alone(orbit, kind)
 
     def _verdicts(self) -> None:
         """Verdicts at both ends of the tile: on each side there is one."""
@@ -498,7 +516,7 @@ class _CheckedEvent:
         jets = curve.jets(place, point, 1) if order else point
         orbit = curve.orbit(jets)
         if border is None:
-            found = _passing(characteristic(orbit.section), which)
+            found = passing(characteristic(orbit.section), which)
         else:
             time = None
             if border.kind == "grazing":
@@ -507,17 +525,7 @@ class _CheckedEvent:
         return part_of(found, 0), part_of(found, 1) if order else None
 
 
-def _passing(polynomial: Sequence[Any], kind: str) -> Any:
-    """What is zero where multipliers are -1, or 1, or two have the product 1."""
-    if kind == "neimark-sacker":
-        return products_less_one(polynomial)
-    total: Any = arb(0)
-    for coefficient in polynomial:
-        total = total * _MULTIPLIERS[kind] + coefficient
-    return total
-
-
-def _joined(tile: _CheckedTile, other: _CheckedTile) -> None:
+def _joined(tile: CheckedTile, other: CheckedTile) -> None:
     """The end of one tile and the beginning of the next are one orbit, and lead the same way."""
     curve = tile.curve
     with ctx.workprec(_SHARP):
@@ -539,7 +547,7 @@ def _joined(tile: _CheckedTile, other: _CheckedTile) -> None:
         demand(slope > 0 if same else slope < 0, "they do not lead the same way")
 
 
-def _same_equations(tile: _CheckedTile, other: _CheckedTile) -> None:
+def _same_equations(tile: CheckedTile, other: CheckedTile) -> None:
     """Where two tiles divide other conditions none is divided by zero at their joint."""
     if tile.tile["divided"] == other.tile["divided"]:
         return
@@ -552,7 +560,7 @@ def _same_equations(tile: _CheckedTile, other: _CheckedTile) -> None:
                 demand(time > 0 or time < 0, f"{own.tile['coordinate']}: a phase vanishes there")
 
 
-def _enters(tile: _CheckedTile, other: _CheckedTile, point: Sequence[Any]) -> None:
+def _enters(tile: CheckedTile, other: CheckedTile, point: Sequence[Any]) -> None:
     """The end of a tile lies in the next one, and in front of its event."""
     value = point[other.place]
     demand(value > other.low and value < other.high, "they are apart")
@@ -562,7 +570,7 @@ def _enters(tile: _CheckedTile, other: _CheckedTile, point: Sequence[Any]) -> No
         demand(value < bounds[0] if other.forwards else value > bounds[1], "an event is left out")
 
 
-def _leaves(tile: _CheckedTile, other: _CheckedTile, point: Sequence[Any]) -> None:
+def _leaves(tile: CheckedTile, other: CheckedTile, point: Sequence[Any]) -> None:
     """The beginning of a tile lies in the one before it, and behind its event."""
     value = point[tile.place]
     demand(value > tile.low and value < tile.high, "they are apart")
@@ -572,7 +580,7 @@ def _leaves(tile: _CheckedTile, other: _CheckedTile, point: Sequence[Any]) -> No
         demand(value > bounds[1] if tile.forwards else value < bounds[0], "an event is left out")
 
 
-def _ends(tiles: Sequence[_CheckedTile], content: dict[str, Any]) -> None:
+def _ends(tiles: Sequence[CheckedTile], content: dict[str, Any]) -> None:
     """Where it is said to reach an end of the interval it does."""
     curve = tiles[0].curve
     reached = (tiles[0].begin, tiles[0].place), (tiles[-1].end, tiles[-1].place)
@@ -587,8 +595,27 @@ def _ends(tiles: Sequence[_CheckedTile], content: dict[str, Any]) -> None:
             demand(there, "it does not reach the end of the interval")
 
 
-def _solution(square: Any, y: Any, right: Any) -> list[Any]:
-    """Enclosures of the solution of a linear system, from about the inverse."""
+def solution(square: Any, y: Any, right: Any) -> list[Any]:
+    """Enclosures of the solution of a linear system, from about the inverse.
+
+    Parameters
+    ----------
+    square : matrix (n, n)
+        Of balls or Taylor models.
+    y : matrix (n, n)
+        About its inverse, exact.
+    right : matrix (n, 1)
+
+    Returns
+    -------
+    list of arb or TaylorModel
+        They hold for all values of the variables.
+
+    Raises
+    ------
+    Failure
+        If the matrix may be singular.
+    """
     size = square.nrows()
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
     guess = (y * right).mid()

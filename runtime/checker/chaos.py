@@ -8,10 +8,12 @@ are shown to take them.
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
 
 from flint import arb, arb_mat, ctx, fmpq, fmpq_mat
 
+from nonsmooth.runtime.checker.cones import check_cones
 from nonsmooth.runtime.checker.exact import (
     Elimination,
     Failure,
@@ -59,6 +61,7 @@ def check_chaos(content: dict[str, Any]) -> None:
         more = ("coverings", "itineraries", "declaration", "iterates")
         demand(not any(content[name] for name in (*told, *more)), "numbers of no claim")
         demand(content["growth"] == content["entropy"] == "0", "an entropy of no claim")
+        demand(content.get("cones") is None, "cones of no claim")
         return
     demand(not content["reason"], "a reason why it is not proved")
     with ctx.workprec(_BITS):
@@ -67,6 +70,10 @@ def check_chaos(content: dict[str, Any]) -> None:
         for name in motions.sets:
             _check_coverings(motions, name)
         _check_entropy(content)
+        if content.get("cones") is not None:
+            size = len(motions.free)
+            own = partial(_MappedSet, motions)
+            check_cones(content["cones"], motions.targets, own, size, motions.iterates)
 
 
 class _Set(NamedTuple):
@@ -80,6 +87,13 @@ class _Set(NamedTuple):
         """Balls around the coordinates in it of a set of (coordinates, 1)."""
         found: list[Any] = image.through(self.inward).hull.entries()
         return found
+
+    def lengths(self, box: Box) -> list[float]:
+        """How long the sides of a part are, about."""
+        return [
+            float(b - a) / 2 * sum(abs(float(x.p) / float(x.q)) for x in own)
+            for (a, b), own in zip(box, self.sides, strict=True)
+        ]
 
 
 class _Motions:
@@ -199,8 +213,8 @@ class _Motions:
             inward = [[*own, *last] for own, last in zip(inverse.tolist(), shift, strict=True)]
             yield entry["name"], _Set(centre, rows, arb_mat(fmpq_mat(inward)))
 
-    def part(self, name: str, box: Box) -> StateSet:
-        """States of a part of a set, the time 0 and 1."""
+    def part(self, name: str, box: Box, sloped: bool) -> StateSet:
+        """States of a part of a set, the time 0 and 1; also along which sides of the set."""
         own, d = self.sets[name], len(self.free)
         middles = [(a + b) / 2 for a, b in box]
         points = [
@@ -208,31 +222,44 @@ class _Motions:
             + [(b - a) / 2 * side[k] for (a, b), side in zip(box, own.sides, strict=True)]
             for k, x in enumerate(own.centre)
         ]
+        states = self._lifted([[*row] for row in zip(*points, strict=True)])
+        none = arb_mat(self.size + 2, 1)
+        centre, sides = ([row[:1] for row in states], [row[1:] for row in states])
+        tangents = []
+        for side in own.sides if sloped else ():
+            along = self._lifted([[fmpq(0)] * d, side])  # what it changes by from nothing
+            change = [[row[1]] for row in along]
+            tangents.append(StateSet.of(arb_mat(change), arb_mat(self.size + 2, 0), none))
+        return StateSet.of(arb_mat(centre), arb_mat(sides), none, tuple(tangents))
+
+    def _lifted(self, columns: list[list[Any]]) -> list[list[Any]]:
+        """States, the time 0 and 1 of coordinates, and of what these change by."""
         given = {next(k for k, x in enumerate(row) if x): row for row in self.facts}
         rows = []
         for k in range(self.size):
-            if k in given:
-                shares = [-given[k][j] for j in self.free]
-                last = [-given[k][-1], *(fmpq(0) for _ in range(d))]
-                rows.append([
-                    sum((s * points[i][j] for i, s in enumerate(shares)), last[j])
-                    for j in range(d + 1)
-                ])  # fmt: skip
-            else:
-                rows.append(points[self.free.index(k)])
-        rows += [[fmpq(0)] * (d + 1), [fmpq(1), *(fmpq(0) for _ in range(d))]]
-        whole = arb_mat(fmpq_mat(rows)).tolist()
-        centre, sides = arb_mat([row[:1] for row in whole]), arb_mat([row[1:] for row in whole])
-        return StateSet.of(centre, sides, arb_mat(self.size + 2, 1))
+            row = []
+            for place, column in enumerate(columns):
+                if k in given:
+                    shares = zip((-given[k][j] for j in self.free), column, strict=True)
+                    last = -given[k][-1] if place == 0 else fmpq(0)
+                    row.append(sum((x * y for x, y in shares), last))
+                else:
+                    row.append(column[self.free.index(k)])
+            rows.append(row)
+        rows.append([fmpq(0) for _ in columns])
+        rows.append([fmpq(int(place == 0)) for place in range(len(columns))])
+        found: list[list[Any]] = arb_mat(fmpq_mat(rows)).tolist()
+        return found
 
-    def image(self, name: str, box: Box) -> StateSet:
+    def image(self, name: str, box: Box, sloped: bool = False) -> StateSet:
         """Coordinates and 1 of the image of a part of a set; TooWide if it is not shown."""
-        here, facts, states = self.here, self.facts, self.part(name, box)
+        here, facts, states = self.here, self.facts, self.part(name, box, sloped)
         passed = 0
         for source, boundary, target in self.ways[name]:
             demand(source == here, "a way does not lead from configuration to configuration")
             demand((source, boundary) in self.transitions, "no such transition")
             phase = self.phases[source]
+            demand(boundary in phase.rows, f"{source} has no boundary {boundary}")
             row = phase.timed(phase.rows[boundary])
             about = phase.guess(states.centre, row, float("inf"))
             if about is None:
@@ -257,8 +284,13 @@ class _Motions:
             demand(back, "a way does not lead back to the section")
         demand(here == self.here, "a way does not lead back to the section")
         demand(all(not any(reduced(row, facts)) for row in self.facts), "off the section")
+        return self._coordinates(states)
+
+    def _coordinates(self, states: StateSet) -> StateSet:
         places = [*self.free, self.size + 1]
-        return StateSet(*(arb_mat([part.tolist()[k] for k in places]) for part in states))
+        parts = (states.centre, states.sides, states.box)
+        centre, sides, box = (arb_mat([part.tolist()[k] for k in places]) for part in parts)
+        return StateSet(centre, sides, box, tuple(map(self._coordinates, states.tangents)))
 
     def _to_phase(self, here: str, facts: Any, states: StateSet) -> tuple[StateSet, Any]:
         """On to where the forcing comes back, with no boundary on the way."""
@@ -313,6 +345,22 @@ class _Motions:
                 demand(leads == target, "another transition follows than the file states")
                 return reset, matrix
         raise Failure("no transition follows")
+
+
+class _MappedSet:
+    """One set whose parts are mapped, with derivatives."""
+
+    def __init__(self, motions: _Motions, name: str) -> None:
+        self.motions, self.name = motions, name
+
+    def image(self, box: Box) -> StateSet:
+        return self.motions.image(self.name, box, sloped=True)
+
+    def seen(self, target: str, image: StateSet) -> StateSet:
+        return image.through(self.motions.sets[target].inward)
+
+    def lengths(self, box: Box) -> list[float]:
+        return self.motions.sets[self.name].lengths(box)
 
 
 def _check_apart(sets: dict[str, _Set]) -> None:
@@ -371,10 +419,7 @@ def _images(
         lengths = [b - a for a, b in box]
         wide = max(lengths)
         demand(wide > _FINEST, f"what {name} covers is not proved")
-        weights = [
-            float(length) * sum(abs(float(x.p) / float(x.q)) for x in own)
-            for length, own in zip(lengths, motions.sets[name].sides, strict=True)
-        ]
+        weights = motions.sets[name].lengths(box)
         if image is not None:
             moved = image.sides.tolist()
             weights = [sum(abs(float(row[k].mid())) for row in moved) for k in range(len(box))]

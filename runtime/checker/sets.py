@@ -52,19 +52,24 @@ def matrix_of(rows: Sequence[Sequence[Any]], runs: bool) -> Any:
 
 
 class StateSet(NamedTuple):
-    """Centre (n, 1), sides (n, m), and the box (n, 1) of roundings around zero."""
+    """Centre (n, 1), sides (n, m), and the box (n, 1) of roundings around zero.
+
+    Derivatives of the map that led here, in some directions at all of its states, may follow.
+    """
 
     centre: Any
     sides: Any
     box: Any
+    tangents: "tuple[StateSet, ...]" = ()
 
     @staticmethod
-    def of(centre: Any, sides: Any, box: Any) -> "StateSet":
+    def of(centre: Any, sides: Any, box: Any, tangents: "tuple[StateSet, ...]" = ()) -> "StateSet":
         """The set of matrices whose entries need not be exact.
 
         Parameters
         ----------
         centre, sides, box : arb_mat
+        tangents : tuple of StateSet, optional
 
         Returns
         -------
@@ -73,7 +78,8 @@ class StateSet(NamedTuple):
         """
         exact, straight = centre.mid(), sides.mid()
         ones = arb_mat(sides.ncols(), 1, [arb(0, 1)] * sides.ncols())
-        return StateSet(exact, straight, box + (centre - exact) + (sides - straight) * ones)
+        unsure = box + (centre - exact) + (sides - straight) * ones
+        return StateSet(exact, straight, unsure, tangents)
 
     @property
     def hull(self) -> Any:
@@ -92,7 +98,35 @@ class StateSet(NamedTuple):
         -------
         StateSet
         """
-        return StateSet.of(matrix * self.centre, matrix * self.sides, matrix * self.box)
+        tangents = tuple(own.through(matrix) for own in self.tangents)
+        moved = matrix * self.centre, matrix * self.sides, matrix * self.box
+        return StateSet.of(*moved, tangents)
+
+    def bent(self, matrix: Any, centre: Any, varies: Any) -> "StateSet":
+        """Its image under a map that is near a linear one.
+
+        Parameters
+        ----------
+        matrix : arb_mat
+            Balls, of which the middle moves the sides.
+        centre : arb_mat (n, 1)
+            The image of the centre.
+        varies : arb_mat (n, 1)
+            What the radii of the matrix act on.
+
+        Returns
+        -------
+        StateSet
+            Without tangents.
+        """
+        straight = matrix.mid()
+        sizes = [x.abs_upper() for x in ((matrix - straight) * varies).entries()]
+        wide = [k for k, x in enumerate(sizes) if x > 0]
+        columns = [
+            [*own, *(arb(sizes[k]) if i == k else arb(0) for k in wide)]
+            for i, own in enumerate((straight * self.sides).tolist())
+        ]
+        return StateSet.of(centre, arb_mat(columns), straight * self.box)
 
 
 class CarryingPhase:
@@ -282,7 +316,8 @@ class CarryingPhase:
         size = (level / rate).abs_upper() * arb(_WIDER) + arb(_LEAST)
         late = arb(0, size.upper())
         shift = self.flow(late)
-        rates = self.matrix * (shift * hull)
+        there = shift * hull
+        rates = self.matrix * there
         slope = (row * rates)[0, 0]
         before, after = time - size.upper(), time + size.upper()
         if not slope > 0 or not before > 0:
@@ -290,20 +325,18 @@ class CarryingPhase:
         first, last = (states.through(row * self.flow(t)).hull[0, 0] for t in (before, after))
         if not (first < 0 and last > 0):
             raise TooWide
-        # by the mean value theorem, with what the time of arrival changes by
-        change = shift - rates * (row * shift) / slope
-        straight = change.mid()
-        spread = moved.hull - moved.centre
-        bent = (change - straight) * spread
+        # by the mean value theorem, with what the time of arrival changes by; then once more,
+        # for the rates at which the states that arrive are known to move
         centre = self._centre(moved.centre, row, late)
-        sides = straight * moved.sides
-        size_of = [x.abs_upper() for x in bent.entries()]
-        wide = [k for k, x in enumerate(size_of) if x > 0]
-        columns = [
-            [*own, *(arb(size_of[k]) if i == k else arb(0) for k in wide)]
-            for i, own in enumerate(sides.tolist())
-        ]
-        return StateSet.of(centre, arb_mat(columns), straight * moved.box), before, after
+        for _ in range(2):
+            change = shift - rates * (row * shift) / (row * rates)[0, 0]
+            found = moved.bent(change, centre, hull - moved.centre)
+            both = zip(there.entries(), found.hull.entries(), strict=True)
+            rates = self.matrix * arb_mat([[x.intersection(y)] for x, y in both])
+        tangents = tuple(
+            own.bent(change, change.mid() * own.centre, own.hull) for own in moved.tangents
+        )
+        return found._replace(tangents=tangents), before, after
 
     def _centre(self, centre: Any, row: Any, late: Any) -> Any:
         """Where one state is when the function is zero, somewhere in a ball of times."""

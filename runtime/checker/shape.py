@@ -12,6 +12,7 @@ from nonsmooth.runtime.checker.exact import NUMBER, Failure
 
 __all__ = [
     "BRANCH",
+    "CASCADE",
     "CENSUS",
     "CERTIFICATE",
     "CHAOS",
@@ -159,12 +160,19 @@ CERTIFICATE = {
     "directions": Maybe(Named(Named(NUMBER))),
     "no_derivatives": Maybe(Named(str)),
 }
+_SIDE = re.compile("proved|unstable|not admissible")
 MAP = {
     **_FILE,
     **_STATEMENT,
     **_JUDGED,
     "box": Named((NUMBER, NUMBER)),
-    "shares": {"proved": float, "unstable": float, "not admissible": float, "undecided": float},
+    "shares": {
+        "proved": float,
+        "unstable": float,
+        "not admissible": float,
+        "divided": float,
+        "undecided": float,
+    },
     "tiles": [
         {
             "place": [(int, int)],
@@ -173,6 +181,25 @@ MAP = {
             "enclosures": _BALLS,
             "guess": [float],
             "looked_at": bool,
+            "event": Either(
+                (
+                    type(None),
+                    {
+                        "kind": str,
+                        "phase": Either((int, type(None))),
+                        "configuration": str,
+                        "boundary": str,
+                        "instant": str,
+                        "window": [NUMBER],
+                        "also": [(str, int, str, str)],
+                        "across": str,
+                        "centre": [float],
+                        "radius": float,
+                        "below": _SIDE,
+                        "above": _SIDE,
+                    },
+                )
+            ),
         }
     ],
 }
@@ -239,6 +266,26 @@ BRANCH = {
         }
     ],
 }
+CASCADE = {
+    **_FILE,
+    "claims": {"doublings": re.compile("proved|undecided")},
+    "asked": int,
+    "end": str,
+    "doublings": [
+        {
+            "tile": int,
+            "scaled": str,
+            "amplitude": NUMBER,
+            "side": re.compile("above|below"),
+            "verdict": re.compile("stable|unstable|undecided"),
+            "reason": str,
+            "rate": _BALL,
+            "centre": [[float]],
+            "radii": [float],
+        }
+    ],
+    "branches": [{name: shape for name, shape in BRANCH.items() if name not in _FILE}],
+}
 CHAOS = {
     **_FILE,
     "system": str,
@@ -255,8 +302,22 @@ CHAOS = {
     "h_sets": [{"name": str, "centre": [NUMBER], "sides": [[NUMBER]]}],
     "coverings": [(str, str)],
     "itineraries": Named([(str, str, str)]),
-    "growth": re.compile(r"\d+(/[1-9]\d*)?", re.ASCII),
+    "growth": re.compile(r"\d{1,4000}(/[1-9]\d{0,3999})?", re.ASCII),
     "entropy": NUMBER,
+    "cones": Maybe(
+        Either(
+            (
+                type(None),
+                {
+                    "forms": Named([NUMBER]),
+                    "strips": [(str, str, [(NUMBER, NUMBER)])],
+                    "expansion": NUMBER,
+                    "contraction": NUMBER,
+                    "exponent": NUMBER,
+                },
+            )
+        )
+    ),
     "tried": [str],
     "bits": int,
     "declaration": Either(({}, _DECLARATION, {**_DECLARATION, **_CONSTANTS[1]})),

@@ -10,7 +10,18 @@ from nonsmooth.runtime.checker.exact import demand
 from nonsmooth.runtime.checker.orbit import CheckedOrbit, trace_of
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
 
-__all__ = ["characteristic", "has_multipliers", "paired", "products_less_one", "stability"]
+__all__ = [
+    "MULTIPLIERS",
+    "characteristic",
+    "demand_alone",
+    "has_multipliers",
+    "paired",
+    "passing",
+    "products_less_one",
+    "stability",
+]
+
+MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
 
 
 def has_multipliers(orbit: CheckedOrbit, stated: Sequence[tuple[Any, Any]]) -> bool:
@@ -196,3 +207,52 @@ def paired(polynomial: Sequence[Any]) -> bool:
             if first.imag.contains(0) or len(like) != 1 or like[0] is not second:
                 return False
     return True
+
+
+def passing(polynomial: Sequence[Any], kind: str) -> Any:
+    """What is zero where multipliers are -1, or 1, or two have the product 1.
+
+    Parameters
+    ----------
+    polynomial : sequence of arb, TaylorModel or Jet
+        Coefficients of the characteristic polynomial from the highest power on.
+    kind : {"flip", "fold", "neimark-sacker"}
+
+    Returns
+    -------
+    arb, TaylorModel or Jet
+    """
+    if kind == "neimark-sacker":
+        return products_less_one(polynomial)
+    total: Any = arb(0)
+    for coefficient in polynomial:
+        total = total * MULTIPLIERS[kind] + coefficient
+    return total
+
+
+def demand_alone(orbit: CheckedOrbit, kind: str) -> None:
+    """All other ways past the unit circle are closed.
+
+    Parameters
+    ----------
+    orbit : CheckedOrbit
+        The orbit, located.
+    kind : {"flip", "fold", "neimark-sacker"}
+        The way that may be open.
+
+    Raises
+    ------
+    Failure
+        If another one may be.
+    """
+    demand(orbit.declared.alone, "one-sided maps")
+    if orbit.declared.stability == "neutral":
+        demand(kind == "flip" and orbit.declared.size == 4, "more than one pair")
+        total = range_of(trace_of(orbit.section)) - 1  # m + 1/m of the pair
+        demand(total > 2 or total < 2, "the pair may meet at 1")
+        return
+    polynomial = characteristic(orbit.section)
+    for other in MULTIPLIERS:
+        if other != kind and (other != "neimark-sacker" or len(polynomial) > 2):
+            value = range_of(passing(polynomial, other))
+            demand(value > 0 or value < 0, f"there may be another event: {other}")

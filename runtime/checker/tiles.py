@@ -10,6 +10,7 @@ from typing import Any
 from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.declared import StatedSystem
+from nonsmooth.runtime.checker.divided import Division
 from nonsmooth.runtime.checker.exact import (
     Failure,
     agreed_claims,
@@ -29,6 +30,7 @@ __all__ = ["check_tiles"]
 
 _BITS = 64
 _ORDERS = {1: 5, 2: 3}  # of the models, by the number of parameters; 2 for more
+_SHARP, _PLANE = 6, 2  # order where a curve divides a tile, or the low one tells too little
 _DEEPEST = 4  # halvings of a tile whose claims take smaller ones
 _NEAR = 0.0625  # how far from the stated numbers the orbit may be in the middle of a tile
 _SMALLEST = 60  # halvings of the box along an axis
@@ -79,13 +81,19 @@ def check_tiles(content: dict[str, Any]) -> None:
         demand(declared.bound and declared.rational, "the declaration is not exact")
         demand(content["stability"] == declared.stability, "stability of another kind")
         energies = declared.closes()
+        seen: list[_Tile] = []
         for tile, place in zip(tiles, places, strict=True):
             where = [_interval(*step, *ends) for step, ends in zip(place, box, strict=True)]
+            checked = _Tile(declared, energies, constants, tile, [*content["box"]])
             try:
-                _Tile(declared, energies, constants, tile).check(where)
+                checked.check(where)
+                for other in seen if len(box) == _PLANE else ():
+                    checked.meets(other)
             except Failure as failure:
                 shown = ", ".join(f"{float(low):.6g}:{float(high):.6g}" for low, high in where)
                 raise Failure(f"in the tile {shown}: {failure}") from None
+            if _verdict(tile) != "undecided":
+                seen.append(checked)
         independent(declared, constants, box)
 
 
@@ -93,28 +101,89 @@ class _Tile:
     """What is claimed for a tile."""
 
     def __init__(
-        self, declared: StatedSystem, energies: Any, constants: Any, tile: dict[str, Any]
-    ) -> None:
+        self, declared: StatedSystem, energies: Any, constants: Any, tile: dict[str, Any],
+        names: list[str],
+    ) -> None:  # fmt: skip
         self.declared, self.energies, self.constants = declared, energies, constants
         self.tile = tile
         self.claims = agreed_claims(tile["claims"], tile["reasons"])
+        event = tile["event"]
+        self.division = None if event is None else Division(event, self.claims, names)
+        self.where: Sequence[Interval] = ()
 
     def check(self, where: Sequence[Interval]) -> None:
         """Prove it, on smaller tiles if need be."""
+        self.where = where
         if self.claims[0] == "undecided":
             demand(not self.tile["enclosures"], "enclosures of no orbit")
             return
         demand(self.claims[0] == "proved", "existence is not refuted")
+        low = _ORDERS.get(len(where), 2)
+        orders = [low] if len(where) != _PLANE else [_SHARP] if self.division else [low, _SHARP]
+        for order in orders:
+            try:
+                self.space = space_of(len(where), order)
+                self._all(where)
+                return
+            except Failure as failure:
+                if order == orders[-1] or isinstance(failure, _Contradicted):
+                    raise
+
+    def _all(self, where: Sequence[Interval]) -> None:
+        """Prove it in Taylor models of one order."""
         guess = [arb(float(x)) for x in self.tile["guess"]]
         whole = self._orbit(where, guess)
         found = [_at(x, [arb(0)] * len(where)) for x in whole.root]
         near = all(abs(x - g) < _NEAR * (1 + abs(g)) for x, g in zip(found, guess, strict=True))
         demand(near, "the orbit is not near the numbers that are stated")
+        self.centre, self.radii, self.root = whole.centre, whole.radii, whole.root
+        if self.division is not None:
+            self.division.phases(whole)
         self._judge(whole, whole, where, [(fmpq(-1), fmpq(1))] * len(where), 0)
+        if self.division is not None:
+            self.division.verdicts(self._orbit_at)
+
+    def _orbit_at(self, point: Sequence[Any]) -> CheckedOrbit:
+        """The tile's orbit at a point, from -1 to 1 over it."""
+        values = [
+            arb((low + high) / 2) + x * arb((high - low) / 2)
+            for x, (low, high) in zip(point, self.where, strict=True)
+        ]
+        orbit = CheckedOrbit(self.declared, number_at([*values, *self.constants]))
+        near = [_at(x, point) for x in self.centre]
+        cuts = (middle_of,) * _NEWTON
+        centre, inverse = orbit.follow([x.mid() for x in near], cuts, lambda x: x.mid())
+        unique, _ = orbit.locate(centre, inverse=inverse)
+        demand(unique, "existence at a point is not proved: Krawczyk's test fails")
+        demand(self._holds(point, orbit.root), "another orbit is found at a point of it")
+        return orbit
+
+    def _holds(self, point: Sequence[Any], found: Sequence[Any]) -> bool:
+        """Whether an orbit at a point is the tile's."""
+        sides = zip(found, self.centre, self.radii, strict=True)
+        return all(abs(x - _at(c, point)) < r for x, c, r in sides)
+
+    def meets(self, other: "_Tile") -> None:
+        """Where tiles with verdicts have an edge in common their orbits are the same."""
+        pairs = zip(self.where, other.where, strict=True)
+        both = [(max(a[0], b[0]), min(a[1], b[1])) for a, b in pairs]
+        if _verdict(self.tile) == "undecided" or any(low > high for low, high in both):
+            return
+        if all(low == high for low, high in both):
+            return  # a corner
+        middle = [(low + high) / 2 for low, high in both]
+        own, its = (
+            [arb((2 * x - low - high) / (high - low)) for x, (low, high) in
+             zip(middle, tile.where, strict=True)]
+            for tile in (self, other)
+        )  # fmt: skip
+        if not self._holds(own, [_at(x, its) for x in other.root]):
+            found = self._orbit_at(own)
+            demand(other._holds(its, found.root), "its orbit is not that of a tile beside it")
 
     def _orbit(self, where: Sequence[Interval], guess: Sequence[Any]) -> CheckedOrbit:
         """The orbit for all parameters of a tile, from numbers near it in the middle."""
-        space = space_of(len(where), _ORDERS.get(len(where), 2))
+        space = self.space
         orbit = CheckedOrbit(self.declared, _numbers(where, self.constants, space))
         demand(len(guess) == orbit.count, "the guess is of another size")
         cuts = [*(middle_of,) * _NEWTON, *(_cut(space_of(len(where), k)) for k in (1, 2))]
@@ -135,6 +204,9 @@ class _Tile:
         """Prove enclosures and claims of an orbit on a part of the tile; the whole is 2 wide."""
         try:
             self._claims(orbit)
+            if self.division is not None:
+                values = _values(where, orbit.root[0].space)
+                self.division.prove(orbit, self.energies, values, self.constants, part)
             return
         except Failure as failure:
             if depth == _DEEPEST or isinstance(failure, _Contradicted):
@@ -180,11 +252,24 @@ def _agree(proved: bool, refuted: bool, otherwise: str) -> None:
 
 def _numbers(where: Sequence[Interval], constants: Any, space: Space) -> Callable[[Any], Any]:
     """Exact entries for all parameters of a tile."""
-    values: list[Any] = [
+    return number_at([*_values(where, space), *constants])
+
+
+def _values(where: Sequence[Interval], space: Space) -> list[Any]:
+    """All parameters of a tile."""
+    return [
         space.variable(axis, arb((low + high) / 2), arb((high - low) / 2))
         for axis, (low, high) in enumerate(where)
     ]
-    return number_at([*values, *constants])
+
+
+def _verdict(tile: dict[str, Any]) -> str:
+    """What the claims of a tile come to, and its event."""
+    _, admissible, stable = agreed_claims(tile["claims"], tile["reasons"])
+    if tile["event"] is not None:
+        return "divided"
+    verdict = {"proved": "proved", "refuted": "unstable"}.get(stable, "undecided")
+    return {"proved": verdict, "refuted": "not admissible"}.get(admissible, "undecided")
 
 
 def _cut(space: Space) -> Callable[[Any], Any]:
@@ -223,10 +308,7 @@ def _total(content: dict[str, Any]) -> None:
     """What is said of the whole box follows from the tiles."""
     tiles, shares = content["tiles"], dict.fromkeys(content["shares"], fmpq(0))
     for tile in tiles:
-        _, admissible, stable = agreed_claims(tile["claims"], tile["reasons"])
-        verdict = {"proved": "proved", "refuted": "unstable"}.get(stable, "undecided")
-        verdict = {"proved": verdict, "refuted": "not admissible"}.get(admissible, "undecided")
-        shares[verdict] += fmpq(1, 2 ** sum(level for _, level in tile["place"]))
+        shares[_verdict(tile)] += fmpq(1, 2 ** sum(level for _, level in tile["place"]))
     told = {name: int(share.p) / int(share.q) for name, share in shares.items()}
     demand(content["shares"] == told, "the shares are not those of the tiles")
     for name, verdict in content["claims"].items():

@@ -22,6 +22,7 @@
 `display_checks`        checks of certificates for people
 `display_fits`          fits for people
 `display_motions`       motions and found orbits for people
+`display_regions`       regions and curves of a map of two parameters
 `doctor`                `doctor`
 `fitting`               `fit`
 `generating`            `generate`

@@ -22,6 +22,7 @@ from nonsmooth.runtime.cli.application import (
 )
 from nonsmooth.runtime.cli.certifying_boxes import certify_over, is_box
 from nonsmooth.runtime.cli.certifying_branches import certify_whole_branch
+from nonsmooth.runtime.cli.certifying_cascades import certify_flips
 from nonsmooth.runtime.cli.certifying_events import certify_events
 from nonsmooth.runtime.cli.counting import Every, count_orbits
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new, say
@@ -56,6 +57,8 @@ class Proven(StrEnum):
     "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --events --digits 50 --save events.json\n\n"
     "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --branch --save branch.json"
     " --plot branch.png\n\n"
+    "nonsmooth certify dry-friction/symmetric V=1:1.2 --doublings 1 --save cascade.json"
+    " --plot cascade.png\n\n"
     "nonsmooth certify --check certificate.json"
 )
 @answering
@@ -135,6 +138,15 @@ def certify(
             help="Prove all of the branch over one range, V=0.6:1.3: every interval and event.",
         ),
     ] = False,
+    doublings: Annotated[
+        int | None,
+        typer.Option(
+            "--doublings",
+            metavar="N",
+            help="Prove the orbits of twice the period beside the first flip over one range,"
+            " V=1:1.2, their side and stability; then beside the flip of these: N times.",
+        ),
+    ] = None,
     yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
@@ -142,21 +154,27 @@ def certify(
 
     Ranges of parameters, V=0.99:1.01, span a box: all of it is proved for each of its points.
 
+    Of two parameters regions, curves of events between them, and what is left open are told.
+
     The exit code is then 1 while more than 1 % of the box is undecided.
 
     With --all ranges are of dwell times, and orbits are counted; with --events: what happens;
-    with --branch: that nothing else happens.
+    with --branch: that nothing else happens; with --doublings: what is beyond a flip.
     """
     if check is not None:
-        options = (parameters, guess, digits, bits, save, resume, plot, tiles, derivatives)
+        options = (
+            parameters, guess, digits, bits, save, resume, plot, tiles, derivatives, doublings,
+        )  # fmt: skip
         chosen = (every, events, branch, overwrite, yes)
         if any(chosen) or any(option is not None and option != [] for option in options):
             raise InputError("--check takes a file, and perhaps its orbit, and nothing else")
         return _check(check, orbit, require, as_json=as_json)
     if orbit is None:
         raise InputError("an orbit is missing, or --check FILE")
-    if every + events + branch > 1:
-        raise InputError("--all, --events and --branch are questions of their own: ask one of them")
+    if every + events + branch + (doublings is not None) > 1:
+        raise InputError(
+            "--all, --events, --branch and --doublings are questions of their own: ask one of them"
+        )
     if derivatives and (every or events or branch or is_box(parameters)):
         raise InputError("--derivatives are for one orbit, at one point")
     near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
@@ -167,6 +185,16 @@ def certify(
         check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
         told, code = certify_whole_branch(
             orbit, parameters or [], near, looked_at, resume, save, plot,
+            overwrite=overwrite, as_json=as_json,
+        )  # fmt: skip
+        return code if code == INTERRUPTED else _judged(told, require, code)
+    if doublings is not None:
+        if digits is not None or bits is not None:
+            raise InputError("--digits and --bits are not for --doublings")
+        looked_at = _BRANCH_TILES if tiles is None else tiles
+        check_hours(f"{doublings} doublings", doublings * looked_at * SECONDS["tile"], yes=yes)
+        told, code = certify_flips(
+            orbit, parameters or [], near, doublings, looked_at, resume, save, plot,
             overwrite=overwrite, as_json=as_json,
         )  # fmt: skip
         return code if code == INTERRUPTED else _judged(told, require, code)

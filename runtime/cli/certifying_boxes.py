@@ -120,11 +120,13 @@ def certify_over(
 
 
 def _box_json(found: BoxCertificate) -> dict[str, Any]:
+    from nonsmooth.runtime.proof.boxes.regions import map_json
+
     undecided = [
         {name: [str(low), str(high)] for name, (low, high) in where.items()}
         for where in found.undecided
     ]
-    return {**found.to_json(), "undecided": undecided}
+    return {**found.to_json(), **map_json(found), "undecided": undecided}
 
 
 def box_and_values(

@@ -35,7 +35,7 @@ __all__ = ["chaos"]
 @app.command(
     epilog="Examples:\n\n"
     "nonsmooth chaos dry-friction chi=0.34 eta=2.88 V=1.23 us1=0.75 us2=1.19 ur1=2.04 ur2=1.83"
-    " --from x1=1.93,x2=7.18,v1=1.18,v2=1.18 --save chaos.json --plot chaos.png\n\n"
+    " --from x1=1.93,x2=7.18,v1=1.18,v2=1.18 --exponents --save chaos.json --plot chaos.png\n\n"
     "nonsmooth chaos impact_oscillator.py r=0.65 sigma=0 w=2.8 --from x=-0.5,v=0.1"
     " --require proved"
 )
@@ -59,6 +59,10 @@ def chaos(
     parts: Annotated[
         int, typer.Option("--parts", metavar="N", help="Parts of one set, at most.")
     ] = 3000,
+    exponents: Annotated[
+        bool,
+        typer.Option("--exponents", help="Bound Lyapunov exponents too, by a cone condition."),
+    ] = False,
     require: Annotated[
         Proven | None, typer.Option("--require", help="Exit with 3 unless chaos is proved.")
     ] = None,
@@ -91,6 +95,7 @@ def chaos(
             iterates=iterates,
             attempts=attempts,
             parts=parts,
+            exponents=exponents,
             progress=progress,
         )
     written = Written()

@@ -9,6 +9,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonsmooth.runtime.cli.display_regions import show_regions
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
@@ -16,6 +17,7 @@ from nonsmooth.runtime.proof.branch.certified_branch import FINISHED, CertifiedB
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
+from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 
 if TYPE_CHECKING:
@@ -25,11 +27,13 @@ __all__ = [
     "STYLES",
     "UNIFORM",
     "branch_table",
+    "cascade_table",
     "chaos_lines",
     "enclosure_table",
     "share_table",
     "show_box",
     "show_branch",
+    "show_cascade",
     "show_certificate",
     "show_chaos",
     "show_derivatives",
@@ -140,6 +144,7 @@ def show_box(found: BoxCertificate) -> None:
         table.add_row(name, Text(verdict, style=STYLES[verdict]), told)
     show_table(table, out)
     show_table(share_table(found), out)
+    show_regions(out, found)
     _show_point(found.parameters, found.chosen, out)
     if found.enclosures:
         show_table(enclosure_table(found), out)
@@ -170,6 +175,7 @@ def share_table(found: BoxCertificate) -> Table:
     for verdict, share in found.shares.items():
         tiles = sum(tile.verdict == verdict for tile in found.tiles)
         name = f"{found.stability}, proved" if verdict == "proved" else verdict
+        name = "divided by a curve" if verdict == "divided" else name
         if tiles:
             table.add_row(name, f"{float(100 * share):.4g} %", str(tiles))
     return table
@@ -279,6 +285,54 @@ def branch_table(found: CertifiedBranch) -> Table:
     return table
 
 
+def show_cascade(found: CertifiedCascade) -> None:
+    """Show the flips, and what is proved of the orbits of twice the period beside them.
+
+    Parameters
+    ----------
+    found : CertifiedCascade
+        As `certify_cascade` gives it.
+    """
+    out = console_as_wide()
+    out.print(Text(f"{shown_name(found.orbit)}, along {found.parameter}", style="bold"))
+    show_table(cascade_table(found), out)
+    for ratio in found.ratios:
+        out.print(f"ratio of distances between flips: {ratio}")
+    values = found.parameters
+    out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
+    if found.end:
+        out.print(Text(found.end, style="yellow"))
+
+
+def cascade_table(found: CertifiedCascade) -> Table:
+    """Flips and doubled orbits in their order.
+
+    Parameters
+    ----------
+    found : CertifiedCascade
+
+    Returns
+    -------
+    Table
+        Two rows for each doubling.
+    """
+    table = listing("", found.parameter, "", "phases")
+    for number, (event, doubling) in enumerate(zip(found.flips, found.doublings, strict=True)):
+        value = str(event.enclosures[found.parameter])
+        kind = found.kind(number)
+        phases = len(found.branches[number].itinerary)
+        table.add_row(Text("flip", style="bold"), value, kind, str(phases))
+        branch = found.branches[number + 1]
+        low, high = map(float, branch.interval)
+        near = f"{doubling.side} the flip: {doubling.verdict}"
+        told = [near, doubling.reason] if doubling.reason else [near]
+        table.add_row("doubled orbits", f"{low:.10g} ... {high:.10g}", ": ".join(told),
+                      str(2 * phases))  # fmt: skip
+        for part in branch.intervals:
+            table.add_row("", f"{part.begin:.10g} ... {part.end:.10g}", part.verdict, "")
+    return table
+
+
 def show_chaos(found: ChaosCertificate) -> None:
     """Show what is proved of chaos, and else what was tried.
 
@@ -331,7 +385,11 @@ def chaos_lines(found: ChaosCertificate) -> list[str]:
         )
         lines.append(f"{h_set.name} about {centre} covers {', '.join(targets)} by {power}")
     counts = ", ".join(str(found.periodic_points(steps)) for steps in range(1, 7))
-    lines.append(f"points that come back after 1 to 6 times {power}, at least: {counts}")
+    least = "at least" if found.cones is None else "exactly, of these histories"
+    lines.append(f"points that come back after 1 to 6 times {power}, {least}: {counts}")
+    if found.cones is not None:
+        lines.append(f"largest Lyapunov exponents of these motions at least {found.exponent} by P")
+        lines.append("each history through the graph is that of one motion, which is hyperbolic")
     return lines
 
 

@@ -12,11 +12,13 @@ from nonsmooth.runtime.cli.display_certificates import (
     STYLES,
     UNIFORM,
     branch_table,
+    cascade_table,
     chaos_lines,
     enclosure_table,
     share_table,
     show_derivatives,
 )
+from nonsmooth.runtime.cli.display_regions import show_regions
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.naming import shown_name
@@ -26,6 +28,7 @@ from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Census
+from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 
 __all__ = ["show_check"]
@@ -59,6 +62,8 @@ def show_check(found: Check) -> None:
             _show_map(out, certificate, compared=found.compared)
         case CertifiedBranch() as branch:
             _show_branch(out, branch, compared=found.compared)
+        case CertifiedCascade() as cascade:
+            _show_cascade(out, cascade, compared=found.compared)
         case Census() as census:
             _show_census(out, census, compared=found.compared)
         case ChaosCertificate() as chaos:
@@ -95,6 +100,7 @@ def _show_map(out: Console, found: BoxCertificate, *, compared: bool) -> None:
     meaning = {**UNIFORM, "stability": found.stability}
     _show_claims(out, found.claims, meaning, _OF_A_BOX)
     show_table(share_table(found), out)
+    show_regions(out, found)
     if found.enclosures:
         show_table(enclosure_table(found), out)
 
@@ -110,6 +116,17 @@ def _show_branch(out: Console, found: CertifiedBranch, *, compared: bool) -> Non
     _show_values(out, found.parameters)
     show_table(branch_table(found), out)
     meaning = {"branch": "exactly these intervals and events"}
+    _show_claims(out, found.claims, meaning, _VERDICTS)
+
+
+def _show_cascade(out: Console, found: CertifiedCascade, *, compared: bool) -> None:
+    out.print(
+        Text(f"{_called(found.orbit, compared=compared)}, along {found.parameter}", style="bold")
+    )
+    _show_cycle(out, found.branches[0].itinerary)
+    _show_values(out, found.parameters)
+    show_table(cascade_table(found), out)
+    meaning = {"doublings": "the flips, and the orbits of twice the period beside them"}
     _show_claims(out, found.claims, meaning, _VERDICTS)
 
 

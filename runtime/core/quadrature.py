@@ -24,7 +24,7 @@ def composite_rule(count: int, pieces: int) -> tuple[np.ndarray, np.ndarray]:
     Examples
     --------
     >>> nodes, weights = composite_rule(2, 3)
-    >>> round(weights @ nodes**3, 15)
+    >>> round(float(weights @ nodes**3), 15)
     0.25
     """
     nodes, weights = np.polynomial.legendre.leggauss(count)

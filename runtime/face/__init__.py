@@ -50,6 +50,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
     from nonsmooth.runtime.proof.counting.census import Census
     from nonsmooth.runtime.proof.counting.certify_all import certify_all
+    from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
+    from nonsmooth.runtime.proof.doubling.certify_cascade import certify_cascade
     from nonsmooth.runtime.proof.events.certify_event import certify_event
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Proof
@@ -70,6 +72,7 @@ __all__ = [
     "Census",
     "Certificate",
     "CertifiedBranch",
+    "CertifiedCascade",
     "ChaosCertificate",
     "Check",
     "Design",
@@ -99,6 +102,7 @@ __all__ = [
     "certify_all",
     "certify_box",
     "certify_branch",
+    "certify_cascade",
     "certify_chaos",
     "certify_event",
     "chart",
@@ -130,6 +134,7 @@ _HOMES = {
     "Check": "present.checking.check_file",
     "Certificate": "proof.certificate",
     "CertifiedBranch": "proof.branch.certified_branch",
+    "CertifiedCascade": "proof.doubling.certified_cascade",
     "ChaosCertificate": "proof.chaos.chaos_certificate",
     "DifferentiableFunction": "core.differentiable",
     "Branch": "explore.continuation.branch",
@@ -157,6 +162,7 @@ _HOMES = {
     "certify": "proof.certify_orbit",
     "certify_box": "proof.boxes.certify_box",
     "certify_branch": "proof.branch.certify_branch",
+    "certify_cascade": "proof.doubling.certify_cascade",
     "certify_chaos": "proof.chaos.certify_chaos",
     "certify_event": "proof.events.certify_event",
     "certify_all": "proof.counting.certify_all",
@@ -192,6 +198,7 @@ register(
         "draw_chaos": "present.pictures.horseshoes",
         "draw_branch": "present.pictures.branches",
         "draw_certified_branch": "present.pictures.certified_branches",
+        "draw_cascade": "present.pictures.certified_cascades",
         "draw_design": "present.pictures.designs",
         "draw_locus": "present.pictures.branches",
         "fit_json": "present.files.fits",
@@ -210,6 +217,7 @@ register(
         "save_branch": "present.files.branches",
         "save_chaos": "present.files.chaos_certificates",
         "save_census": "present.files.censuses",
+        "save_cascade": "present.files.certified_cascades",
         "save_certificate": "present.files.certificates",
         "save_certified_branch": "present.files.certified_branches",
         "save_design": "present.files.designs",

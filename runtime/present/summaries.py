@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.certificate import Certificate
     from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
     from nonsmooth.runtime.proof.counting.census import Census
+    from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof
     from nonsmooth.runtime.simulation.last_cycle import Recurrence
@@ -354,6 +355,7 @@ def _box_certificate(proof: BoxCertificate) -> Summary:
             ("box", sides),
             ("claims", _claims(proof.claims, proof.reasons)),
             ("shares", shares),
+            ("map", [proof.statement] if proof.statement else []),
             ("enclosed", _stated(proof.enclosures)),
             ("given", _given(proof.parameters)),
         ],
@@ -371,6 +373,25 @@ def _certified_branch(proof: CertifiedBranch) -> Summary:
             ("intervals", parts),
             ("events", events),
             ("ends", list(dict.fromkeys(end for end in proof.ends if end))),
+            ("given", _given(proof.parameters)),
+        ],
+    )
+
+
+def _certified_cascade(proof: CertifiedCascade) -> Summary:
+    flips = [
+        f"{event.enclosures[proof.parameter]} {proof.kind(number)}".rstrip()
+        for number, event in enumerate(proof.flips)
+    ]
+    doubled = [f"{each.verdict} {each.side} the flip" for each in proof.doublings]
+    return (
+        f"certified cascade of {shown_name(proof.orbit)} along {proof.parameter}",
+        [
+            ("claims", _claims(proof.claims, {})),
+            ("flips", flips),
+            ("doubled", doubled),
+            ("ratios", [str(ratio) for ratio in proof.ratios]),
+            ("end", [proof.end] if proof.end else []),
             ("given", _given(proof.parameters)),
         ],
     )
@@ -403,6 +424,8 @@ def _chaos(found: ChaosCertificate) -> Summary:
         pairs = [f"{one} covers {other}" for one, other in found.coverings]
         power = f"by {found.iterates} iterates of the map"
         rows.append(("entropy", [f"at least {found.entropy}"]))
+        if found.cones is not None:
+            rows.append(("exponents", [f"at least {found.exponent}"]))
         rows.append(("sets", [_many(len(found.h_sets), "set"), power, *_first(pairs)]))
     rows += [("tried", _first(found.tried)), ("given", _given(found.parameters))]
     return f"certificate of chaos of {shown_name(found.system)}", rows
@@ -434,6 +457,7 @@ _KINDS: Mapping[str, Callable[[Any], Summary]] = {
     "Census": _census,
     "Certificate": _certificate,
     "CertifiedBranch": _certified_branch,
+    "CertifiedCascade": _certified_cascade,
     "Check": _check,
     "Design": _design,
     "ChaosCertificate": _chaos,

@@ -302,6 +302,21 @@ class Equations:
         ahead[place] = Ahead(by_start, (by_start - second * phase.field) * phase.field)
         return ahead
 
+    @property
+    def closure_rows(self) -> list[tuple[int, int]]:
+        """Which equations compare the cycle's end with its start, and with which unknown of it.
+
+        Returns
+        -------
+        list of (int, int)
+            Each equation has minus this unknown, or the forcing's time, as what is compared.
+        """
+        count = len(self.phases)
+        found = [(count + row, self.free.index(k)) for row, k in enumerate(self.closed)]
+        if self.closing.pairs:
+            found.append((count + len(self.closed), self.first - 1))
+        return found
+
     def maps(self, now: Shooting) -> list[Any]:
         """Derivative (N, N) of each phase's start by that before it, as the cycle closes.
 

@@ -58,7 +58,7 @@ MAPS: dict[str, tuple[Callable[[], Any], Box, int]] = {
         9,
     ),
     "flip": (lambda: loop(r="-9/10"), {"r": ("-11/10", "-4/5")}, 17),
-    "wall": (lambda: loop(a="11/5"), {"a": ("17/10", "23/10"), "r": ("9/20", "11/20")}, 25),
+    "wall": (lambda: loop(a="11/5"), {"a": ("3/2", "3"), "r": ("2/5", "11/20")}, 9),
     "rigid": (
         lambda: ns.solve(RIGID, {"T": "6.3"}),
         {"T": ("6.2", "6.4"), "m1": ("0.99", "1.01")},
@@ -124,7 +124,8 @@ def test_the_maps_are_of_all_kinds() -> None:
     assert verdicts["stick"]["proved"] == verdicts["rigid"]["proved"] == 1
     assert verdicts["forced"]["proved"] == verdicts["irrational"]["proved"] == 1
     assert min(verdicts["flip"][name] for name in ("proved", "unstable")) > 0
-    assert min(verdicts["wall"][name] for name in ("proved", "not admissible", "undecided")) > 0
+    kinds = ("proved", "not admissible", "divided", "undecided")
+    assert min(verdicts["wall"][name] for name in kinds) > 0
     assert verdicts["unstable"]["unstable"] > verdicts["coarse"]["proved"] == 0
 
 
@@ -454,7 +455,7 @@ def test_the_command_checks_maps(tmp_path: Path) -> None:
     ("change", "match"),
     [
         (lambda text: text[:-9], "cut, or not JSON"),
-        (lambda text: text.replace('"version": 3', '"version": 9', 1), "version 9"),
+        (lambda text: text.replace('"version": 4', '"version": 9', 1), "version 9"),
         (lambda text: text.replace('"tiles"', '"tile"', 1), "missing|unknown"),
         (lambda text: text.replace("nonsmooth box certificate", "map"), "not a certificate"),
     ],

@@ -11,6 +11,7 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_system
@@ -36,7 +37,7 @@ START = (1.93, 7.18, 1.18, 1.18)
 @pytest.fixture(scope="module")
 def written(tmp_path_factory):
     path = tmp_path_factory.mktemp("chaos") / "chaos.json"
-    found = ns.certify_chaos("dry-friction", DATA, START, iterates=3)
+    found = ns.certify_chaos("dry-friction", DATA, START, iterates=3, exponents=True)
     assert found.proved
     found.save(path)
     return path
@@ -119,6 +120,48 @@ def test_an_entropy_that_is_raised_is_refused(written, tmp_path, name, text):
     assert changed(written, tmp_path, lambda content: content.update({name: text})).difference
 
 
+def test_a_growth_of_too_many_digits_and_a_boundary_that_is_gone_are_refused(written, tmp_path):
+    def gone(content):
+        source, boundary, _ = next(iter(content["itineraries"].values()))[0]
+        content["declaration"]["configurations"][source]["boundaries"].pop(boundary)
+
+    with pytest.raises(InputError, match="'growth' of the file"):
+        changed(written, tmp_path, lambda content: content.update(growth="1" * 5000))
+    assert "has no boundary" in changed(written, tmp_path, gone).difference
+
+
+def test_cones_that_say_too_much_are_refused(written, tmp_path, monkeypatch):
+    def faster(content):
+        content["cones"]["expansion"] = "7"
+
+    def larger(content):
+        content["cones"]["exponent"] = "0.3"
+
+    def narrower(content):
+        entries = content["cones"]["strips"][0][2][0]
+        entries[0] = str(Fraction(entries[1]) - Fraction(1, 8))
+
+    def fewer(content):
+        content["cones"]["strips"].pop()
+
+    def shrinking(content):
+        content["cones"]["contraction"] = "1/2"
+
+    with monkeypatch.context() as patch:  # fewer rounds before it gives up
+        patch.setattr("nonsmooth.runtime.checker.cones._SPREADS", (1.0, 0.4))
+        assert "cone condition" in changed(written, tmp_path, faster).difference
+    assert "exponent" in changed(written, tmp_path, larger).difference
+    assert "stretched by" in changed(written, tmp_path, narrower).difference
+    assert "strips of other" in changed(written, tmp_path, fewer).difference
+    assert "shrink" in changed(written, tmp_path, shrinking).difference
+
+
+def test_a_file_without_cones_is_proved(written, tmp_path):
+    found = changed(written, tmp_path, lambda content: content.pop("cones"))
+    assert found.difference is None
+    assert found.certificate.exponent == "0"
+
+
 def test_another_way_is_refused(written, tmp_path):
     def shorten(content):
         name = content["h_sets"][0]["name"]
@@ -153,7 +196,7 @@ def test_a_forced_oscillator_with_given_sets(tmp_path):
 
         enclosed = enclosed_system(system, values)(80)
         section = forcing_section(enclosed, 0, (fmpq(160, 281), fmpq(-231, 281)))
-        question = _ChaosQuestion(system, enclosed, 3, 3000, lambda done: None)
+        question = _ChaosQuestion(system, enclosed, 3, 3000, False, lambda done: None)
         guess = Horseshoe(3, sets, ((0, 0), (0, 1), (1, 0)), 0.0)
         found = question.prove(section, guess)
         assert found is not None, question.tried
@@ -176,7 +219,10 @@ def test_the_command(written, tmp_path):
     target = Path(tmp_path / "command.json")
     told = runner.invoke(
         app,
-        ["chaos", "dry-friction", *arguments, "--from", begin, "--save", str(target), "--json"],
+        [
+            *("chaos", "dry-friction", *arguments, "--from", begin),
+            *("--exponents", "--save", str(target), "--json"),
+        ],
     )
     assert told.exit_code == 0, told.output
     answer = json.loads(told.stdout)
@@ -185,6 +231,7 @@ def test_the_command(written, tmp_path):
     told = runner.invoke(app, ["certify", "--check", str(target), "--require", "proved"])
     assert told.exit_code == 0
     assert f"entropy of P at least {answer['entropy']}" in told.stdout
+    assert f"exponents of these motions at least {answer['cones']['exponent']}" in told.stdout
     calm = {**DATA, "V": "0.3", "ur1": "1.5", "ur2": "1.5", "eta": "1"}
     stable = [*(f"{name}={text}" for name, text in calm.items()), "--iterates", "1"]
     stable += ["--from", "x1=1,x2=1.2,v1=0.1,v2=0.1"]

@@ -220,6 +220,12 @@ def certified() -> Any:
     return ns.certify_branch(looped())
 
 
+def doubled() -> Any:
+    orbit = ns.solve("dry-friction/symmetric", {"V": "1.05"})
+    branch = ns.continue_orbit(orbit, "V", (1.0, 1.1))
+    return ns.certify_cascade(branch, tiles=1)
+
+
 def chaotic() -> Any:
     data = {"us1": "0.75", "us2": "1.19", "ur1": "2.04", "ur2": "1.83"}
     data |= {"chi": "0.34", "eta": "2.88", "V": "1.23"}
@@ -243,6 +249,7 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth box certificate": proven_map,
     "nonsmooth event certificate": event,
     "nonsmooth certified branch": certified,
+    "nonsmooth certified cascade": doubled,
     "nonsmooth chaos certificate": chaotic,
     "nonsmooth census": census,
 }

@@ -31,6 +31,7 @@ TYPES: dict[str, type] = {
     "nonsmooth box certificate": ns.BoxCertificate,
     "nonsmooth event certificate": tuple,
     "nonsmooth certified branch": ns.CertifiedBranch,
+    "nonsmooth certified cascade": ns.CertifiedCascade,
     "nonsmooth chaos certificate": ns.ChaosCertificate,
     "nonsmooth census": ns.Census,
 }

@@ -82,6 +82,8 @@ def result(kind: str) -> Any:
             return ns.certify_box(result("Orbit"), {"V": ("0.999", "1.001")})
         case "CertifiedBranch":
             return ns.certify_branch(branch())
+        case "CertifiedCascade":
+            return ns.certify_cascade(branch(), tiles=2)
         case "ChaosCertificate":
             words = {**DATA, "chi": "0.5"}
             return ns.certify_chaos("dry-friction", words, REST, iterates=1, attempts=1)

@@ -23,7 +23,7 @@ from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.admissibility import OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
-from nonsmooth.runtime.proof.branch import look as look_module
+from nonsmooth.runtime.proof.branch import passage as passage_module
 from nonsmooth.runtime.proof.branch.certified_branch import (
     FINISHED,
     VANISHED,
@@ -275,7 +275,7 @@ def test_a_pair_that_may_leave_the_circle_on_both_sides_is_undecided(
     assert (found.below, found.above) == ("unstable", "neutral")
     assert found.event is not None
     assert found.event.which == "flip"
-    monkeypatch.setattr(look_module, "trace_of", lambda section: arb(1, "2.01"))
+    monkeypatch.setattr(passage_module, "trace_of", lambda section: arb(1, "2.01"))
     assert look(curve, piece).event is None
 
 

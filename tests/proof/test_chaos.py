@@ -1,15 +1,17 @@
 """Chaos that is proved: images of sets hold what moves, and nothing is called chaos that is not."""
 
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
-from flint import arb_mat
+from flint import arb, arb_mat
 
 import nonsmooth as ns
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
+from nonsmooth.runtime.proof.chaos.cone_conditions import positive
 from nonsmooth.runtime.proof.chaos.coverings import coverings
 from nonsmooth.runtime.proof.chaos.entropy import growth
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart, piece
@@ -33,7 +35,7 @@ START = (1.93, 7.18, 1.18, 1.18)
 
 @pytest.fixture(scope="module")
 def chaos():
-    return certify_chaos("dry-friction", DATA, START, iterates=3)
+    return certify_chaos("dry-friction", DATA, START, iterates=3, exponents=True)
 
 
 def section_of(system):
@@ -182,3 +184,58 @@ def test_wrong_input_is_told():
         certify_chaos("dry-friction", DATA, START, iterates=0)
     with pytest.raises(ns.InputError, match="rational"):
         certify_chaos("dry-friction", {**DATA, "V": "sqrt(2)"}, START)
+
+
+def test_derivatives_hold_differences_of_motions(chaos):
+    with flint_precision(80):
+        system = enclosed_system("dry-friction", DATA)(80)
+        mapped = SectionMap(system, section_of(system), 2)
+        start = piece(chaos.h_sets[0], mapped.section, ((0.25, 0.25 + 2.0**-8),), sloped=True)
+        (tangent,) = mapped.image(start).states.tangents
+        (place,) = mapped.section.free
+        ball = tangent.ranges[place]
+    centre, sides = chaos.h_sets[0].near
+    points = float(centre[0]) + np.linspace(0.25, 0.25 + 2.0**-8, 5) * float(sides[0, 0])
+    images = [returned(float(x), 2) for x in points]
+    for slope in np.diff(images) / np.diff(points) * float(sides[0, 0]):
+        assert float(ball.lower()) - 1e-6 <= slope <= float(ball.upper()) + 1e-6
+    assert float(ball.rad()) < 0.2 * abs(float(ball.mid()))
+
+
+def test_neighbours_part_as_the_cones_say(chaos):
+    assert chaos.cones is not None
+    assert float(chaos.exponent) > 0.1
+    rate, sets = float(Fraction(chaos.cones.expansion)), {s.name: s for s in chaos.h_sets}
+    scales = {name: float(Fraction(a)) for name, (a,) in chaos.cones.forms.items()}
+    for one, other, ((low, high),) in chaos.cones.strips:
+        (c, s), (_, t) = ([float(x.ravel()[0]) for x in sets[k].near] for k in (one, other))
+        shares = np.linspace(float(Fraction(low)), float(Fraction(high)), 7)
+        images = [returned(c + share * s, chaos.iterates) / t for share in shares]
+        stretched = (np.diff(images) / np.diff(shares)) ** 2 * scales[other]
+        assert (stretched > rate * scales[one]).all()
+        # what lies in the other set comes from the strip
+        for share in np.linspace(-1, 1, 41):
+            (d,) = sets[other].near[0]
+            if abs(returned(c + share * s, chaos.iterates) - d) < abs(t):
+                assert float(Fraction(low)) <= share <= float(Fraction(high))
+
+
+def test_cones_are_not_claimed_where_a_matrix_between_breaks_them():
+    one = (Fraction(1), Fraction(1))
+    with flint_precision(80):
+        sure = arb_mat([[arb(3, 0.5), arb(0, 0.2)], [arb(0, 0.2), arb(0, 0.3)]])
+        assert positive(sure, one, one, Fraction(4))
+        assert positive(sure, one, one, Fraction(1, 2))
+        assert not positive(sure, one, one, Fraction(7))  # 2.5^2 is less
+        assert not positive(sure, one, one, Fraction(1, 100))  # shrinks by 0.3^2 at most
+        assert not positive(arb_mat([[arb(0, 3)]]), one[:1], one[:1], Fraction(1, 10))
+    # samples of what is said to be proved
+    random = np.random.default_rng(5)
+    form = np.diag([1.0, -1.0])
+    for _ in range(50):
+        matrix = np.array([[3, 0], [0, 0]]) + random.uniform(-1, 1, (2, 2)) * [
+            [0.5, 0.2],
+            [0.2, 0.3],
+        ]
+        for rate in (4, 0.5):
+            assert (np.linalg.eigvalsh(matrix.T @ form @ matrix - rate * form) > 0).all()

@@ -19,6 +19,7 @@ from nonsmooth.runtime.checker import (
     Malformed,
     check,
     check_branch,
+    check_cascade,
     check_census,
     check_chaos,
     check_events,
@@ -35,6 +36,7 @@ from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.present.checking.compare_declarations import (
     compare_box,
     compare_branch,
+    compare_cascade,
     compare_census,
     compare_certificate,
     compare_chaos,
@@ -52,6 +54,11 @@ from nonsmooth.runtime.present.files.certified_branches import (
     certified_branch_entries,
     certified_branch_of,
 )
+from nonsmooth.runtime.present.files.certified_cascades import (
+    CASCADE,
+    certified_cascade_entries,
+    certified_cascade_of,
+)
 from nonsmooth.runtime.present.files.chaos_certificates import CHAOS, chaos_entries, chaos_of
 from nonsmooth.runtime.present.files.event_certificates import (
     EVENTS,
@@ -63,6 +70,7 @@ from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Census
+from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate, events_claim
 
 __all__ = ["Check", "check_certificate"]
@@ -71,6 +79,7 @@ Proven = (
     Certificate
     | BoxCertificate
     | CertifiedBranch
+    | CertifiedCascade
     | Census
     | ChaosCertificate
     | tuple[EventCertificate, ...]
@@ -90,8 +99,8 @@ class Check(Shown):
         What is wrong with it; None if every claim was proved again.
     note : str or None
         What is not compared, or not proved again.
-    certificate : Certificate, BoxCertificate, CertifiedBranch, Census, ChaosCertificate, tuple,
-        or None
+    certificate : Certificate, BoxCertificate, CertifiedBranch, CertifiedCascade, Census,
+        ChaosCertificate, tuple, or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
         Reasons why a claim is undecided, which parameters were chosen, and of a census all but
         its orbits are as the file says.
@@ -138,6 +147,10 @@ _KINDS = {
             BRANCH, check_branch, certified_branch_of, certified_branch_entries,
             lambda found: found.claims, compare_branch,
         ),
+        _Kind(
+            CASCADE, check_cascade, certified_cascade_of, certified_cascade_entries,
+            lambda found: found.claims, compare_cascade,
+        ),
         _Kind(EVENTS, check_events, events_of, event_entries, events_claim, compare_events),
         _Kind(CENSUS, check_census, census_of, census_entries, _listed, compare_census),
         _Kind(
@@ -157,8 +170,8 @@ def check_certificate(path: str | os.PathLike[str], declared: str | None = None)
     Parameters
     ----------
     path : str or path
-        What `save` of a `Certificate`, `BoxCertificate`, `CertifiedBranch`, `EventCertificate`
-        or `Census` wrote.
+        What `save` of a `Certificate`, `BoxCertificate`, `CertifiedBranch`, `CertifiedCascade`,
+        `EventCertificate`, `ChaosCertificate` or `Census` wrote.
     declared : str, optional
         A system or an orbit by name, such as ``FILE.py:ORBIT``: its tables have to be those of
         the file. Without it nothing that a user declares is run.
@@ -224,15 +237,21 @@ def _compare_declared(content: Mapping[str, Any], declared: str) -> None:
         system = load_system(declared)
     except InputError:
         system = load_orbit(declared).system
-    for name in dict.fromkeys(entry["system"] for entry in content.get("events", [content])):
+    for name in dict.fromkeys(entry["system"] for entry in _told(content)):
         if not same_system(system, load_system(name)):
             raise Failure(f"the declaration of {declared} is not that of the file, or has changed")
+
+
+def _told(content: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """The parts of a file that name a system."""
+    found: list[Mapping[str, Any]] = content.get("events", content.get("branches", [content]))
+    return found
 
 
 def _note(content: Mapping[str, Any], found: Proven, compared: bool, *, held: bool) -> str | None:
     """What was not checked."""
     notes = [_NOT_COUNTED] if isinstance(found, Census) else []
-    told = content["events"] if isinstance(found, tuple) else [content]
+    told = _told(content)
     names = dict.fromkeys(entry["system"] for entry in told if entry["tables"] is not None)
     if names and held:
         notes.append(_HELD.format(", ".join(names)))

@@ -35,6 +35,7 @@ from nonsmooth.runtime.proof.statement import rational
 __all__ = [
     "compare_box",
     "compare_branch",
+    "compare_cascade",
     "compare_census",
     "compare_certificate",
     "compare_chaos",
@@ -143,6 +144,27 @@ def compare_branch(content: Content) -> bool:
         If the declaration is another one.
     """
     return compare_box({**content, "box": {content["parameter"]: content["interval"]}})
+
+
+def compare_cascade(content: Content) -> bool:
+    """Compare all branches of a certified cascade.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Returns
+    -------
+    bool
+        As `compare_box` tells it of all of them.
+
+    Raises
+    ------
+    Failure
+        If a declaration is another one.
+    """
+    return all([compare_branch(branch) for branch in content["branches"]])
 
 
 def compare_census(content: Content) -> bool:

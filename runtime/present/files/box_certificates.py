@@ -23,6 +23,7 @@ from nonsmooth.runtime.present.files.claim_entries import (
 )
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
+from nonsmooth.runtime.proof.boxes.tile_event import Band, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from nonsmooth.runtime.proof.certificate import VERSION
 
@@ -37,6 +38,24 @@ __all__ = [
 
 
 @dataclass(frozen=True, kw_only=True)
+class CurveEntries:
+    """What a map's file states of the curve of an event that divides a tile."""
+
+    kind: str
+    phase: int | None
+    configuration: str
+    boundary: str
+    instant: str
+    window: tuple[Fraction, ...]
+    also: tuple[tuple[str, int, str, str], ...]
+    across: str
+    centre: tuple[float, ...]
+    radius: float
+    below: str
+    above: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class TileEntries:
     """What a map's file states of one tile."""
 
@@ -46,6 +65,7 @@ class TileEntries:
     enclosures: Enclosures
     guess: tuple[float, ...]
     looked_at: bool
+    event: CurveEntries | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,11 +83,14 @@ class BoxEntries(OrbitProofEntries):
     closing: Mapping[str, Any]
 
 
+_VERSION = VERSION + 1  # of maps: curves divide tiles
+_PLANE = 2  # parameters of a box with curves
+
 BOX = FileFormat(
     name="nonsmooth box certificate",
     what="proven map",
     entries=BoxEntries,
-    version=VERSION,
+    version=_VERSION,
 )
 
 
@@ -175,7 +198,7 @@ def box_of(entries: BoxEntries) -> BoxCertificate:
         itinerary=entries.itinerary,
         box=entries.box,
         stability=entries.stability,
-        tiles=tuple(map(_tile, entries.tiles)),
+        tiles=tuple(_tile(tile, tuple(entries.box)) for tile in entries.tiles),
         declaration=entries.declaration,
         closing=entries.closing,
     )
@@ -211,7 +234,7 @@ def _integers(entry: Any) -> Iterator[int]:
         yield entry
 
 
-def _tile(entries: TileEntries) -> Tile:
+def _tile(entries: TileEntries, axes: tuple[str, ...]) -> Tile:
     return Tile(
         place=Place(entries.place),
         claims=vars(entries.claims),
@@ -219,4 +242,22 @@ def _tile(entries: TileEntries) -> Tile:
         enclosures=enclosed(entries.enclosures, BITS),
         guess=entries.guess,
         looked_at=entries.looked_at,
+        event=None if entries.event is None else _event(entries.event, axes),
+    )
+
+
+def _event(entries: CurveEntries, axes: tuple[str, ...]) -> TileEvent:
+    if entries.across not in axes or len(axes) != _PLANE or len(entries.centre) < _PLANE:
+        raise InputError("a curve crosses no parameter of the box")
+    return TileEvent(
+        kind=entries.kind,
+        phase=None if entries.phase is None else entries.phase - 1,
+        configuration=entries.configuration,
+        boundary=entries.boundary,
+        instant=entries.instant,
+        window=entries.window,
+        also=tuple((kind, phase - 1, name, when) for kind, phase, name, when in entries.also),
+        band=Band(axes.index(entries.across), entries.centre, entries.radius),
+        below=entries.below,
+        above=entries.above,
     )

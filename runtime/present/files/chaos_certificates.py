@@ -15,6 +15,7 @@ from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 from nonsmooth.runtime.proof.certificate import VERSION
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
+from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 
 __all__ = ["CHAOS", "chaos_entries", "chaos_of", "load_chaos_certificate", "save_chaos"]
@@ -49,6 +50,7 @@ class ChaosEntries:
     itineraries: Mapping[str, tuple[tuple[str, str, str], ...]]
     growth: Exact
     entropy: Exact
+    cones: ConeCondition | None = None
     tried: tuple[str, ...]
     bits: int
     declaration: Mapping[str, Any]
@@ -77,7 +79,10 @@ def save_chaos(found: ChaosCertificate, path: str | os.PathLike[str]) -> None:
         If the file cannot be written, or cannot state the contact law that decides.
     """
     if found.proved and not found.declaration:
-        raise InputError("a file of chaos cannot state the contact law by which it was proved")
+        raise InputError(
+            "not saved: a law of coupled contacts decides what follows a transition here, and a"
+            " file of chaos states listed transitions alone"
+        )
     CHAOS.write(path, chaos_entries(found))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import unknown_name
@@ -16,7 +17,12 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["certified_branch_figure", "draw_certified_branch"]
+__all__ = [
+    "certified_branch_figure",
+    "draw_certified_branch",
+    "draw_tiles",
+    "mark_events",
+]
 
 _POINTS = 40  # of a tile
 _MARKS = "osD^vP*X"
@@ -87,9 +93,33 @@ def draw_certified_branch(
 
 def _draw(found: CertifiedBranch, quantity: str | None, axes: Axes) -> None:
     name = found.unknown_names[-1] if quantity is None and found.unknown_names else quantity or ""
+    draw_tiles(found, name, axes, set())
+    mark_events([found], name, axes)
+    units = units_of(found.system)
+    axes.set_xlabel(units.label(found.parameter))
+    axes.set_ylabel(name)
+    finish(axes, shown_name(found.orbit))
+
+
+def draw_tiles(found: CertifiedBranch, name: str, axes: Axes, shown: set[str]) -> None:
+    """Draw the tiles of a branch in the colours of their verdicts.
+
+    Parameters
+    ----------
+    found : CertifiedBranch
+    name : str
+        The unknown that is drawn.
+    axes : Axes
+    shown : set of str
+        Verdicts that have a label; those that get one are added.
+
+    Raises
+    ------
+    InputError
+        If the branch has no such unknown.
+    """
     if name not in found.unknown_names:
         raise unknown_name("unknown", name, found.unknown_names)
-    shown = set()
     for tile in found.tiles:
         across, up = _points(found, tile, name)
         parts = [(tile.before, slice(None))]
@@ -106,19 +136,24 @@ def _draw(found: CertifiedBranch, quantity: str | None, axes: Axes) -> None:
             label = "" if verdict in shown else told
             shown.add(verdict)
             axes.plot(across[part], up[part], color=color, linewidth=2, label=label or None)
-    _mark(found, name, axes)
-    units = units_of(found.system)
-    axes.set_xlabel(units.label(found.parameter))
-    axes.set_ylabel(name)
-    finish(axes, shown_name(found.orbit))
 
 
-def _mark(found: CertifiedBranch, name: str, axes: Axes) -> None:
-    kinds = list(dict.fromkeys(event.kind for event in found.events))
+def mark_events(branches: Sequence[CertifiedBranch], name: str, axes: Axes) -> None:
+    """Mark the events of branches along one parameter.
+
+    Parameters
+    ----------
+    branches : sequence of CertifiedBranch
+    name : str
+        The unknown that is drawn.
+    axes : Axes
+    """
+    events = [event for branch in branches for event in branch.events]
+    kinds = list(dict.fromkeys(event.kind for event in events))
     for place, kind in enumerate(kinds):
-        there = [event.enclosures for event in found.events if event.kind == kind]
+        there = [event.enclosures for event in events if event.kind == kind]
         axes.plot(
-            [float(x[found.parameter]) for x in there],
+            [float(x[branches[0].parameter]) for x in there],
             [float(x[name]) for x in there],
             linestyle="none",
             marker=_MARKS[place % len(_MARKS)],

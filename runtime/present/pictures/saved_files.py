@@ -159,6 +159,14 @@ def _certified_branch(path: Path) -> Drawn:
     return {"orbit": found.orbit}, certified_branch_figure(found)
 
 
+def _certified_cascade(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.certified_cascades import load_certified_cascade
+    from nonsmooth.runtime.present.pictures.certified_cascades import certified_cascade_figure
+
+    found = load_certified_cascade(path)
+    return {"orbit": found.orbit}, certified_cascade_figure(found)
+
+
 def _chaos(path: Path) -> Drawn:
     from nonsmooth.runtime.present.files.chaos_certificates import load_chaos_certificate
     from nonsmooth.runtime.present.pictures.horseshoes import chaos_figure
@@ -194,6 +202,7 @@ _IN_ONE_WAY: dict[str, tuple[str, Callable[[Path], Drawn]]] = {
     "nonsmooth locus": ("a curve of events", _locus),
     "nonsmooth box certificate": ("a proven map", _proven_map),
     "nonsmooth certified branch": ("a certified branch", _certified_branch),
+    "nonsmooth certified cascade": ("a certified cascade", _certified_cascade),
     "nonsmooth chaos certificate": ("a certificate of chaos", _chaos),
     "nonsmooth sweep": ("a sweep", _sweep),
     "nonsmooth fit": ("a fit", _fit),

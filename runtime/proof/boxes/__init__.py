@@ -3,6 +3,8 @@
 =================  ==================================================================
 `certify_box`      `certify_box`: tile after tile, halved until they are decided
 `tile`             the proof on one tile, in Taylor models of the parameters
+`tile_event`       the curve of one event that divides a tile of two parameters
+`regions`          regions and curves of a map of two parameters
 `tile_places`      the places of tiles: a box, halved again and again
 `box_certificate`  `BoxCertificate`: what is proved, tile by tile
 `dependence`       how a system's numbers depend on the parameters of a box

@@ -6,11 +6,21 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
+from nonsmooth.runtime.proof.boxes.regions import (
+    EventCurve,
+    OpenBox,
+    ProvedRegion,
+    curves_of,
+    open_boxes_of,
+    regions_of,
+)
+from nonsmooth.runtime.proof.boxes.tile_event import TileEvent
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import (
     CLAIMS,
@@ -23,8 +33,9 @@ from nonsmooth.runtime.proof.statement import rational
 
 __all__ = ["DIGITS", "VERDICTS", "BoxCertificate", "Tile"]
 
+_PLANE = 2  # parameters of a box that has regions and curves
 DIGITS = 6  # of the radii that are stated: they are as wide as the box
-VERDICTS = ("proved", "unstable", "not admissible", "undecided")
+VERDICTS = ("proved", "unstable", "not admissible", "divided", "undecided")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -44,6 +55,8 @@ class Tile:
         Unknowns of the equations in its middle, about; empty where no orbit is proved.
     looked_at : bool
         Whether it was tried; else its claims are those of a larger tile.
+    event : TileEvent or None
+        A curve of an event that divides it, and the verdicts on both sides.
     """
 
     place: Place
@@ -52,10 +65,13 @@ class Tile:
     enclosures: Mapping[str, Stated]
     guess: tuple[float, ...] = field(repr=False)
     looked_at: bool
+    event: TileEvent | None
 
     @property
     def verdict(self) -> str:
-        """What it comes to: "proved", "unstable", "not admissible" or "undecided"."""
+        """What it comes to, one of `VERDICTS`; "divided" by the curve of an event."""
+        if self.event is not None:
+            return "divided"
         existence, admissibility, stability = (self.claims[name] for name in CLAIMS)
         if existence == "proved" and admissibility == "refuted":
             return "not admissible"
@@ -71,6 +87,8 @@ class BoxCertificate(Shown):
     The box is the union of its tiles. On each the claims hold for every parameter: there is
     exactly one orbit next to a curve or surface of unknowns that was followed over the tile,
     it is a motion of the system, and it is stable; or a claim is refuted for every parameter.
+    Of two parameters a tile may have two verdicts, with a curve of one event in between, and
+    where tiles with verdicts meet their orbits are proved to be the same.
 
     Attributes
     ----------
@@ -131,6 +149,38 @@ class BoxCertificate(Shown):
     def undecided(self) -> tuple[dict[str, Interval], ...]:
         """The boxes of parameters that are not decided."""
         return tuple(self.where(t) for t in self.tiles if t.verdict == "undecided")
+
+    @cached_property
+    def regions(self) -> tuple[ProvedRegion, ...]:
+        """Connected parts with one verdict, the largest first; of two parameters."""
+        return regions_of(self) if len(self.box) == _PLANE else ()
+
+    @cached_property
+    def curves(self) -> tuple[EventCurve, ...]:
+        """Curves of events, as chains of tiles; of two parameters."""
+        return curves_of(self) if len(self.box) == _PLANE else ()
+
+    @cached_property
+    def open(self) -> tuple[OpenBox, ...]:
+        """Where nothing is decided, as boxes around tiles that touch each other."""
+        return open_boxes_of(self)
+
+    @property
+    def statement(self) -> str:
+        """What is proved of a box of two parameters, in one sentence; else empty."""
+        if len(self.box) != _PLANE:
+            return ""
+        over = ", ".join(
+            f"{n} in [{float(low):.10g}, {float(high):.10g}]" for n, (low, high) in self.box.items()
+        )
+        parts = [f"{r.verdict} ({100 * r.share:.4g} %)" for r in self.regions]
+        told = f"over {over}: {_many(len(parts), 'region')}"
+        told += f", {', '.join(parts)}" if parts else ""
+        if self.curves:
+            kinds = ", ".join(sorted({curve.event.kind for curve in self.curves}))
+            told += f"; {_many(len(self.curves), 'curve')} of events ({kinds})"
+        share = float(100 * self.shares["undecided"])
+        return told + (f"; undecided: {share:.3g} % of the box" if share else "; no box is open")
 
     @property
     def reasons(self) -> dict[str, str]:
@@ -212,7 +262,7 @@ class BoxCertificate(Shown):
             "reasons": self.reasons,
             "shares": {name: float(share) for name, share in self.shares.items()},
             "enclosures": balls_json(self.enclosures),
-            "tiles": [_tile_json(tile) for tile in self.tiles],
+            "tiles": [_tile_json(tile, tuple(self.box)) for tile in self.tiles],
         }
 
     def plot(self, axes: Any = None) -> Any:
@@ -253,6 +303,10 @@ class BoxCertificate(Shown):
         registered("save_box")(self, path)
 
 
+def _many(count: int, what: str) -> str:
+    return f"{count} {what}{'' if count == 1 else 's'}"
+
+
 def _hull(found: Sequence[Stated]) -> Stated:
     """What contains all of them: rounded once, not with each."""
     from flint import arb
@@ -264,7 +318,7 @@ def _hull(found: Sequence[Stated]) -> Stated:
         return Stated.around(middle + arb(0, radius), found[0].bits, DIGITS)
 
 
-def _tile_json(tile: Tile) -> dict[str, Any]:
+def _tile_json(tile: Tile, axes: Sequence[str]) -> dict[str, Any]:
     return {
         "place": [list(step) for step in tile.place.steps],
         "claims": dict(tile.claims),
@@ -272,4 +326,22 @@ def _tile_json(tile: Tile) -> dict[str, Any]:
         "enclosures": balls_json(tile.enclosures),
         "guess": list(tile.guess),
         "looked_at": tile.looked_at,
+        "event": None if tile.event is None else _event_json(tile.event, axes),
+    }
+
+
+def _event_json(event: TileEvent, axes: Sequence[str]) -> dict[str, Any]:
+    return {
+        "kind": event.kind,
+        "phase": None if event.phase is None else event.phase + 1,
+        "configuration": event.configuration,
+        "boundary": event.boundary,
+        "instant": event.instant,
+        "window": [str(time) for time in event.window],
+        "also": [[kind, phase + 1, *rest] for kind, phase, *rest in event.also],
+        "across": axes[event.band.axis],
+        "centre": list(event.band.centre),
+        "radius": event.band.radius,
+        "below": event.below,
+        "above": event.above,
     }

@@ -23,9 +23,11 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
     region_of,
     with_open_ones,
 )
-from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, Tube, prove
+from nonsmooth.runtime.proof.boxes.regions import edges_of
+from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, Tube, joined, prove
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, Stated
+from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, system_of
 
 if TYPE_CHECKING:
@@ -34,9 +36,11 @@ if TYPE_CHECKING:
 __all__ = ["MOST_TILES", "certify_box"]
 
 MOST_TILES = 4000
+_PLANE = 2  # parameters of a box in which events are curves
 _DEEPEST = 12  # halvings along each axis
 _EVERY = 10.0  # seconds between states that are kept
 _NOT_TRIED = "not looked at yet"
+_APART = "it may be another orbit than that of a tile beside it"
 
 
 def certify_box(
@@ -110,7 +114,7 @@ def certify_box(
     empty = record(region, [_unproved(whole, _NOT_TRIED, looked_at=False)])
     if resume is not None:
         _check_same(empty, resume)
-    work = _Work(region, (resume or empty).tiles)
+    work = _Work(region, resume or empty)
     kept = time.monotonic()
     try:
         for looked_at in range(1, tiles + 1):
@@ -118,11 +122,11 @@ def certify_box(
                 break
             progress(work.decided, looked_at)
             if keep is not None and time.monotonic() - kept > _EVERY:
-                keep(record(region, work.tiles))
+                keep(record(region, work.joined_tiles()))
                 kept = time.monotonic()
     except KeyboardInterrupt:
-        raise Interrupted(record(region, work.tiles)) from None
-    return record(region, work.tiles)
+        raise Interrupted(record(region, work.joined_tiles())) from None
+    return record(region, work.joined_tiles())
 
 
 class _Work:
@@ -132,8 +136,11 @@ class _Work:
     that holds it, from a tile to its halves, and to tiles that touch it.
     """
 
-    def __init__(self, region: Region, tiles: Sequence[Tile]) -> None:
+    def __init__(self, region: Region, state: BoxCertificate) -> None:
         self.region = region
+        # tiles with verdicts whose orbits are known to be the same where they meet
+        self.known = {tile.place for tile in state.tiles if tile.verdict != "undecided"}
+        self.same: set[frozenset[Place]] = set()
         self.done: list[Tile] = []
         self.waiting: list[tuple[Fraction, int, Tile]] = []
         self.stranded: list[Tile] = []  # no orbit has reached them
@@ -141,7 +148,7 @@ class _Work:
         self.tubes: dict[Place, Tube] = {}
         self.decided = 0.0
         self._order = count()
-        for tile in tiles:
+        for tile in state.tiles:
             if tile.verdict == "undecided" and not tile.looked_at:
                 self._wait(tile)
             else:
@@ -153,6 +160,38 @@ class _Work:
         """Tiles that fill the box, also while one is being looked at."""
         done, waiting, stranded = self._settled
         return [*done, *(tile for *_, tile in sorted(waiting, key=_by_order)), *stranded]
+
+    def joined_tiles(self) -> list[Tile]:
+        """The tiles; of two parameters those with verdicts have the same orbits where they meet.
+
+        Of two that may have different ones the second is undecided.
+        """
+        if len(self.region.names) != _PLANE:
+            return self.tiles
+        tiles = self.tiles
+        for edge in edges_of([tile.place for tile in tiles]):
+            first, second = tiles[edge.first], tiles[edge.second]
+            pair = frozenset((first.place, second.place))
+            if "undecided" in (first.verdict, second.verdict) or pair in self.same:
+                continue
+            if pair <= self.known or self._meet(first, second):
+                self.same.add(pair)
+            else:
+                tiles[edge.second] = _unproved(second.place, _APART, looked_at=True)
+        return tiles
+
+    def _meet(self, first: Tile, second: Tile) -> bool:
+        """Whether the orbits of two tiles that touch are the same where they do."""
+        point = first.place.shared(second.place, self.region.box)
+        tubes = self._tube(first), self._tube(second)
+        if tubes[0] is None or tubes[1] is None:
+            return False
+        found = [tube.at(point) for tube in tubes if tube is not None]
+        if tubes[0].holds(point, found[1]) or tubes[1].holds(point, found[0]):
+            return True
+        with flint_precision(BITS):
+            number = self.region.tables.number_at(_point(point))
+            return joined(self.region.equations(number), *found)
 
     def look(self) -> bool:
         """Look at the largest tile that waits and is reached; tell whether there is one."""
@@ -170,15 +209,26 @@ class _Work:
             if anchor is None:
                 self.stranded.append(tile)
                 continue
-            rough = "undecided" not in (tile.claims["existence"], tile.claims["stability"])
-            proof = prove(self.region, tile.place, anchor, rough=rough)
-            if proof.tube is None and rough:
-                proof = prove(self.region, tile.place, anchor, rough=False)
+            proof = self._proved(tile, anchor)
             if proof.tube is not None:
                 self.tubes[tile.place] = proof.tube
             self._finish(_judged(tile, proof, self.region))
             return True
         return False
+
+    def _proved(self, tile: Tile, anchor: Anchor) -> TileProof:
+        """What is proved on a tile: where a low order decides nothing, by a high one."""
+        region, place = self.region, tile.place
+        rough = "undecided" not in (tile.claims["existence"], tile.claims["stability"])
+        proof = prove(region, place, anchor, rough=rough)
+        if proof.tube is None and rough:
+            proof = prove(region, place, anchor)
+        if len(region.names) != _PLANE or proof.tube is None or proof.decided:
+            return proof
+        if _judged(tile, proof, region).verdict != "undecided":
+            return proof
+        sharp = prove(region, place, anchor, sharp=True)
+        return proof if sharp.tube is None else sharp
 
     def _anchor(self, tile: Tile) -> Anchor | None:
         """Where the orbit is known on a tile, and about what it is there."""
@@ -201,7 +251,7 @@ class _Work:
             if not tile.guess:
                 return None
             anchor = Anchor(tile.place.middle(self.region.box), _balls(tile.guess))
-            tube = prove(self.region, tile.place, anchor, rough=False).tube
+            tube = prove(self.region, tile.place, anchor).tube
             if tube is None:
                 return None
             self.tubes[tile.place] = tube
@@ -244,6 +294,7 @@ def _unproved(place: Place, reason: str, *, looked_at: bool) -> Tile:
         enclosures={},
         guess=(),
         looked_at=looked_at,
+        event=None,
     )
 
 
@@ -265,14 +316,22 @@ def _judged(tile: Tile, proof: TileProof, region: Region) -> Tile:
         enclosures = {
             n: Stated.around(b, BITS, DIGITS) for n, b in proof.enclosures.items() if b.is_finite()
         }
-    return Tile(
+    found = Tile(
         place=tile.place,
         claims=claims,
         reasons=reasons,
         enclosures=enclosures,
         guess=guess,
         looked_at=True,
+        event=None,
     )
+    return replace(found, event=proof.event) if found.verdict == "undecided" else found
+
+
+def _point(values: Sequence[Fraction]) -> list[arb]:
+    from flint import arb
+
+    return [arb(rational_of(x)) for x in values]
 
 
 def _balls(guess: Sequence[float]) -> list[arb]:

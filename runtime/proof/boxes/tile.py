@@ -7,13 +7,14 @@ that there is exactly one next to them, and everything else is computed along th
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
+from nonsmooth.runtime.proof.boxes.tile_event import TileEvent, event_on
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.krawczyk import Contraction, Krawczyk, Solvable, krawczyk, newton
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 __all__ = ["Anchor", "TileProof", "Tube", "contracted", "followed", "joined", "prove"]
 
 _ORDERS = {1: 5, 2: 3}  # by the number of parameters: what costs least, measured
-_LOWEST = 2
+_LOWEST, _SHARP = 2, 6
 _CLOSE = 50  # bits of the orbit in the middle of a tile
 _TRIES = 4  # sizes of Krawczyk's box
 _SEEN = 30  # bits to which the check, whose tube is wider, tells the ends of an enclosure
@@ -55,11 +56,17 @@ class Tube:
     box : tuple of (Fraction, Fraction)
         Of all tiles.
     unknowns : sequence of TaylorModel
+    centre : sequence of TaylorModel
+        Polynomials.
+    radii : sequence of arb
+        As near to these there is no other orbit.
     """
 
     place: Place
     box: tuple[Interval, ...]
     unknowns: Sequence[TaylorModel]
+    centre: Sequence[TaylorModel]
+    radii: Sequence[arb]
 
     def at(self, point: Sequence[Fraction]) -> list[arb]:
         """Balls around the unknowns at a point of the tile.
@@ -74,14 +81,36 @@ class Tube:
         list of arb
             One ball for each unknown, in the system's units.
         """
+        with flint_precision(BITS):
+            inside = self._inside(point)
+            return [x.at(inside) for x in self.unknowns]
+
+    def holds(self, point: Sequence[Fraction], found: Sequence[arb]) -> bool:
+        """Whether an orbit at a point of the tile is the tube's.
+
+        Parameters
+        ----------
+        point : sequence of Fraction
+            Values of the box's parameters.
+        found : sequence of arb
+            An enclosure of its unknowns.
+
+        Returns
+        -------
+        bool
+            True if that is proved.
+        """
+        with flint_precision(BITS):
+            inside = self._inside(point)
+            sides = zip(found, self.centre, self.radii, strict=True)
+            return all(abs(x - c.at(inside)) < r for x, c, r in sides)
+
+    def _inside(self, point: Sequence[Fraction]) -> list[arb]:
+        """The parameters from -1 to 1 over the tile."""
         from flint import arb
 
-        with flint_precision(BITS):
-            inside = []
-            for axis, x in enumerate(point):
-                low, high = self.place.interval(axis, self.box)
-                inside.append(arb(rational_of((2 * x - low - high) / (high - low))))
-            return [x.at(inside) for x in self.unknowns]
+        places = ((x, *self.place.interval(axis, self.box)) for axis, x in enumerate(point))
+        return [arb(rational_of((2 * x - low - high) / (high - low))) for x, low, high in places]
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,6 +126,8 @@ class TileProof:
         Trace, period, dwell times and start, for all parameters of the tile.
     tube : Tube or None
         Where existence is proved.
+    event : TileEvent or None
+        A curve on the two sides of which verdicts are proved.
     """
 
     existence: str
@@ -105,9 +136,19 @@ class TileProof:
     reasons: dict[str, str]
     enclosures: dict[str, arb]
     tube: Tube | None
+    event: TileEvent | None = None
+
+    @property
+    def decided(self) -> bool:
+        """Whether one verdict is proved of all of it."""
+        if self.admissibility == "refuted":
+            return True
+        return self.admissibility == "proved" and self.stability != "undecided"
 
 
-def prove(region: Region, place: Place, anchor: Anchor, *, rough: bool) -> TileProof:
+def prove(
+    region: Region, place: Place, anchor: Anchor, *, rough: bool = False, sharp: bool = False
+) -> TileProof:
     """Prove what can be proved on a tile.
 
     Parameters
@@ -116,8 +157,11 @@ def prove(region: Region, place: Place, anchor: Anchor, *, rough: bool) -> TileP
     place : Place
     anchor : Anchor
         In the tile.
-    rough : bool
+    rough : bool, default False
         Whether a low order will do, since only admissibility is left to be decided.
+    sharp : bool, default False
+        Whether a high order is wanted, and the curve of one event if there is one; of two
+        parameters.
 
     Returns
     -------
@@ -125,21 +169,23 @@ def prove(region: Region, place: Place, anchor: Anchor, *, rough: bool) -> TileP
         What is proved on the tile, and why the rest is not.
     """
     count = len(region.names)
-    space = space_of(count, _LOWEST if rough else _ORDERS.get(count, _LOWEST))
+    order = _LOWEST if rough else _ORDERS.get(count, _LOWEST)
     with flint_precision(BITS):
-        return _prove(region, place, anchor, space)
+        return _prove(region, place, anchor, space_of(count, _SHARP if sharp else order), sharp)
 
 
-def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> TileProof:
-    number = region.tables.number_at(_variables(region, place, space))
+def _prove(region: Region, place: Place, anchor: Anchor, space: Space, sharp: bool) -> TileProof:
+    parameters = _variables(region, place, space)
+    number = region.tables.number_at(parameters)
     equations = region.equations(number)
     start = followed(equations, anchor.numbers, space)
     if start is None:
         return _undecided("Newton's method finds no orbit in the middle")
-    found = contracted(Krawczyk(equations, start))
+    test = Krawczyk(equations, start)
+    found = contracted(test)
     if found is None:
         return _undecided("Krawczyk's test fails")
-    tube = Tube(place, region.box, found.image)
+    tube = Tube(place, region.box, found.image, test.centre, found.radii)
     if not _joined(region, anchor, tube.at(anchor.point)):
         return _undecided("another orbit may have been found")
     now = equations.linearised(found.image, found.flows).shooting
@@ -152,7 +198,10 @@ def _prove(region: Region, place: Place, anchor: Anchor, space: Space) -> TilePr
     enclosures = {name: _wider(number) for name, number in named.items()}
     reasons = {"admissibility": judgement.reason, "stability": stability.reason}
     reasons = {name: reason for name, reason in reasons.items() if reason}
-    return TileProof("proved", judgement.verdict, stability.verdict, reasons, enclosures, tube)
+    proof = TileProof("proved", judgement.verdict, stability.verdict, reasons, enclosures, tube)
+    if sharp and not proof.decided:
+        return replace(proof, event=event_on(region, place, found.image, parameters))
+    return proof
 
 
 def _joined(region: Region, anchor: Anchor, found: Sequence[arb]) -> bool:

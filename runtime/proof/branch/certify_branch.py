@@ -279,9 +279,11 @@ def _event(curve: OrbitCurve, found: EventCrossing) -> BranchEvent:
     cycle = curve.region.cycle
     place = which.phase if isinstance(which, OpenInequality) else None
     with flint_precision(SHARP):
-        # what is exactly zero too is stated with a radius: another proof need not see that it is
+        # twice as wide, and what is exactly zero too has a radius: the check, whose equations are
+        # others, finds its own
+        least = arb(2) ** -STATED
         enclosures = {
-            name: Stated.around(x + arb(0, arb(2) ** -STATED), STATED)
+            name: Stated.around(x + arb(0, x.rad() + least), STATED)
             for name, x in zip(curve.names, found.enclosures, strict=True)
         }
     return BranchEvent(

@@ -22,7 +22,16 @@ from nonsmooth.runtime.proof.orbit_equations import Equations, Linearised
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["AlongUnknown", "OrbitCurve", "directions", "largest_of"]
+__all__ = [
+    "AlongUnknown",
+    "OrbitCurve",
+    "along_parameter",
+    "directions",
+    "largest_of",
+    "linearised_by_parameter",
+    "linearised_in_jets",
+    "solution",
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,26 +199,26 @@ def linearised_by_parameter(region: Region, own: Sequence[Any], parameter: Any) 
     """
     from flint import arb
 
-    return linearised_in_jets(region, own, jet(parameter, arb(1)))
+    return linearised_in_jets(region, own, [jet(parameter, arb(1))])
 
 
-def linearised_in_jets(region: Region, own: Sequence[Any], parameter: Jet) -> Linearised:
-    """The orbit's equations where the parameter, and perhaps the unknowns, are jets.
+def linearised_in_jets(region: Region, own: Sequence[Any], parameters: Sequence[Any]) -> Linearised:
+    """The orbit's equations where a parameter, and perhaps the unknowns, are jets.
 
     Parameters
     ----------
     region : Region
-        Of one parameter.
     own : sequence of arb, TaylorModel or Jet
         Unknowns of the orbit's equations.
-    parameter : Jet
+    parameters : sequence of arb, TaylorModel or Jet
+        The region's parameters.
 
     Returns
     -------
     Linearised
         In jets of the parameter's order.
     """
-    equations = region.equations(region.tables.number_at([parameter]))
+    equations = region.equations(region.tables.number_at(list(parameters)))
     fields = [phase.field for phase in equations.phases]
     return equations.linearised(own, lambda place, time: (fields[place] * time).exp())
 
@@ -245,7 +254,7 @@ def directions(
     inverse: Any = None
     slopes: Any = None
     for k in range(1, order + 1):
-        now = linearised_in_jets(curve.region, jets[:-1], jets[-1])
+        now = linearised_in_jets(curve.region, jets[:-1], jets[-1:])
         if slopes is None:
             by_parameter = linearised_by_parameter(curve.region, point[:-1], point[-1])
             own, along = part_of(now.jacobian, 0), part_of(by_parameter.residual, 1)
@@ -256,7 +265,7 @@ def directions(
                 inverse = slopes.mid().inv().mid()
             except ZeroDivisionError:
                 return None
-        step = _solved(slopes, inverse, -part_of(now.residual, k))
+        step = solution(slopes, inverse, -part_of(now.residual, k))
         if step is None:
             return None
         others = curve.others(coordinate, jets)
@@ -266,6 +275,39 @@ def directions(
         ]
         jets = curve.point(coordinate, jets[coordinate], moved)
     return jets
+
+
+def along_parameter(region: Region, point: Sequence[Any], axis: int) -> list[Any] | None:
+    """An orbit's unknowns and parameters as jets by one of the parameters; the others stay.
+
+    Parameters
+    ----------
+    region : Region
+    point : sequence of arb or TaylorModel
+        Enclosures of the unknowns of the orbit's equations, and the region's parameters.
+    axis : int
+        Number of the parameter.
+
+    Returns
+    -------
+    list of Jet, arb or TaylorModel or None
+        One for each of them; None where the equations may be singular.
+    """
+    from flint import arb
+
+    count = len(point) - len(region.names)
+    own, parameters = list(point[:count]), list(point[count:])
+    parameters[axis] = jet(parameters[axis], arb(1))
+    now = linearised_in_jets(region, own, parameters)
+    slopes = part_of(now.jacobian, 0)
+    try:
+        inverse = slopes.mid().inv().mid()
+    except ZeroDivisionError:
+        return None
+    step = solution(slopes, inverse, -part_of(now.residual, 1))
+    if step is None:
+        return None
+    return [*(jet(x, d) for x, d in zip(own, step, strict=True)), *parameters]
 
 
 def largest_of(numbers: Sequence[arb]) -> arb:
@@ -283,8 +325,22 @@ def largest_of(numbers: Sequence[arb]) -> arb:
     return reduce(lambda left, right: left.max(right), numbers).upper()
 
 
-def _solved(slopes: Any, inverse: Any, right: Any) -> list[Any] | None:
-    """Enclosures of the solution of a linear system, for all values of the variables."""
+def solution(slopes: Any, inverse: Any, right: Any) -> list[Any] | None:
+    """Enclosures of the solution of a linear system, for all values of the variables.
+
+    Parameters
+    ----------
+    slopes : matrix (n, n)
+        Of balls or Taylor models.
+    inverse : matrix (n, n)
+        About its inverse, exact.
+    right : matrix (n, 1)
+
+    Returns
+    -------
+    list of arb or TaylorModel, or None
+        None where the matrix may be singular.
+    """
     from flint import arb, arb_mat
 
     size = slopes.nrows()

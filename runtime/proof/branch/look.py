@@ -11,11 +11,10 @@ from nonsmooth.runtime.proof.admissibility import Judgement, OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
 from nonsmooth.runtime.proof.branch.crossing import SHARP, EventCrossing, Which, crossing_of
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
-from nonsmooth.runtime.proof.branch.passage import CyclePassage, multiplier
+from nonsmooth.runtime.proof.branch.passage import CyclePassage, others_at_circle, passed_by
 from nonsmooth.runtime.proof.branch.tube import Piece, orbit_at
 from nonsmooth.runtime.proof.events.augmented_system import check_pair
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.multipliers import trace_of
 from nonsmooth.runtime.proof.orbit_claims import NOT_CONSERVED
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
@@ -26,7 +25,6 @@ __all__ = ["NOT_ADMISSIBLE", "UNDECIDED", "Look", "look"]
 
 NOT_ADMISSIBLE, UNDECIDED = "not admissible", "undecided"
 _TURNS = "the branch may turn"
-_PAIR = 4  # size of a conservative map with one pair of multipliers
 
 
 class Look(NamedTuple):
@@ -121,7 +119,7 @@ def _turned(curve: OrbitCurve, piece: Piece, passage: CyclePassage, judgement: J
     if judgement.verdict == "undecided":
         return _undecided(judgement.reason)
     if judgement.verdict == "proved":
-        if curve.region.closing.form is not None or _others(passage, "fold"):
+        if curve.region.closing.form is not None or others_at_circle(passage, "fold"):
             return _undecided(_TURNS)
         ends = _at_ends(curve, piece)
     return _event(curve, piece, "fold", ends, _TURNS)
@@ -130,35 +128,10 @@ def _turned(curve: OrbitCurve, piece: Piece, passage: CyclePassage, judgement: J
 def _multipliers(curve: OrbitCurve, piece: Piece, passage: CyclePassage) -> Look:
     """A tile in which a multiplier may pass the unit circle."""
     reason = passage.stability.reason
-    if passage.section is None or curve.region.cycle.one_sided:
+    kind = passed_by(passage)
+    if not kind:
         return _undecided(reason)
-    if curve.region.closing.form is not None:
-        # where m + 1/m is 2 it leaves the circle too, and is no fold if the period is given
-        total = range_of(trace_of(passage.section)) - 1
-        pair = passage.equations.size == _PAIR and (total > 2 or total < 2)
-        return (
-            _event(curve, piece, "flip", _at_ends(curve, piece), reason)
-            if pair
-            else (_undecided(reason))
-        )
-    suspects = [kind for kind in ("flip", "neimark-sacker") if kind in _others(passage, "")]
-    if len(suspects) != 1 or "fold" in _others(passage, ""):
-        return _undecided(reason)
-    return _event(curve, piece, suspects[0], _at_ends(curve, piece), reason)
-
-
-def _others(passage: CyclePassage, but: str) -> list[str]:
-    """Which numbers of multipliers may be zero, but for one: all passings of the circle."""
-    size = passage.section.nrows()
-    kinds = [kind for kind in ("flip", "fold", "neimark-sacker") if kind != but]
-    if size < 2:
-        kinds = [kind for kind in kinds if kind != "neimark-sacker"]
-    found = []
-    for kind in kinds if size else ():
-        value = range_of(multiplier(passage, kind))
-        if not (value > 0 or value < 0):
-            found.append(kind)
-    return found
+    return _event(curve, piece, kind, _at_ends(curve, piece), reason)
 
 
 def _at_ends(curve: OrbitCurve, piece: Piece) -> list[str]:

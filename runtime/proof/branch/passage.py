@@ -1,4 +1,4 @@
-"""The cycle along a branch, and the numbers whose zeros are its events, in any arithmetic."""
+"""The cycle of enclosed orbits, and the numbers whose zeros are its events, in any arithmetic."""
 
 from __future__ import annotations
 
@@ -13,29 +13,37 @@ from nonsmooth.runtime.proof.admissibility_conditions import Plan
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.events.augmented_system import determinant, pair_products
 from nonsmooth.runtime.proof.motion.exact_rows import evaluate
-from nonsmooth.runtime.proof.multipliers import reduced_map
+from nonsmooth.runtime.proof.multipliers import reduced_map, trace_of
 from nonsmooth.runtime.proof.orbit_claims import MapClaim, claim_of_map, conserved, judged
 
-__all__ = ["MULTIPLIERS", "CyclePassage", "border", "multiplier", "time_of_touch"]
+__all__ = [
+    "MULTIPLIERS",
+    "CyclePassage",
+    "border",
+    "multiplier",
+    "others_at_circle",
+    "passed_by",
+    "time_of_touch",
+]
 
+_PAIR = 4  # size of a conservative map with one pair of multipliers
 MULTIPLIERS = ("flip", "fold", "neimark-sacker")
 
 
 class CyclePassage:
-    """The cycle of an orbit whose unknowns and parameter are enclosed.
+    """The cycle of an orbit whose unknowns and parameters are enclosed.
 
     Parameters
     ----------
     region : Region
-        Of one parameter.
     point : sequence of arb, TaylorModel or Jet
-        The unknowns of the orbit's equations, and the parameter.
+        The unknowns of the orbit's equations, and the region's parameters.
     """
 
     def __init__(self, region: Region, point: Sequence[Any]) -> None:
-        *own, parameter = point
-        self.region, self.own = region, own
-        self.number = region.tables.number_at([parameter])
+        count = len(point) - len(region.names)
+        self.region, self.own = region, list(point[:count])
+        self.number = region.tables.number_at(list(point[count:]))
         self.equations = region.equations(self.number)
 
     @cached_property
@@ -103,6 +111,55 @@ def multiplier(passage: CyclePassage, kind: str) -> Any:
     sign = 1 if kind == "flip" else -1
     size = found.nrows()
     return determinant([[found[i, j] + sign * (i == j) for j in range(size)] for i in range(size)])
+
+
+def passed_by(passage: CyclePassage) -> str:
+    """The one number of multipliers that may be zero: there they pass the unit circle.
+
+    Parameters
+    ----------
+    passage : CyclePassage
+        Of orbits whose multipliers cannot be told from the unit circle.
+
+    Returns
+    -------
+    {"flip", "neimark-sacker", ""}
+        Empty where several may be, or a fold, or where the map has a corner.
+    """
+    region = passage.region
+    if passage.section is None or region.cycle.one_sided:
+        return ""
+    if region.closing.form is not None:
+        # where m + 1/m is 2 it leaves the circle too, and is no fold if the period is given
+        total = range_of(trace_of(passage.section)) - 1
+        pair = passage.equations.size == _PAIR and (total > 2 or total < 2)
+        return "flip" if pair else ""
+    kinds = others_at_circle(passage, "")
+    return kinds[0] if len(kinds) == 1 and kinds != ["fold"] else ""
+
+
+def others_at_circle(passage: CyclePassage, but: str) -> list[str]:
+    """Which numbers of multipliers may be zero, but for one: all passings of the circle.
+
+    Parameters
+    ----------
+    passage : CyclePassage
+    but : str
+
+    Returns
+    -------
+    list of str
+    """
+    size = passage.section.nrows()
+    kinds = [kind for kind in ("flip", "fold", "neimark-sacker") if kind != but]
+    if size < 2:
+        kinds = [kind for kind in kinds if kind != "neimark-sacker"]
+    found = []
+    for kind in kinds if size else ():
+        value = range_of(multiplier(passage, kind))
+        if not (value > 0 or value < 0):
+            found.append(kind)
+    return found
 
 
 def border(passage: CyclePassage, which: OpenInequality, time: Any = None) -> Any:

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from decimal import ROUND_DOWN, Decimal
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
+from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition, cone_condition
 from nonsmooth.runtime.proof.chaos.coverings import Coverings, coverings
-from nonsmooth.runtime.proof.chaos.entropy import growth
+from nonsmooth.runtime.proof.chaos.entropy import growth, logarithm_below
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
@@ -25,14 +26,11 @@ from nonsmooth.runtime.proof.sets.sections import MapSection
 from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
 from nonsmooth.runtime.simulation.simulate import simulate
 
-if TYPE_CHECKING:
-    from flint import arb
-
-__all__ = ["certify_chaos", "entropy_of"]
+__all__ = ["certify_chaos"]
 
 _BITS = 80
+_CONE_PARTS = 4  # times as many for derivatives
 _BASES = 240  # points of the motion about which sets stand
-_DIGITS = 6  # of the entropy
 _LEAST_GROWTH = 0.01  # of the logarithm of distances in one iterate: else it is no chaos
 _FEWEST_BITS, _MOST_BITS = 64, 4096
 
@@ -46,6 +44,7 @@ def certify_chaos(
     iterates: int = 8,
     attempts: int = 12,
     parts: int = 3000,
+    exponents: bool = False,
     bits: int = _BITS,
     progress: Callable[[int], object] = lambda done: None,
 ) -> ChaosCertificate:
@@ -74,6 +73,9 @@ def certify_chaos(
         How many candidates are tried to be proved.
     parts : int
         Parts into which one h-set is divided, at most.
+    exponents : bool
+        Whether a cone condition is looked for too, which bounds Lyapunov exponents: derivatives
+        over small parts of the sets, several times as many images.
     bits : int
         Working precision of the proof, 64 to 4096.
     progress : callable
@@ -92,7 +94,8 @@ def certify_chaos(
     References
     ----------
     P. Zgliczynski and M. Gidea, Covering relations for multidimensional dynamical systems, J.
-    Differential Equations 202 (2004) 32-58.
+    Differential Equations 202 (2004) 32-58. H. Kokubu, D. Wilczak and P. Zgliczynski, Rigorous
+    verification of cocoon bifurcations in the Michelson system, Nonlinearity 20 (2007) 2147-2174.
 
     Examples
     --------
@@ -117,7 +120,7 @@ def certify_chaos(
         enclosed = at(bits)
         if len(enclosed.structure.forcing) > 1:
             raise InputError(f"{enclosed.structure.name} has several forcings: chaos needs one")
-        question = _ChaosQuestion(kernels, enclosed, iterates, parts, progress)
+        question = _ChaosQuestion(kernels, enclosed, iterates, parts, exponents, progress)
         left = attempts
         for section, candidate in question.candidates(motion):
             found = question.prove(section, candidate)
@@ -138,6 +141,7 @@ class _ChaosQuestion:
     system: EnclosedSystem
     iterates: int
     parts: int
+    exponents: bool
     progress: Callable[[int], object]
     tried: list[str] = field(default_factory=list)
     images: int = 0
@@ -185,7 +189,26 @@ class _ChaosQuestion:
             if growth(len(sets), edges)[0] <= 1:
                 self.tried.append(f"{told}: {h_set.name}: {proved.reason}")
                 return None
-        return self._certificate(section, candidate.iterates, sets, edges, found)
+        bound, kept, _ = growth(len(sets), edges)
+        inner = [(i, j) for i, j in edges if i in kept and j in kept]
+        number = {k: place for place, k in enumerate(kept)}
+        return self._certificate(
+            mapped,
+            bound,
+            [sets[k] for k in kept],
+            [(number[i], number[j]) for i, j in inner],
+            [found[k] for k in kept],
+        )
+
+    def _cones(
+        self, mapped: SectionMap, sets: Sequence[HSet], edges: Sequence[tuple[int, int]]
+    ) -> ConeCondition | None:
+        """A cone condition; None, and why not, where none is proved."""
+        try:
+            return cone_condition(mapped, sets, edges, _CONE_PARTS * self.parts, self._tick)
+        except Undecided as trouble:
+            self.tried.append(f"no cone condition: {trouble.reason}")
+            return None
 
     def _tick(self) -> None:
         self.images += 1
@@ -193,25 +216,24 @@ class _ChaosQuestion:
 
     def _certificate(
         self,
-        section: MapSection,
-        iterates: int,
-        sets: tuple[HSet, ...],
+        mapped: SectionMap,
+        bound: Fraction,
+        sets: Sequence[HSet],
         edges: Sequence[tuple[int, int]],
         found: Sequence[Coverings],
     ) -> ChaosCertificate:
-        bound, kept, _ = growth(len(sets), edges)
-        structure = self.system.structure
+        section, structure = mapped.section, self.system.structure
         names = structure.configurations
-        pairs = [(i, j) for i, j in edges if i in kept and j in kept]
+        cones = self._cones(mapped, sets, edges) if self.exponents else None
         itineraries = {
-            sets[k].name: tuple(
+            h_set.name: tuple(
                 (names[p.source], _joined(self.system, p.source, p.boundaries), names[p.target])
-                for p in found[k].passages
+                for p in own.passages
             )
-            for k in kept
+            for h_set, own in zip(sets, found, strict=True)
         }
         phase = () if section.phase is None else tuple(map(str, section.phase))
-        passages = [p for k in kept for p in found[k].passages]
+        passages = [p for own in found for p in own.passages]
         if section.phase is None:
             reached = tuple(sorted(section.boundaries))
             passages.append(PassedTransition(section.source, reached, section.configuration))
@@ -227,13 +249,14 @@ class _ChaosQuestion:
             if section.phase
             else _joined(self.system, section.source, tuple(sorted(section.boundaries))),
             coordinates=tuple(structure.states[k] for k in section.free),
-            iterates=iterates,
-            h_sets=tuple(sets[k] for k in kept),
-            coverings=tuple((sets[i].name, sets[j].name) for i, j in pairs),
+            iterates=mapped.iterates,
+            h_sets=tuple(sets),
+            coverings=tuple((sets[i].name, sets[j].name) for i, j in edges),
             itineraries=itineraries,
             growth=str(bound),
-            entropy=entropy_of(bound, iterates),
-            images={sets[k].name: found[k].parts for k in kept},
+            entropy=logarithm_below(bound, mapped.iterates),
+            cones=cones,
+            images={own.name: of.parts for own, of in zip(sets, found, strict=True)},
             tried=tuple(self.tried),
             bits=self.system.bits,
             declaration=visited_declaration(self.kernels, self.system, passages),
@@ -257,31 +280,12 @@ class _ChaosQuestion:
             itineraries={},
             growth="0",
             entropy="0",
+            cones=None,
             images={},
             tried=tuple(self.tried),
             bits=self.system.bits,
             declaration={},
         )
-
-
-def entropy_of(bound: Fraction, iterates: int) -> str:
-    """The logarithm of a growth for each iterate, rounded down, as a decimal text.
-
-    Parameters
-    ----------
-    bound : Fraction
-        More than 1.
-    iterates : int
-
-    Returns
-    -------
-    str
-    """
-    from flint import arb, fmpq
-
-    exact: arb = arb(fmpq(bound.numerator, bound.denominator)).log() / iterates
-    below = Decimal(exact.lower().str(30, radius=False)) * (1 - Decimal(10) ** -20)
-    return str(below.quantize(Decimal(10) ** (below.adjusted() + 1 - _DIGITS), ROUND_DOWN))
 
 
 def _joined(system: EnclosedSystem, source: int, boundaries: Sequence[int]) -> str:

@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.json_codec import Exact
+from nonsmooth.runtime.core.json_codec import Exact, encode
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 
 __all__ = ["ChaosCertificate"]
@@ -60,6 +61,8 @@ class ChaosCertificate(Shown):
         The spectral radius of the graph is no less: a fraction.
     entropy : str
         The topological entropy of P is no less: log(growth) / k, rounded down.
+    cones : ConeCondition or None
+        What shows that neighbours part; None where no cone condition is proved.
     images : dict of str to tuple of tuple of tuple of float
         For pictures, of the image of each h-set the corners of the parts that contain it; empty
         for what was loaded, and on sections of more than two coordinates.
@@ -87,6 +90,7 @@ class ChaosCertificate(Shown):
     itineraries: Mapping[str, tuple[tuple[str, str, str], ...]]
     growth: Exact
     entropy: Exact
+    cones: ConeCondition | None
     images: Mapping[str, Any] = field(repr=False)
     tried: tuple[str, ...] = field(repr=False)
     bits: int
@@ -96,6 +100,11 @@ class ChaosCertificate(Shown):
     def proved(self) -> bool:
         """Whether there is chaos: the entropy is proved to be positive."""
         return self.claim == "proved"
+
+    @property
+    def exponent(self) -> str:
+        """Largest Lyapunov exponents of the motions are no less, by iterate; "0" if unproved."""
+        return "0" if self.cones is None else self.cones.exponent
 
     @property
     def matrix(self) -> np.ndarray:
@@ -195,6 +204,7 @@ class ChaosCertificate(Shown):
             },
             "growth": self.growth,
             "entropy": self.entropy,
+            "cones": None if self.cones is None else encode(self.cones),
             "tried": list(self.tried),
             "bits": self.bits,
         }

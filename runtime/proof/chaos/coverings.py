@@ -16,12 +16,11 @@ import numpy as np
 
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.chaos.h_sets import Box, HSet, piece
+from nonsmooth.runtime.proof.chaos.parts import coordinates, divisible, most_stretched, slices
 from nonsmooth.runtime.proof.sets.affine_sets import AffineSet
 from nonsmooth.runtime.proof.sets.images import PassedTransition, SectionMap
 
 __all__ = ["Coverings", "coverings"]
-
-_FINEST = 2.0**-20  # of an h-set: narrower parts are not tried
 
 
 class Coverings(NamedTuple):
@@ -114,13 +113,13 @@ class _SetImages:
         try:
             found = self.mapped.image(piece(self.h_set, self.mapped.section, box))
         except Undecided:
-            if max(b - a for a, b in box) <= _FINEST:
+            if not divisible(box):
                 raise
             return None
         if self.passages not in (None, found.passages):
             raise Undecided("states of one set go through different transitions", digits=False)
         self.passages = found.passages
-        return _coordinates(found.states, self.mapped.section.free)
+        return coordinates(found.states, self.mapped.section.free)
 
     def beyond(self, boxes: list[Box], wanted: set[int], left: dict[int, str]) -> dict[int, int]:
         """On which side of each h-set the images of all boxes lie; why not is put in `left`."""
@@ -135,12 +134,12 @@ class _SetImages:
                     sign = 1 if unstable > 1 else -1 if unstable < -1 else 0
                     if sign and signs.setdefault(k, sign) != sign:
                         left[k] = "an unstable side is mapped to both sides of it"
-                    elif not sign and not _divisible(box):
+                    elif not sign and not divisible(box):
                         left[k] = "an unstable side is not mapped beyond it"
                     undecided |= not sign and k not in left
                 if not undecided:
                     continue
-            boxes += _halves(box, self._longest(box, image))
+            boxes += slices(box, most_stretched(self.h_set, box, image))
         return signs
 
     def between(self, boxes: list[Box], wanted: set[int], left: dict[int, str]) -> None:
@@ -154,46 +153,13 @@ class _SetImages:
                     unstable, *stable = self.others[k].seen(image)
                     if unstable > 1 or unstable < -1 or all(abs(x) < 1 for x in stable):
                         continue
-                    if not _divisible(box):
+                    if not divisible(box):
                         left[k] = "the image comes to a stable side of it"
                     undecided |= k not in left
                 if not undecided:
                     self.parts.append(_outline(image))
                     continue
-            boxes += _halves(box, self._longest(box, image))
-
-    def _longest(self, box: Box, image: AffineSet | None) -> int:
-        """The coordinate whose halving makes the image smallest, or the longest one."""
-        if image is None:
-            widths = [b - a for a, b in box]
-            weights = [
-                width * float(sum(abs(x) for x in column))
-                for width, column in zip(widths, self.h_set.near[1].T, strict=True)
-            ]
-            return max(range(len(box)), key=weights.__getitem__)
-        columns = image.columns.tolist()
-        sizes = [float(sum(abs(row[1 + k]) for row in columns)) for k in range(len(box))]
-        moving = [k for k, (a, b) in enumerate(box) if b - a > _FINEST]
-        return max(moving or range(len(box)), key=sizes.__getitem__)
-
-
-def _divisible(box: Box) -> bool:
-    return max(b - a for a, b in box) > _FINEST
-
-
-def _halves(box: Box, k: int) -> list[Box]:
-    low, high = box[k]
-    middle = (low + high) / 2
-    return [(*box[:k], part, *box[k + 1 :]) for part in ((middle, high), (low, middle))]
-
-
-def _coordinates(states: AffineSet, free: Sequence[int]) -> AffineSet:
-    """The section's coordinates and 1 of a set of states."""
-    from flint import arb_mat
-
-    columns, rest = states.columns.tolist(), states.rest.tolist()
-    places = [*free, len(columns) - 1]
-    return AffineSet(arb_mat([columns[k] for k in places]), arb_mat([rest[k] for k in places]))
+            boxes += slices(box, most_stretched(self.h_set, box, image))
 
 
 def _outline(image: AffineSet) -> tuple[tuple[float, ...], ...]:

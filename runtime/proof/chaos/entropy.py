@@ -11,14 +11,20 @@ rational number.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from decimal import ROUND_DOWN, Decimal
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-__all__ = ["growth", "strong_components"]
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = ["growth", "logarithm_below", "strong_components"]
 
 _SCALE = 10**6  # of the vector's entries
 _ROUNDS = 200
+_DIGITS = 6  # of a logarithm
 
 
 def growth(
@@ -58,6 +64,26 @@ def growth(
         if found > best[0]:
             best = (found, tuple(part), weights)
     return best
+
+
+def logarithm_below(bound: Fraction, iterates: int) -> str:
+    """The logarithm of a growth for each iterate, rounded down, as a decimal text.
+
+    Parameters
+    ----------
+    bound : Fraction
+        More than 1.
+    iterates : int
+
+    Returns
+    -------
+    str
+    """
+    from flint import arb, fmpq
+
+    exact: arb = arb(fmpq(bound.numerator, bound.denominator)).log() / iterates
+    below = Decimal(exact.lower().str(30, radius=False)) * (1 - Decimal(10) ** -20)
+    return str(below.quantize(Decimal(10) ** (below.adjusted() + 1 - _DIGITS), ROUND_DOWN))
 
 
 def strong_components(matrix: np.ndarray) -> list[list[int]]:

@@ -94,10 +94,10 @@ class HSet:
         -------
         list of arb, length d
         """
-        return coordinates.mapped(self._inward).ranges
+        return coordinates.mapped(self.inward).ranges
 
     @cached_property
-    def _inward(self) -> arb_mat:
+    def inward(self) -> arb_mat:
         """From the section's coordinates and 1 to those of the set: (d, d + 1)."""
         from flint import arb_mat, fmpq_mat
 
@@ -112,7 +112,7 @@ class HSet:
         return arb_mat(fmpq_mat([[*row, *last] for row, last in rows]))
 
 
-def piece(h_set: HSet, section: MapSection, box: Box) -> AffineSet:
+def piece(h_set: HSet, section: MapSection, box: Box, *, sloped: bool = False) -> AffineSet:
     """States of a part of an h-set, with the time 0.
 
     Parameters
@@ -121,12 +121,14 @@ def piece(h_set: HSet, section: MapSection, box: Box) -> AffineSet:
     section : MapSection
     box : Box
         The part: lower and upper value of each coordinate, exactly.
+    sloped : bool
+        Whether derivatives by the coordinates of the h-set are followed.
 
     Returns
     -------
     AffineSet
     """
-    from flint import arb_mat, fmpq, fmpq_mat
+    from flint import arb, arb_mat, fmpq, fmpq_mat
 
     centre, sides = h_set.exactly()
     low, high = ([fmpq(*float(x[k]).as_integer_ratio()) for x in box] for k in (0, 1))
@@ -138,9 +140,13 @@ def piece(h_set: HSet, section: MapSection, box: Box) -> AffineSet:
         middle = x + sum((m * y for m, y in zip(middles, shares, strict=True)), fmpq(0))
         rows.append([middle, *(h * y for h, y in zip(halves, shares, strict=True))])
     rows.append([fmpq(1), *(fmpq(0) for _ in sides)])
-    states = (fmpq_mat([list(row) for row in section.lift]) * fmpq_mat(rows)).tolist()
-    found = [*states, [fmpq(0)] * len(rows[-1]), rows[-1]]
-    return affine_set(arb_mat(fmpq_mat(found)), arb_mat(len(found), 1))
+    lift = fmpq_mat([list(row) for row in section.lift])
+    found = [*(lift * fmpq_mat(rows)).tolist(), [fmpq(0)] * len(rows[-1]), rows[-1]]
+    none, tangents = arb_mat(len(found), 1), []
+    for side in sides if sloped else ():
+        along = arb_mat(lift * fmpq_mat([*([x] for x in side), [0]]))
+        tangents.append(affine_set(arb_mat([*along.tolist(), [arb(0)], [arb(0)]]), none))
+    return affine_set(arb_mat(fmpq_mat(found)), none, tuple(tangents))
 
 
 def apart(one: HSet, other: HSet) -> bool:

@@ -16,6 +16,7 @@ passed is known as a function of the state too.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.events.leading_derivative import Undecided
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 __all__ = ["AffineSet", "affine_set", "with_time"]
 
 _STEPS = 3  # of Newton's method for the time at which the centre arrives
+_PASSES = 2  # of the mean value form
 _LEAST = 2.0**-40  # of the radius of a window of times
 
 
@@ -61,10 +63,14 @@ class AffineSet(NamedTuple):
         Exact: the centre, then the sides, of states, time and 1.
     rest : arb_mat (N + 2, 1)
         Balls around zero in which b is.
+    tangents : tuple of AffineSet
+        Derivatives of the map that led here, in some directions, at every state that it was
+        applied to. Empty where they are not followed.
     """
 
     columns: arb_mat
     rest: arb_mat
+    tangents: tuple[AffineSet, ...] = ()
 
     def mapped(self, matrix: arb_mat) -> AffineSet:
         """The image under a linear map of (y, t, 1).
@@ -78,7 +84,8 @@ class AffineSet(NamedTuple):
         AffineSet
             Of n rows.
         """
-        return affine_set(matrix * self.columns, matrix * self.rest)
+        tangents = tuple(tangent.mapped(matrix) for tangent in self.tangents)
+        return affine_set(matrix * self.columns, matrix * self.rest, tangents)
 
     @property
     def ranges(self) -> list[arb]:
@@ -117,39 +124,81 @@ class AffineSet(NamedTuple):
         (level,) = moved.mapped(row).ranges
         late = _late(field, row, hull, level, arb(0, 2 * window.rad() + _LEAST))
         shift = (field * late).exp()
-        rates = field * (shift * hull)
-        change = shift - (rates / (row * rates)[0, 0]) * (row * shift)
-        middles, listed = change.mid(), moved.columns.tolist()
-        spread = [
-            [_around(_total(entries[1:])) + b]
-            for entries, b in zip(listed, moved.rest.entries(), strict=True)
-        ]
-        wide = ((change - middles) * _matrix(spread)).entries()
-        carried = (middles * moved.columns).tolist()
+        listed = moved.columns.tolist()
         centre = _arrived(field, row, _matrix([[entries[0]] for entries in listed]), late)
-        added = [k for k, x in enumerate(wide) if not x.is_zero()]
-        columns = [
-            [c, *entries[1:], *(wide[k].abs_upper() if i == k else 0 * c.mid() for k in added)]
-            for i, (c, entries) in enumerate(zip(centre.entries(), carried, strict=True))
-        ]
-        return affine_set(_matrix(columns), middles * moved.rest)
+        there = shift * hull
+        for _ in range(_PASSES):
+            rates = field * there  # where the states are when they arrive
+            change = _kept_zero(row, shift - (rates / (row * rates)[0, 0]) * (row * shift))
+            found = _mean_value(moved, change, centre)
+            there = _matrix([
+                [x.intersection(y)] for x, y in zip(there.entries(), found.ranges, strict=True)
+            ])  # fmt: skip
+        tangents = tuple(_varied(change, tangent) for tangent in moved.tangents)
+        return found._replace(tangents=tangents)
 
 
-def affine_set(columns: arb_mat, rest: arb_mat) -> AffineSet:
+def affine_set(columns: arb_mat, rest: arb_mat, tangents: tuple[AffineSet, ...] = ()) -> AffineSet:
     """A set by columns that need not be exact: what is not certain of them goes to the box.
 
     Parameters
     ----------
     columns : arb_mat (N + 2, 1 + m)
     rest : arb_mat (N + 2, 1)
+    tangents : tuple of AffineSet, optional
 
     Returns
     -------
     AffineSet
     """
     middle = columns.mid()
-    unsure = [[_around(_total(row))] for row in (columns - middle).tolist()]
-    return AffineSet(middle, rest + _matrix(unsure))
+    unsure = (columns - middle) * _ones(columns.ncols())
+    return AffineSet(middle, rest + unsure, tangents)
+
+
+def _mean_value(states: AffineSet, change: arb_mat, centre: arb_mat) -> AffineSet:
+    """The image of a set under a map, by its derivative over the set and the centre's image."""
+    middles, listed = change.mid(), states.columns.tolist()
+    spread = [
+        [_around(_total(entries[1:])) + b]
+        for entries, b in zip(listed, states.rest.entries(), strict=True)
+    ]
+    wide = ((change - middles) * _matrix(spread)).entries()
+    carried = (middles * states.columns).tolist()
+    arrived = [[c, *own[1:]] for c, own in zip(centre.entries(), carried, strict=True)]
+    return affine_set(_with_sides(_matrix(arrived), wide), middles * states.rest)
+
+
+def _kept_zero(row: arb_mat, matrix: arb_mat) -> arb_mat:
+    """A matrix in balls that is known to map to where a function is zero, and so in one row."""
+    weights, rows = row.entries(), matrix.tolist()
+    pivot = max(range(len(rows) - 1), key=lambda k: float(abs(weights[k])))
+    others = [
+        (x / weights[pivot], own)
+        for k, (x, own) in enumerate(zip(weights, rows, strict=True))
+        if k != pivot and not x.is_zero()
+    ]
+    rows[pivot] = [
+        -sum((x * own[k] for x, own in others), 0 * rows[0][0].mid()) for k in range(len(rows))
+    ]
+    return _matrix(rows)
+
+
+def _varied(matrix: arb_mat, vectors: AffineSet) -> AffineSet:
+    """The images of vectors under all matrices in balls: what they vary by becomes sides."""
+    middle = matrix.mid()
+    wide = ((matrix - middle) * _matrix([[x] for x in vectors.ranges])).entries()
+    return affine_set(_with_sides(middle * vectors.columns, wide), middle * vectors.rest)
+
+
+def _with_sides(columns: arb_mat, wide: Sequence[arb]) -> arb_mat:
+    """Columns, and one more side for each coordinate that varies by itself."""
+    added = [k for k, x in enumerate(wide) if not x.is_zero()]
+    zero = 0 * columns[0, 0].mid()
+    return _matrix([
+        [*own, *(wide[k].abs_upper() if i == k else zero for k in added)]
+        for i, own in enumerate(columns.tolist())
+    ])  # fmt: skip
 
 
 def _late(field: arb_mat, row: arb_mat, hull: arb_mat, level: arb, late: arb) -> arb:
@@ -178,6 +227,13 @@ def _arrived(field: arb_mat, row: arb_mat, centre: arb_mat, late: arb) -> arb_ma
         late = late.intersection(middle - (row * there)[0, 0] / (row * rates)[0, 0])
     middle = late.mid()
     return (field * (late - middle)).exp() * ((field * middle).exp() * centre)
+
+
+@lru_cache(maxsize=128)
+def _ones(count: int) -> arb_mat:
+    from flint import arb, arb_mat
+
+    return arb_mat([[arb(0, 1)]] * count)
 
 
 def _total(row: Sequence[arb]) -> arb:

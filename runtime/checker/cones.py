@@ -1,0 +1,240 @@
+"""The check of cone conditions along coverings.
+
+For a covering of M by N the file states a box S in N. Of each part of N outside of S it is shown
+that its image does not meet M, and of the parts in S the derivative is enclosed, in the
+coordinates of N and M. For all matrices V between the least and the largest entries
+
+    V^T Q_M V - m Q_N is positive definite
+
+at the two rates m that are stated (Zgliczynski 2009): the form is diagonalised as far as V_uu
+tells, and the rest is positive by Sylvester's minors.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple, Protocol
+
+from flint import arb, arb_mat, fmpq
+
+from nonsmooth.runtime.checker.exact import demand, exact
+from nonsmooth.runtime.checker.sets import StateSet, TooWide
+
+__all__ = ["Mapped", "check_cones"]
+
+_FINEST = fmpq(1, 2**22)
+_MOST = 20_000  # images of one set
+_SPREADS = (1.0, 0.4, 0.2, 0.1, 0.05)  # of a derivative, against what stretches
+
+Box = tuple[tuple[Any, Any], ...]
+Matrix = list[list[Any]]
+
+
+class Mapped(Protocol):
+    """A set that is mapped part by part, and those that it covers."""
+
+    def image(self, box: Box) -> StateSet:
+        """Coordinates and 1 of the image of a part, with derivatives; TooWide if not shown."""
+
+    def seen(self, target: str, image: StateSet) -> StateSet:
+        """The same in the coordinates of a target."""
+
+    def lengths(self, box: Box) -> list[float]:
+        """How long the sides of a part are, about."""
+
+
+class _Part(NamedTuple):
+    box: Box
+    image: Any
+    slopes: dict[str, Matrix]
+
+
+def check_cones(
+    cones: dict[str, Any],
+    targets: Mapping[str, Sequence[str]],
+    mapped: Callable[[str], Mapped],
+    size: int,
+    iterates: int,
+) -> None:
+    """Prove a cone condition again.
+
+    Parameters
+    ----------
+    cones : dict
+        As the file states it.
+    targets : dict of str to sequence of str
+        Which sets each set covers.
+    mapped : function of str
+        The sets.
+    size : int
+        Coordinates of the section.
+    iterates : int
+        k.
+
+    Raises
+    ------
+    Failure
+        If it is not proved.
+    """
+    forms = {name: [*map(exact, form)] for name, form in cones["forms"].items()}
+    demand(forms.keys() == targets.keys(), "cones of other sets")
+    fits = all(len(form) == size and all(x > 0 for x in form) for form in forms.values())
+    demand(fits, "a form has a positive number for each coordinate")
+    strips: dict[tuple[str, str], Box] = {}
+    for source, target, entries in cones["strips"]:
+        demand((source, target) not in strips, "a strip is there twice")
+        box = tuple((exact(a), exact(b)) for a, b in entries)
+        inside = len(box) == size and all(-1 <= a < b <= 1 for a, b in box)
+        demand(inside, "a strip is no box in its set")
+        strips[source, target] = box
+    pairs = {(name, other) for name, others in targets.items() for other in others}
+    demand(strips.keys() == pairs, "strips of other coverings")
+    expansion, contraction = exact(cones["expansion"]), exact(cones["contraction"])
+    demand(expansion > 1, "cones that do not grow")
+    demand(0 <= contraction < 1 and bool(contraction) == (size > 1), "cones that do not shrink")
+    rates = [expansion, *([contraction] if size > 1 else [])]
+    for name, others in targets.items():
+        own = {other: strips[name, other] for other in others}
+        _check_set(name, mapped(name), own, forms, rates)
+    exponent = exact(cones["exponent"])
+    demand(exponent > 0, "no positive exponent")
+    least = arb(expansion).log() / (2 * iterates)
+    demand(least >= arb(exponent), "the exponent is larger than what follows")
+
+
+def _check_set(
+    name: str,
+    mapped: Mapped,
+    strips: dict[str, Box],
+    forms: dict[str, list[Any]],
+    rates: Sequence[Any],
+) -> None:
+    parts: list[_Part] = []
+    waiting: list[Box] = [tuple((fmpq(-1), fmpq(1)) for _ in forms[name])]
+    looked = 0
+    for spread in _SPREADS:
+        for part in parts:
+            if _spread(part) > spread:
+                waiting += _halves(part.box, _longest(mapped, part))
+        parts = [part for part in parts if _spread(part) <= spread]
+        while waiting:
+            box = waiting.pop()
+            cut = _cut(box, strips.values())
+            if cut is None:
+                looked += 1
+                demand(looked <= _MOST, f"{name} has too many parts for its cones")
+                found, part = _looked_at(mapped, box, strips)
+                if found and _spread(part) <= spread:
+                    parts.append(part)
+                    continue
+                cut = _longest(mapped, part)
+            wide = max(b - a for a, b in box)
+            demand(wide > _FINEST, f"what {name} is stretched by is not proved")
+            waiting += _halves(box, cut)
+        hulls = {
+            other: _hull([part.slopes[other] for part in parts if other in part.slopes])
+            for other in strips
+        }
+        if all(
+            _positive(hull, forms[other], forms[name], rate)
+            for other, hull in hulls.items()
+            for rate in rates
+        ):
+            return
+    demand(False, f"the cone condition of {name} is not proved")
+
+
+def _looked_at(mapped: Mapped, box: Box, strips: dict[str, Box]) -> tuple[bool, _Part]:
+    """Whether the image of a part is away from those it is stated to be away from."""
+    try:
+        image = mapped.image(box)
+    except TooWide:
+        return False, _Part(box, None, {})
+    away, slopes = True, {}
+    for other, strip in strips.items():
+        seen = mapped.seen(other, image)
+        if all(c <= a and b <= d for (a, b), (c, d) in zip(box, strip, strict=True)):
+            columns = [tangent.hull.entries() for tangent in seen.tangents]
+            slopes[other] = [[*row] for row in zip(*columns, strict=True)]
+        else:
+            away &= any(x > 1 or x < -1 for x in seen.hull.entries())
+    return away, _Part(box, image, slopes)
+
+
+def _cut(box: Box, strips: Any) -> int | None:
+    """A coordinate across which a box is cut by the border of a strip that it meets."""
+    for strip in strips:
+        if any(b <= c or d <= a for (a, b), (c, d) in zip(box, strip, strict=True)):
+            continue
+        for k, ((a, b), (c, d)) in enumerate(zip(box, strip, strict=True)):
+            if a < c < b or a < d < b:
+                return k
+    return None
+
+
+def _halves(box: Box, k: int) -> list[Box]:
+    low, high = box[k]
+    middle = (low + high) / 2
+    return [(*box[:k], half, *box[k + 1 :]) for half in ((middle, high), (low, middle))]
+
+
+def _longest(mapped: Mapped, part: _Part) -> int:
+    """The coordinate that is longest at the start and behind the map together."""
+    lengths = mapped.lengths(part.box)
+    if part.image is not None:
+        moved = part.image.sides.tolist()
+        lengths = [
+            own + sum(abs(float(row[k].mid())) for row in moved) for k, own in enumerate(lengths)
+        ]
+    return max(range(len(lengths)), key=lengths.__getitem__)
+
+
+def _spread(part: _Part) -> float:
+    """Radii of derivatives, against what stretches."""
+    largest = 0.0
+    for matrix in part.slopes.values():
+        size = abs(float(matrix[0][0].mid()))
+        radii = sum(float(x.rad()) for row in matrix for x in row)
+        largest = max(largest, radii / size if radii < 1e9 * size else float("inf"))
+    return largest
+
+
+def _hull(matrices: list[Matrix]) -> Matrix:
+    """Balls around all entries of some matrices."""
+    demand(matrices, "a strip has no part")
+    first, *others = matrices
+    found = [[*row] for row in first]
+    for matrix in others:
+        found = [
+            [x.union(y) for x, y in zip(a, b, strict=True)]
+            for a, b in zip(found, matrix, strict=True)
+        ]
+    return found
+
+
+def _positive(matrix: Matrix, behind: list[Any], before: list[Any], rate: Any) -> bool:
+    """V^T Q_M V - m Q_N is positive definite for all V in balls.
+
+    It is looked at in the basis of the columns of C = ((1/V_uu, -V_us/V_uu), (0, 1)): then V C
+    has the first row (1, 0).
+    """
+    first, size = matrix[0], len(matrix)
+    if not (first[0] > 0 or first[0] < 0):
+        return False
+    turned = [[arb(int(i == j)) for j in range(size)] for i in range(size)]
+    turned[0] = [1 / first[0], *(-x / first[0] for x in first[1:])]
+    moved = [[arb(int(j == 0)) for j in range(size)]]
+    for row in matrix[1:]:
+        share = row[0] / first[0]
+        rest = [x - share * y for x, y in zip(row[1:], first[1:], strict=True)]
+        moved.append([share, *rest])
+    one = [arb(x if k == 0 else -x) for k, x in enumerate(behind)]
+    other = [arb(rate * (x if k == 0 else -x)) for k, x in enumerate(before)]
+
+    def entry(i: int, j: int) -> Any:
+        found = arb(0)
+        for k in range(size):
+            found += one[k] * moved[k][i] * moved[k][j] - other[k] * turned[k][i] * turned[k][j]
+        return found
+
+    whole = [[entry(i, j) for j in range(size)] for i in range(size)]
+    minors = (arb_mat([row[:k] for row in whole[:k]]).det() for k in range(1, size + 1))
+    return all(minor > 0 for minor in minors)

@@ -1,0 +1,118 @@
+"""Pictures of certified cascades: branches in colours, doubled orbits beside their flips."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from nonsmooth.runtime.core.errors import unknown_name
+from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.present.pictures.certified_branches import draw_tiles, mark_events
+from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
+from nonsmooth.runtime.present.pictures.proven_maps import COLORS
+from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["certified_cascade_figure", "draw_cascade"]
+
+_POINTS = 60  # of the orbits beside a flip
+
+
+def certified_cascade_figure(found: CertifiedCascade, quantity: str | None = None) -> Figure:
+    """Draw a cascade into a figure of its own; see `draw_cascade`.
+
+    Parameters
+    ----------
+    found : CertifiedCascade
+    quantity : str, optional
+        The unknown that is drawn.
+
+    Returns
+    -------
+    Figure
+        Outside pyplot.
+
+    Raises
+    ------
+    InputError
+        If the branches have no such unknown.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    check_picture("cascade", ("cascade",))
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.2, 5.0))
+    figure.set_layout_engine("constrained")
+    _draw(found, quantity, figure.add_subplot())
+    return figure
+
+
+def draw_cascade(
+    found: CertifiedCascade, quantity: str | None = None, axes: Any = None
+) -> Figure | Axes:
+    """Draw an unknown of all branches over the parameter, by the polynomials of the tubes.
+
+    Parameters
+    ----------
+    found : CertifiedCascade
+    quantity : str, optional
+        A coordinate of the start; the one in which the first doubled orbits are told apart,
+        or the first one, by default.
+    axes : Axes, optional
+        What is drawn into; a figure of its own by default.
+
+    Returns
+    -------
+    Figure or Axes
+        The figure, or the Axes that were given.
+
+    Raises
+    ------
+    InputError
+        If the branches have no such unknown.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    if axes is None:
+        return certified_cascade_figure(found, quantity)
+    check_picture("cascade", ("cascade",))
+    (own,) = given_axes(axes, "cascade", [1])
+    _draw(found, quantity, own)
+    return own
+
+
+def _draw(found: CertifiedCascade, quantity: str | None, axes: Axes) -> None:
+    import numpy as np
+
+    first = found.branches[0].unknown_names
+    common = [name for name in first if all(name in b.unknown_names for b in found.branches)]
+    name = quantity
+    if name is None:
+        told = [doubling.scaled for doubling in found.doublings if doubling.scaled in common]
+        name = (told or common)[0]
+    if name not in common:
+        raise unknown_name("unknown", name, common)
+    shown: set[str] = set()
+    for branch in found.branches:
+        draw_tiles(branch, name, axes, shown)
+    e = np.linspace(0, 1, _POINTS)
+    for branch, doubling in zip(found.branches, found.doublings, strict=False):
+        size = len(branch.unknown_names)
+        rows = [np.polynomial.polynomial.polyval(e, row) for row in doubling.centre]
+        scaled = branch.unknown_names.index(doubling.scaled)
+        away = [*rows[size:-1]]
+        away.insert(scaled, np.ones(_POINTS))
+        place = branch.unknown_names.index(name)
+        up = rows[place] + float(doubling.amplitude) * e * away[place]
+        undecided = doubling.verdict == "undecided"
+        color = "#CC3311" if undecided else COLORS[doubling.verdict]
+        axes.plot(rows[-1], up, color=color, linewidth=2, linestyle=":")
+    axes.plot([], [], color="black", linestyle=":", label="twice the period, beside a flip")
+    mark_events(found.branches, name, axes)
+    axes.set_xlabel(units_of(found.system).label(found.parameter))
+    axes.set_ylabel(name)
+    finish(axes, shown_name(found.orbit))

@@ -1,0 +1,500 @@
+"""Regions, curves and open boxes of a map of two parameters, from tiles that meet.
+
+Where tiles with verdicts meet it is proved that their orbits are the same.
+A region is made of tiles, and of sides of divided ones, that meet at a point which is clearly in
+both; a curve is made of tiles which one event divides, and whose common edge it passes.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Hashable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from itertools import pairwise, product
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from nonsmooth.runtime.proof.boxes.tile_event import TileEvent, side_of
+from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
+
+if TYPE_CHECKING:
+    from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
+
+__all__ = ["EventCurve", "OpenBox", "ProvedRegion", "curves_of", "edges_of", "map_json",
+           "open_boxes_of", "regions_of"]  # fmt: skip
+
+_PARTS = 64  # of a tile, for the area of a side
+_DRAWN = 16  # points of a curve in each tile
+_ON = 1e-9  # how near to an edge a curve ends there, in shares of the box
+Point = tuple[Fraction, Fraction]
+Cell = tuple[int, str]
+
+
+class Edge(NamedTuple):
+    """What two tiles have in common.
+
+    Attributes
+    ----------
+    first, second : int
+        Numbers of the tiles; along the axis the second one follows the first.
+    ends : tuple of (Fraction, Fraction)
+        Two points, in shares of the box from 0 to 1.
+    """
+
+    first: int
+    second: int
+    ends: tuple[Point, Point]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ProvedRegion:
+    """A connected part of a box with one verdict.
+
+    Attributes
+    ----------
+    verdict : {"stable", "neutral", "unstable", "not admissible"}
+    share : float
+        Of the box's area, about.
+    cells : tuple of (int, str)
+        Numbers of its tiles, and "below" or "above" of those that a curve divides.
+    """
+
+    verdict: str
+    share: float
+    cells: tuple[Cell, ...] = field(repr=False)
+
+
+@dataclass(frozen=True, kw_only=True)
+class EventCurve:
+    """A curve of one event, as a chain of tiles.
+
+    Attributes
+    ----------
+    event : TileEvent
+        Of its first tile.
+    tiles : tuple of int
+        Their numbers, in the order of the curve.
+    width : float
+        Of its widest band, as a share of the box.
+    ends : tuple of str
+        Where it begins and where it ends: "border" of the box, "open" where nothing is decided
+        beyond it, else "corner"; none if it is closed.
+    points : tuple of (float, float)
+        Values of the parameters along it, about.
+    """
+
+    event: TileEvent
+    tiles: tuple[int, ...]
+    width: float
+    ends: tuple[str, ...]
+    points: tuple[tuple[float, float], ...] = field(repr=False)
+
+
+@dataclass(frozen=True, kw_only=True)
+class OpenBox:
+    """Undecided tiles that touch each other.
+
+    Attributes
+    ----------
+    where : dict of str to (Fraction, Fraction)
+        The least box that holds them.
+    share : Fraction
+        Of the box's area.
+    tiles : int
+    events : tuple of str
+        What happens on the curves that end there.
+    reason : str
+        Why its largest tile is undecided.
+    """
+
+    where: dict[str, Interval]
+    share: Fraction
+    tiles: int
+    events: tuple[str, ...]
+    reason: str
+
+
+def edges_of(places: Sequence[Place]) -> list[Edge]:
+    """What tiles of a box of two parameters have in common, where that is longer than a point.
+
+    Parameters
+    ----------
+    places : sequence of Place
+
+    Returns
+    -------
+    list of Edge
+    """
+    found = []
+    for axis in (0, 1):
+        sides: dict[Fraction, tuple[list[Any], list[Any]]] = defaultdict(lambda: ([], []))
+        for number, place in enumerate(places):
+            (low, high), across = _unit(place)[axis], _unit(place)[1 - axis]
+            sides[high][0].append((across, number))
+            sides[low][1].append((across, number))
+        for at, (before, behind) in sides.items():
+            for (low, high), first, second in _overlaps(sorted(before), sorted(behind)):
+                ends = ((at, low), (at, high)) if axis == 0 else ((low, at), (high, at))
+                found.append(Edge(first, second, ends))
+    return found
+
+
+def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
+    """The regions of a map, the largest first.
+
+    Parameters
+    ----------
+    found : BoxCertificate
+        Of two parameters.
+
+    Returns
+    -------
+    tuple of ProvedRegion
+    """
+    tiles = found.tiles
+    verdicts: dict[Cell, str] = {
+        (k, side): v for k, tile in enumerate(tiles) for side, v in _verdicts(tile)
+    }
+    groups = _Groups(verdicts)
+    for edge in _joined(found):
+        first, second = tiles[edge.first], tiles[edge.second]
+        for point in _samples(edge):
+            own, its = (edge.first, _side(first, point)), (edge.second, _side(second, point))
+            if own in verdicts and its in verdicts:
+                groups.unite(own, its)
+    told = []
+    for cells in groups.all():
+        verdict = verdicts[cells[0]]
+        share = sum((_share(tiles[number], side) for number, side in cells), 0.0)
+        name = found.stability if verdict == "proved" else verdict
+        told.append(ProvedRegion(verdict=name, share=share, cells=tuple(cells)))
+    return tuple(sorted(told, key=lambda region: -region.share))
+
+
+def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
+    """The curves of events of a map, the longest chain first.
+
+    Parameters
+    ----------
+    found : BoxCertificate
+        Of two parameters.
+
+    Returns
+    -------
+    tuple of EventCurve
+    """
+    events = {k: tile.event for k, tile in enumerate(found.tiles) if tile.event is not None}
+    beside: dict[int, list[int]] = {k: [] for k in events}
+    for edge in _joined(found):
+        pair = edge.first, edge.second
+        if all(k in events for k in pair) and events[pair[0]].name == events[pair[1]].name:
+            told = [[side_of(events[k].band, _inside(found.tiles[k].place, end))
+                     for end in edge.ends] for k in pair]  # fmt: skip
+            passed = any(None not in sides and sides[0] != sides[1] for sides in told)
+            if passed or any(a is None and b is None for a, b in zip(*told, strict=True)):
+                beside[pair[0]].append(pair[1])
+                beside[pair[1]].append(pair[0])
+    groups = _Groups(events)
+    for k, others in beside.items():
+        for other in others:
+            groups.unite(k, other)
+    chains = [_walk(cells, beside) for cells in groups.all()]
+    return tuple(_curve(found, chain, beside) for chain in sorted(chains, key=len, reverse=True))
+
+
+def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
+    """Where a map decides nothing, the largest part first.
+
+    Parameters
+    ----------
+    found : BoxCertificate
+        Of any number of parameters.
+
+    Returns
+    -------
+    tuple of OpenBox
+    """
+    undecided = [k for k, tile in enumerate(found.tiles) if tile.verdict == "undecided"]
+    groups = _Groups(undecided)
+    for place, k in enumerate(undecided):
+        for other in undecided[:place]:
+            if found.tiles[k].place.touches(found.tiles[other].place):
+                groups.unite(k, other)
+    told = []
+    for cells in groups.all():
+        own = [found.tiles[k] for k in cells]
+        places = [tile.place for tile in own]
+        ends = tuple(found.box.values())
+        where = {
+            name: (
+                min(place.interval(axis, ends)[0] for place in places),
+                max(place.interval(axis, ends)[1] for place in places),
+            )
+            for axis, name in enumerate(found.box)
+        }
+        kinds = {
+            _event_text(tile.event)
+            for tile in found.tiles
+            if tile.event is not None and any(tile.place.touches(place) for place in places)
+        }
+        largest = max(own, key=lambda tile: tile.place.share)
+        told.append(
+            OpenBox(
+                where=where,
+                share=sum((place.share for place in places), Fraction(0)),
+                tiles=len(own),
+                events=tuple(sorted(kinds)),
+                reason="; ".join(largest.reasons.values()),
+            )
+        )
+    return tuple(sorted(told, key=lambda box: -box.share))
+
+
+def map_json(found: BoxCertificate) -> dict[str, Any]:
+    """What follows from the tiles of a map, as JSON: statement, regions, curves, open boxes.
+
+    Parameters
+    ----------
+    found : BoxCertificate
+
+    Returns
+    -------
+    dict
+        Ready for `json.dumps`; phases are counted from 1.
+    """
+    return {
+        "statement": found.statement,
+        "regions": [
+            {"verdict": r.verdict, "share": r.share, "cells": [list(cell) for cell in r.cells]}
+            for r in found.regions
+        ],
+        "curves": [
+            {
+                "kind": c.event.kind,
+                "phase": None if c.event.phase is None else c.event.phase + 1,
+                "configuration": c.event.configuration,
+                "boundary": c.event.boundary,
+                "instant": c.event.instant,
+                "tiles": list(c.tiles),
+                "width": c.width,
+                "ends": list(c.ends),
+                "points": [list(point) for point in c.points],
+            }
+            for c in found.curves
+        ],
+        "open": [
+            {
+                "where": {n: [str(low), str(high)] for n, (low, high) in box.where.items()},
+                "share": float(box.share),
+                "tiles": box.tiles,
+                "events": list(box.events),
+                "reason": box.reason,
+            }
+            for box in found.open
+        ],
+    }
+
+
+def _event_text(event: TileEvent) -> str:
+    if event.phase is None:
+        return event.kind
+    return f"{event.kind} of {event.boundary} in phase {event.phase + 1}"
+
+
+class _Groups:
+    """Things that are united step by step: a disjoint-set forest (B. Galler, M. Fisher, 1964)."""
+
+    def __init__(self, things: Iterable[Any]) -> None:
+        self.parents: dict[Any, Any] = {thing: thing for thing in things}
+
+    def _first(self, thing: Hashable) -> Any:
+        while self.parents[thing] != thing:
+            self.parents[thing] = self.parents[self.parents[thing]]
+            thing = self.parents[thing]
+        return thing
+
+    def unite(self, one: Hashable, other: Hashable) -> None:
+        """Put two things, and all that is with them, together."""
+        self.parents[self._first(one)] = self._first(other)
+
+    def all(self) -> list[list[Any]]:
+        """All groups."""
+        found: dict[Any, list[Any]] = defaultdict(list)
+        for thing in self.parents:
+            found[self._first(thing)].append(thing)
+        return list(found.values())
+
+
+def _unit(place: Place) -> tuple[Interval, ...]:
+    """A tile in shares of the box."""
+    return tuple(
+        (Fraction(step, 2**level), Fraction(step + 1, 2**level)) for step, level in place.steps
+    )
+
+
+def _inside(place: Place, point: Point) -> Point:
+    """A point of a tile, from -1 to 1 over it."""
+    x, y = (
+        (2 * at - low - high) / (high - low)
+        for at, (low, high) in zip(point, _unit(place), strict=True)
+    )
+    return x, y
+
+
+def _overlaps(first: list[Any], second: list[Any]) -> Iterator[tuple[Interval, int, int]]:
+    """Pairs of intervals with more than a point in common; both lists are sorted and disjoint."""
+    i = j = 0
+    while i < len(first) and j < len(second):
+        (low, high), one = first[i]
+        (its_low, its_high), other = second[j]
+        both = max(low, its_low), min(high, its_high)
+        if both[0] < both[1]:
+            yield both, one, other
+        if high <= its_high:
+            i += 1
+        if its_high <= high:
+            j += 1
+
+
+def _joined(found: BoxCertificate) -> Iterator[Edge]:
+    """Edges between tiles with verdicts: their orbits are the same there."""
+    decided = [tile.verdict != "undecided" for tile in found.tiles]
+    edges = edges_of([tile.place for tile in found.tiles])
+    return (edge for edge in edges if decided[edge.first] and decided[edge.second])
+
+
+def _samples(edge: Edge) -> list[Point]:
+    (x, y), (its_x, its_y) = edge.ends
+    shares = [Fraction(k, 4) for k in range(5)]
+    return [(x + s * (its_x - x), y + s * (its_y - y)) for s in shares]
+
+
+def _verdicts(tile: Tile) -> Iterator[tuple[str, str]]:
+    """The sides of a tile that are not empty, and their verdicts; "" stands for all of it."""
+    event = tile.event
+    if event is None:
+        if tile.verdict != "undecided":
+            yield "", tile.verdict
+        return
+    ends = [event.band.at(Fraction(end)) for end in (-1, 1)]
+    radius = Fraction(event.band.radius)
+    if max(ends) - radius > -1:
+        yield "below", event.below
+    if min(ends) + radius < 1:
+        yield "above", event.above
+
+
+def _side(tile: Tile, point: Point) -> str:
+    """The side of a point of a tile; "" of one that no curve divides, "band" on the curve."""
+    if tile.event is None:
+        return ""
+    return side_of(tile.event.band, _inside(tile.place, point)) or "band"
+
+
+def _share(tile: Tile, side: str) -> float:
+    """The area of a side, about."""
+    whole = float(tile.place.share)
+    if tile.event is None:
+        return whole
+    below = 0.0
+    for k in range(_PARTS):
+        at = float(tile.event.band.at(Fraction(2 * k + 1 - _PARTS, _PARTS)))
+        below += min(max((at + 1) / 2, 0.0), 1.0) / _PARTS
+    return whole * (below if side == "below" else 1 - below)
+
+
+def _walk(cells: list[int], beside: dict[int, list[int]]) -> list[int]:
+    """Tiles in the order of the curve, from one of its ends if it has ends."""
+    chain = [min(cells, key=lambda k: (len(beside[k]), k))]
+    left = {*cells} - {*chain}
+    while left:
+        near = [k for k in beside[chain[-1]] if k in left]
+        chain.append(near[0] if near else min(left))
+        left.discard(chain[-1])
+    return chain
+
+
+def _curve(found: BoxCertificate, chain: list[int], beside: dict[int, list[int]]) -> EventCurve:
+    pieces = [_drawn(found.tiles[k]) for k in chain]
+    for k, (before, piece) in enumerate(pairwise(pieces)):
+        ways = product((0, 1), repeat=2)
+        near = min(
+            ways, key=lambda w: _distance(before[-1 if w[0] else 0], piece[-1 if w[1] else 0])
+        )
+        if k == 0 and not near[0]:
+            before.reverse()
+        if near[1] and (
+            k == 0 or _distance(before[-1], piece[0]) > _distance(before[-1], piece[-1])
+        ):
+            piece.reverse()
+    shares = [point for piece in pieces for point in piece]
+    closed = len(chain) > 2 and chain[-1] in beside[chain[0]]
+    (a, b), (c, d) = ([float(end) for end in ends] for ends in found.box.values())
+    first = found.tiles[chain[0]].event
+    assert first is not None
+    return EventCurve(
+        event=first,
+        tiles=tuple(chain),
+        width=max(_width(found.tiles[k]) for k in chain),
+        ends=() if closed or not shares else tuple(_end(found, shares[k]) for k in (0, -1)),
+        points=tuple((a + x * (b - a), c + y * (d - c)) for x, y in shares),
+    )
+
+
+def _distance(one: tuple[float, float], other: tuple[float, float]) -> float:
+    return (one[0] - other[0]) ** 2 + (one[1] - other[1]) ** 2
+
+
+def _width(tile: Tile) -> float:
+    assert tile.event is not None
+    band = tile.event.band
+    return band.radius / float(2 ** tile.place.steps[band.axis][1])
+
+
+def _drawn(tile: Tile) -> list[tuple[float, float]]:
+    """Points of a curve in its tile, in shares of the box."""
+    assert tile.event is not None
+    band, unit = tile.event.band, _unit(tile.place)
+    spots: list[tuple[float, float]] = []
+    for k in range(_DRAWN + 1):
+        along = 2 * k / _DRAWN - 1
+        spots.append((along, float(band.at(Fraction(along)))))
+    ends = [
+        _clipped(one, other)
+        for one, other in pairwise(spots)
+        if min(one[1], other[1]) <= 1 and max(one[1], other[1]) >= -1
+    ]
+    inside = [end for pair in ends for end in pair] or [
+        (along, min(max(at, -1.0), 1.0)) for along, at in (min(spots, key=lambda s: abs(s[1])),)
+    ]
+    found = []
+    for along, at in dict.fromkeys(inside):
+        point = (at, along) if band.axis == 0 else (along, at)
+        x, y = (
+            float(low) + (e + 1) / 2 * float(high - low)
+            for e, (low, high) in zip(point, unit, strict=True)
+        )
+        found.append((x, y))
+    return found
+
+
+def _clipped(one: tuple[float, float], other: tuple[float, float]) -> list[tuple[float, float]]:
+    """The part of a short piece of a curve that is in its tile."""
+    (u, x), (v, y) = one, other
+
+    def at(level: float) -> tuple[float, float]:
+        return u + (level - x) / (y - x) * (v - u), level
+
+    return [at(-1.0) if here[1] < -1 else at(1.0) if here[1] > 1 else here for here in (one, other)]
+
+
+def _end(found: BoxCertificate, point: tuple[float, float]) -> str:
+    """What is where a curve ends."""
+    if any(abs(x - end) < _ON for x in point for end in (0, 1)):
+        return "border"
+    for tile in found.tiles:
+        if tile.verdict == "undecided":
+            sides = zip(point, _unit(tile.place), strict=True)
+            if all(float(low) - _ON <= x <= float(high) + _ON for x, (low, high) in sides):
+                return "open"
+    return "corner"

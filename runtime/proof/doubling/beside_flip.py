@@ -1,0 +1,232 @@
+"""The doubled orbits next to one flip: from its direction to their side and verdict."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.jets import part_of
+from nonsmooth.runtime.core.taylor_models import space_of
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
+from nonsmooth.runtime.proof.branch.curve import OrbitCurve, linearised_by_parameter
+from nonsmooth.runtime.proof.branch.look import UNDECIDED
+from nonsmooth.runtime.proof.branch.passage import CyclePassage, others_at_circle
+from nonsmooth.runtime.proof.branch.tube import orbit_near
+from nonsmooth.runtime.proof.doubling.doubled_equations import DoubledEquations
+from nonsmooth.runtime.proof.doubling.doubling_tube import FLIP, ORDER, ProvedTube, flip_near
+from nonsmooth.runtime.proof.exact_tables import rational_of
+
+if TYPE_CHECKING:
+    from flint import arb
+
+__all__ = [
+    "begin_of_branch",
+    "covered",
+    "doubled_guess",
+    "flip_with_direction",
+    "in_tube",
+    "verdict_of",
+]
+
+_WIDER = 15  # times the radii: what the check has to tell them from
+_DEEPEST = 3  # halvings of a tube whose orbits are judged
+_SHARE = 0.75  # of the largest amplitude: where the doubled branch begins
+
+
+def covered(region: Region) -> str:
+    """Why flips of such a cycle are not gone beyond; empty if they are.
+
+    Parameters
+    ----------
+    region : Region
+        Of the cycle.
+
+    Returns
+    -------
+    str
+    """
+    closing = region.closing
+    if closing.form is not None or closing.kind == "period":
+        return "the orbits of a conservative system, or of a given period, are not covered"
+    if closing.translations:
+        return "orbits that close up to a shift are not covered"
+    if region.cycle.one_sided:
+        return "boundaries are reached together: the Poincare map has a corner"
+    return ""
+
+
+def flip_with_direction(region: Region, point: Sequence[arb]) -> tuple[int, list[arb]] | None:
+    """A flip near a point, with the direction in which its orbit doubles.
+
+    Parameters
+    ----------
+    region : Region
+        Of the cycle, over one parameter.
+    point : sequence of arb
+        Its unknowns and the parameter, about.
+
+    Returns
+    -------
+    tuple of (int, list of arb) or None
+        The largest entry of the direction, which becomes 1; and the middle, the direction
+        without that entry, the parameter. None if no flip is proved to be there.
+    """
+    from flint import arb
+
+    with flint_precision(FLIP):
+        middles = [x.mid() for x in point]
+        slopes = part_of(linearised_by_parameter(region, middles[:-1], middles[-1]).jacobian, 0)
+        turned = slopes + 2 * DoubledEquations(region, 0, arb(0)).closure(middles[-1])
+        size = len(middles) - 1
+        rows = np.array([[float(turned[i, j].mid()) for j in range(size)] for i in range(size)])
+        away = np.linalg.svd(rows)[2][-1]
+        scaled = int(np.argmax(abs(away)))
+        others = [arb(float(x / away[scaled])) for k, x in enumerate(away) if k != scaled]
+        found = flip_near(region, scaled, [*middles[:-1], *others, middles[-1]])
+    return None if found is None else (scaled, found)
+
+
+def begin_of_branch(proved: ProvedTube) -> Fraction:
+    """A short decimal of the parameter in a tube, where the doubled branch begins.
+
+    Parameters
+    ----------
+    proved : ProvedTube
+
+    Returns
+    -------
+    Fraction
+    """
+    value = float(proved.flip[-1].mid())
+    away = float(proved.rate.mid()) * (_SHARE * float(proved.tube.amplitude)) ** 2
+    digits = max(0, 2 - math.floor(math.log10(abs(away))))
+    return Fraction(round(Fraction(value + away) * 10**digits), 10**digits)
+
+
+def doubled_guess(proved: ProvedTube, value: Fraction) -> list[arb]:
+    """The doubled orbit where the parameter has a value, about.
+
+    Parameters
+    ----------
+    proved : ProvedTube
+    value : Fraction
+        In the tube.
+
+    Returns
+    -------
+    list of arb
+        Unknowns of the doubled cycle's equations.
+    """
+    with flint_precision(BITS):
+        square = float(value) - float(proved.flip[-1].mid())
+        amplitude = math.sqrt(max(square / float(proved.rate.mid()), 0.0))
+        place = amplitude / float(proved.tube.amplitude)
+        return [x.at([place]).mid() for x in proved.point[:-1]]
+
+
+def in_tube(proved: ProvedTube, doubled: Region, orbit: Sequence[arb]) -> bool:
+    """Whether an orbit of the doubled cycle is one of a tube, at the working precision.
+
+    Parameters
+    ----------
+    proved : ProvedTube
+    doubled : Region
+        Of the doubled cycle, over the same parameter.
+    orbit : sequence of arb
+        Enclosures of its unknowns, and the parameter.
+
+    Returns
+    -------
+    bool
+        True if that is proved.
+    """
+    passage = CyclePassage(doubled, orbit)
+    equations, half = passage.equations, len(passage.equations.phases) // 2
+    dwell = list(passage.dwell)
+    behind = passage.shooting.starts[half]
+    first = [*orbit[: equations.first], *dwell[:half]]
+    second = [behind[k, 0] for k in equations.free]
+    if equations.closing.pairs:
+        second.append(orbit[equations.first - 1] + sum(dwell[:half], -equations.period / 2))
+    second += dwell[half:]
+    middle = [(x + y) / 2 for x, y in zip(first, second, strict=True)]
+    apart = [(x - y) / 2 for x, y in zip(first, second, strict=True)]
+    scaled = proved.tube.scaled
+    amplitude = apart[scaled]
+    if not (amplitude > 0 or amplitude < 0):
+        return False
+    away = [x / amplitude for k, x in enumerate(apart) if k != scaled]
+    return proved.tube.holds(amplitude, [*middle, *away, orbit[-1]])
+
+
+def verdict_of(
+    proved: ProvedTube, doubled: Region, value: Fraction
+) -> tuple[str, str, list[arb] | None]:
+    """The verdict on all orbits of a tube whose amplitude is not zero.
+
+    No multiplier of theirs is 1, for the parameter changes all along the tube. Where none is -1
+    and no two have the product 1 as many are inside the unit circle as at one orbit.
+
+    Parameters
+    ----------
+    proved : ProvedTube
+    doubled : Region
+        Of the doubled cycle, over the same parameter.
+    value : Fraction
+        Of the parameter, in the tube.
+
+    Returns
+    -------
+    tuple of (str, str, list of arb or None)
+        "stable", "unstable" or "undecided", why it is that, and the orbit at the value if it is
+        proved to be in the tube.
+    """
+    from flint import arb
+
+    curve = OrbitCurve(doubled)
+    with flint_precision(FLIP):
+        at = arb(rational_of(value))
+        guess = doubled_guess(proved, value)
+        orbit = orbit_near(curve, curve.parameter, at, guess, FLIP)
+        if orbit is None or not in_tube(proved, doubled, orbit):
+            return UNDECIDED, "no doubled orbit is proved to be in the tube", None
+        there = CyclePassage(doubled, orbit).stability.verdict
+    with flint_precision(BITS):
+        # wider, for the check multiplies the phases' maps in another order
+        wide = [x + arb(0, _WIDER * x.rad()) for x in proved.point]
+        reason = _undecided_on(doubled, wide)
+    if reason:
+        return UNDECIDED, reason, orbit
+    words = {"proved": "stable", "refuted": "unstable"}
+    if there not in words:
+        return UNDECIDED, "the multipliers at one orbit are not told from the unit circle", orbit
+    return words[there], "", orbit
+
+
+def _undecided_on(doubled: Region, point: Sequence[Any], depth: int = 0) -> str:
+    """Why a part of a tube is not decided: that its orbits are motions, and their multipliers."""
+    from flint import arb
+
+    passage = CyclePassage(doubled, point)
+    judgement = passage.judged()
+    if judgement.verdict == "refuted":
+        return judgement.reason or "a doubled orbit is no motion of the system"
+    reason = judgement.reason
+    if judgement.verdict == "proved":
+        if passage.section is None:
+            return "the Poincare map is not known"
+        if not others_at_circle(passage, "fold"):
+            return ""
+        reason = "multipliers may pass the unit circle next to the flip"
+    if depth == _DEEPEST:
+        return reason
+    for side in (-1, 1):
+        e = space_of(1, ORDER).variable(0, arb(side) / 2, arb(1) / 2)
+        if reason := _undecided_on(doubled, [x.at([e]) for x in point], depth + 1):
+            return reason
+    return ""

@@ -1,0 +1,48 @@
+"""`certify --doublings`: the answer, its file, its picture, and going on with it."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.cli.test_certify_branch import run
+
+pytestmark = pytest.mark.compiled  # much slower without it
+
+ASKED = ("certify", "dry-friction/symmetric", "V=1.07:1.09", "--doublings", "1", "--tiles", "1")
+
+
+def test_a_flip_is_gone_beyond_saved_drawn_checked_and_resumed(tmp_path: Path) -> None:
+    file, picture = tmp_path / "cascade.json", tmp_path / "cascade.svg"
+    found = run(*ASKED, "--save", str(file), "--plot", str(picture), "--require", "proved")
+    assert found.code == 0
+    assert "subcritical" in found.out
+    assert "above the flip: unstable" in found.out
+    assert picture.stat().st_size > 1000
+    check = run("certify", "--check", str(file), "--require", "proved")
+    assert check.code == 0
+    assert "proved again from the file" in check.out
+    assert run("plot", str(file), "--out", str(tmp_path / "again.svg")).code == 0
+    words = (*ASKED[:3], "--doublings", "2", "--tiles", "1", "--resume", str(file), "--json")
+    more = run(*words)
+    assert more.code == 1
+    told = json.loads(more.out)
+    assert told["claims"] == {"doublings": "undecided"}
+    assert told["flips"][0]["kind"] == "subcritical"
+    assert "no flip is proved" in told["end"]
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("certify", "dry-friction/symmetric", "--doublings", "1"), "--doublings takes one range"),
+        ((*ASKED, "--events"), "ask one of them"),
+        ((*ASKED, "--digits", "30"), "are not for --doublings"),
+        ((*ASKED[:4], "0"), "not a positive integer"),
+        (("certify", "dry-friction/symmetric", "V=1.2:1.3", "--doublings", "1"), "has 0 flips"),
+    ],
+)
+def test_what_is_wrong_is_told_in_a_line(words: tuple[str, ...], told: str) -> None:
+    found = run(*words)
+    assert found.code == 2
+    assert told in found.err

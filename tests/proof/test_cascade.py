@@ -1,0 +1,232 @@
+"""Beyond flips: the side and verdict of doubled orbits, against differences and the integrator."""
+
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from flint import arb
+
+import nonsmooth as ns
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.taylor_averages import at_both_ends, averaged, bent_mean, lifted, mean
+from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
+from nonsmooth.runtime.proof.doubling.beside_flip import flip_with_direction
+from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
+from nonsmooth.runtime.proof.doubling.doubled_equations import DoubledEquations
+from nonsmooth.runtime.proof.doubling.doubling_tube import proved_tube
+from tests.explore import test_continuation_forced as impacts
+
+pytestmark = pytest.mark.compiled  # much slower without it
+ENDS = Fraction(1), Fraction("1.2")
+
+
+@pytest.fixture(scope="module")
+def branch() -> Any:
+    return ns.continue_orbit(ns.solve("dry-friction/symmetric", {"V": "1.05"}), "V", (1.0, 1.2))
+
+
+@pytest.fixture(scope="module")
+def found(branch: Any) -> CertifiedCascade:
+    return ns.certify_cascade(branch, tiles=3)
+
+
+@pytest.fixture(scope="module")
+def flip(found: CertifiedCascade) -> tuple[Any, int, list[Any]]:
+    """The region of the orbit, the entry that is 1, and the flip with its direction."""
+    orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
+    region = region_of(orbit.problem.by_tables(orbit, {"us1": 1, "us2": 1}), {"V": ENDS})
+    told = flip_with_direction(region, [x.ball for x in found.flips[0].enclosures.values()])
+    assert told is not None
+    return region, *told
+
+
+def test_the_papers_flip_is_subcritical(found: CertifiedCascade) -> None:
+    (doubling,) = found.doublings
+    assert found.claims == {"doublings": "proved"}
+    assert (found.kind(0), doubling.side, doubling.verdict) == ("subcritical", "above", "unstable")
+    assert str(found.flips[0].enclosures["V"]).startswith("[1.0805880741771120197670640")
+    assert [len(part.itinerary) for part in found.branches] == [2, 4]
+    assert "subcritical" in found.statement
+
+
+def test_doubled_orbits_by_newton_are_where_the_rate_says(
+    branch: Any, found: CertifiedCascade
+) -> None:
+    """In floating point: V - V0 over a^2 tends to the rate, and the multiplier passes 1."""
+    doubling = found.doublings[0]
+    event = next(event for event in branch.events if event.kind == "flip")
+    flip = float(found.flips[0].enclosures["V"])
+    place = found.branches[1].unknown_names.index(doubling.scaled)
+    doubled = ns.continue_orbit(branch.switch(event), "V", (flip, 1.085))
+    rates = []
+    for number in range(len(doubled)):
+        orbit = doubled.orbit_at(number)
+        value = float(orbit.parameters["V"])
+        if value < flip + 1e-4:
+            continue
+        assert max(abs(orbit.multipliers)) > 1
+        a = float(orbit.states[0][place] - orbit.states[2][place]) / 2
+        rates.append((a * a, (value - flip) / (a * a)))
+    squares, quotients = np.array(sorted(rates)).T
+    assert len(squares) > 3
+    assert np.polyfit(squares, quotients, 2)[-1] == pytest.approx(float(doubling.rate), rel=1e-4)
+
+
+def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(
+    found: CertifiedCascade,
+) -> None:
+    """Just above the flip the orbit is stable; inside the doubled ones motions return to it."""
+    orbit = ns.solve("dry-friction/symmetric", {"V": "1.083"})
+    tables = orbit.problem.by_tables(orbit, {"us1": 1, "us2": 1})
+    start = [float(x) for x in tables.states[0]]
+    start[1] += 0.02
+    motion = ns.simulate(
+        "dry-friction", tables.parameters, start, tables.itinerary[0][0], transitions=400
+    )
+    itinerary, dwell, _ = ns.itinerary_of(motion)
+    assert len(itinerary) == 2
+    assert sum(dwell) == pytest.approx(float(tables.period), rel=1e-6)
+
+
+def test_solutions_of_the_doubled_equations_are_in_the_tube(flip: Any) -> None:
+    region, scaled, point = flip
+    proved = proved_tube(region, scaled, Fraction(1, 20), point)
+    assert not isinstance(proved, str)
+    with flint_precision(64):
+        space = space_of(1, 5)
+        residual = (
+            DoubledEquations(region, scaled, space.variable(0, arb(0), arb(1) / 20))
+            .linearised(proved.tube.models())
+            .residual
+        )
+        assert all(abs(range_of(x)) < 1e-5 for x in residual.entries())
+    assert proved.tube.holds(arb(0), point)
+    assert not proved.tube.holds(arb(1), point)
+    away = [*point[:-1], point[-1] + 1]
+    assert not proved.tube.holds(arb(0), away)
+
+
+def test_derivatives_of_the_doubled_equations_are_those_of_differences(flip: Any) -> None:
+    """At a quarter of the amplitude, by models that are nearly points."""
+    region, scaled, point = flip
+    step = arb(2) ** -60
+    with flint_precision(256):
+        a = space_of(1, 1).variable(0, arb(0), arb(2) ** -80)
+        equations = DoubledEquations(region, scaled, a)
+        middles = [x.mid() for x in point]
+        told = equations.linearised(middles).jacobian
+        for place in range(len(middles)):
+            moved = [x + step if k == place else x for k, x in enumerate(middles)]
+            back = [x - step if k == place else x for k, x in enumerate(middles)]
+            rise = equations.linearised(moved).residual - equations.linearised(back).residual
+            for row, change in enumerate(rise.entries()):
+                slope = range_of(change).mid() / (2 * step)
+                assert abs(slope - range_of(told[row, place]).mid()) < 1e-8, (row, place)
+
+
+def test_averages_are_those_of_polynomials_and_hold_what_is_cut_off() -> None:
+    """Of e^2 f^2 + 3 f^3 + a ball times f over f = s e, with the three weights."""
+    space = space_of(2, 5)
+    parts: list[Any] = [None] * len(space.exponents)
+    parts[0] = arb(0, 1e-3)
+    parts[space.exponents.index((2, 2))] = arb(1)
+    parts[space.exponents.index((0, 3))] = arb(3)
+    parts[space.exponents.index((0, 1))] = arb(2, 1e-2)
+    model = TaylorModel(space, tuple(parts))
+    for weight, share in ((at_both_ends, 1.0), (mean, 1 / 3), (bent_mean, 1 / 15)):
+        found = averaged(model, weight)
+        assert float(found.parts[4]) == pytest.approx(share)
+        assert found.parts[0].rad() >= 1e-3 * float(weight(0)) * 0.999
+        assert found.parts[1].contains(0)
+        assert found.parts[1].rad() >= 1e-2 * float(weight(1)) * 0.999
+        assert found.parts[3].is_zero() or abs(found.parts[3]) < 1e-12
+    one = space_of(1, 5).variable(0, arb(1), arb(2))
+    again = averaged(lifted(one, space), mean)
+    assert [float(p or 0) for p in again.parts] == [1, 2, 0, 0, 0, 0]
+    assert averaged(arb(3), bent_mean).contains(1)
+
+
+def test_a_degenerate_flip_and_a_tube_too_wide_are_refused(flip: Any) -> None:
+    region, scaled, point = flip
+    assert isinstance(proved_tube(region, scaled, Fraction(2), point), str)
+    away = [*point[:-1], point[-1] + arb("1e-6")]
+    assert isinstance(proved_tube(region, scaled, Fraction(1, 1000), away), str)
+
+
+def test_a_cascade_can_be_interrupted_and_resumed(
+    branch: Any, found: CertifiedCascade, tmp_path: Path
+) -> None:
+    found.save(tmp_path / "part.json")
+    part = ns.load(tmp_path / "part.json")
+    again = ns.certify_cascade(branch, tiles=3, resume=part)
+    assert again.statement == found.statement
+    more = ns.certify_cascade(branch, doublings=2, tiles=3, resume=part)
+    assert len(more.doublings) == 1
+    assert more.claims == {"doublings": "undecided"}
+    assert "no flip is proved" in more.end
+
+    def stop(done: int, asked: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(Interrupted) as stopped:
+        ns.certify_cascade(branch, tiles=3, progress=stop)
+    assert stopped.value.partial.doublings == ()
+    with pytest.raises(InputError):
+        ns.certify_cascade(branch, interval=("1", "1.1"), resume=part)
+
+
+def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedCascade) -> None:
+    pytest.importorskip("matplotlib")
+    (axes,) = found.plot().axes
+    labels = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert "flip, enclosed" in labels
+    assert any("twice the period" in label for label in labels)
+    with pytest.raises(InputError):
+        found.plot("tau9")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [{"doublings": 0}, {"flip": 2}, {"tiles": True}, {"interval": ("1.2", "1")}, {"resume": 3}],
+)
+def test_wrong_questions_are_refused(branch: Any, words: dict[str, Any]) -> None:
+    with pytest.raises(InputError):
+        ns.certify_cascade(branch, **words)
+    with pytest.raises(InputError):
+        ns.certify_cascade(branch.orbit, **words)
+
+
+@pytest.fixture(scope="module")
+def struck() -> CertifiedCascade:
+    """An impact oscillator beyond two flips."""
+    branch = ns.continue_orbit(impacts.orbit(-0.05), "sigma", (-0.1, -0.032))
+    return ns.certify_cascade(branch, doublings=2, tiles=60)
+
+
+def test_impacts_double_twice_from_the_flip_in_closed_form(
+    struck: CertifiedCascade, tmp_path: Path
+) -> None:
+    assert struck.claims == {"doublings": "proved"}, struck.end
+    assert [struck.kind(k) for k in range(2)] == ["supercritical"] * 2
+    assert [len(part.itinerary) for part in struck.branches] == [1, 2, 4]
+    closed = impacts.closed_forms()[1]
+    assert float(struck.flips[0].enclosures["sigma"]) == pytest.approx(closed, abs=1e-12)
+    struck.save(tmp_path / "struck.json")
+    assert ns.check_certificate(tmp_path / "struck.json").claims == {"doublings": "proved"}
+
+
+def test_motions_settle_on_the_doubled_impacts(struck: CertifiedCascade) -> None:
+    """The exact motion between the two flips strikes twice before it comes back."""
+    first, second = (float(event.enclosures["sigma"]) for event in struck.flips)
+    orbit = impacts.orbit()
+    given = {**orbit.parameters, "sigma": str((first + second) / 2)}
+    start = [float(x) for x in orbit.states[0]]
+    start[0] = (first + second) / 2
+    motion = ns.simulate(orbit.system, given, start, "free", transitions=600)
+    itinerary, dwell, _ = ns.itinerary_of(motion)
+    assert len(itinerary) == 2
+    assert abs(float(dwell[0]) - float(dwell[1])) > 1e-3

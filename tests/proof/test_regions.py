@@ -1,0 +1,349 @@
+"""Maps of two parameters: regions with one verdict, curves of events between them, and no more."""
+
+from __future__ import annotations
+
+import copy
+import json
+import random
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from flint import arb
+from typer.testing import CliRunner
+
+import nonsmooth as ns
+from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.shape import Malformed
+from nonsmooth.runtime.checker.tiles import check_tiles
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.core.taylor_models import space_of
+from nonsmooth.runtime.proof.boxes.box_certificate import Tile
+from nonsmooth.runtime.proof.boxes.regions import edges_of, map_json
+from nonsmooth.runtime.proof.boxes.tile_event import Band, _away, side_of
+from nonsmooth.runtime.proof.boxes.tile_places import Place
+from tests.certified import loop
+
+SYMMETRIC = "dry-friction/symmetric"
+# the kicked mass reaches 1/(1 - r), where the wall stands, and has the multiplier r
+CORNER = {"r": ("-3/2", "-1/4"), "a": ("2/5", "7/10")}
+
+
+@cache
+def corner() -> ns.BoxCertificate:
+    """A flip and a grazing that cross at r = -1, a = 1/2."""
+    return ns.certify_box(loop(r="-1/2", a="3/5"), CORNER)
+
+
+@cache
+def paper() -> ns.BoxCertificate:
+    """The flip of the paper's symmetric orbit."""
+    orbit = ns.solve(SYMMETRIC, {"V": "1.1"})
+    return ns.certify_box(orbit, {"V": ("1", "1.2"), "eta": ("3.9", "4.1")})
+
+
+def true_verdict(r: Fraction, a: Fraction) -> str:
+    """Of the kicked mass."""
+    if a * (1 - r) < 1:
+        return "not admissible"
+    return "proved" if r > -1 else "unstable"
+
+
+def inside(found: ns.BoxCertificate, tile: Tile, point: dict[str, Fraction]) -> list[Fraction]:
+    """A point of a tile, from -1 to 1 over it."""
+    where = found.where(tile)
+    return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
+
+
+def test_a_box_consists_of_regions_curves_and_one_open_corner() -> None:
+    found = corner()
+    assert [region.verdict for region in found.regions] == ["not admissible", "unstable", "stable"]
+    # the area below a = 1/(1 - r)
+    places = [-1.5 + 1.25 * (k + 0.5) / 4000 for k in range(4000)]
+    below = [min(max(1 / (1 - r) - 0.4, 0), 0.3) / 0.3 for r in places]
+    low = sum(below) / len(places)
+    assert found.regions[0].share == pytest.approx(low, abs=1e-3)
+    assert sum(region.share for region in found.regions) == pytest.approx(1, abs=1e-6)
+    assert sorted(curve.event.kind for curve in found.curves) == ["flip", "grazing", "grazing"]
+    (hole,) = found.open
+    assert hole.where["r"][0] <= -1 <= hole.where["r"][1]
+    assert hole.where["a"][0] <= Fraction(1, 2) <= hole.where["a"][1]
+    assert hole.share < 1e-6
+    assert hole.events == ("flip", "grazing of wall in phase 1")
+    for curve in found.curves:
+        assert sorted(curve.ends) == ["border", "open"]
+        assert curve.width < 1e-5
+    assert "3 regions" in found.statement
+    assert "undecided: " in found.statement
+    assert found.decided == 1 - hole.share
+
+
+def test_curves_are_those_of_the_closed_form() -> None:
+    found = corner()
+    count = 0
+    for tile in found.tiles:
+        if tile.event is None:
+            continue
+        where, band = list(found.where(tile).values()), tile.event.band
+        for k in range(9):
+            along = Fraction(k - 4, 4)
+            (low, high), axis = where[1 - band.axis], band.axis
+            value = low + (along + 1) / 2 * (high - low)
+            if tile.event.kind == "flip":
+                assert axis == 0
+                true = Fraction(-1)
+            else:
+                true = 1 / (1 - value) if axis == 1 else 1 - 1 / value
+            (low, high) = where[axis]
+            away = (2 * true - low - high) / (high - low) - band.at(along)
+            if abs(band.at(along)) < 1:
+                assert abs(away) <= Fraction(band.radius)
+                count += 1
+    assert count > 50
+
+
+def test_verdicts_at_random_points_are_the_true_ones() -> None:
+    found, drawn = corner(), random.Random(5)
+    seen = set()
+    for tile in found.tiles:
+        for _ in range(4):
+            point = {
+                n: low + Fraction(drawn.random()) * (high - low)
+                for n, (low, high) in found.where(tile).items()
+            }
+            verdict = tile.verdict
+            if tile.event is not None:
+                side = side_of(tile.event.band, inside(found, tile, point))
+                if side is None:
+                    continue
+                verdict = tile.event.below if side == "below" else tile.event.above
+                seen.add((tile.event.kind, verdict))
+            if verdict != "undecided":
+                assert verdict == true_verdict(point["r"], point["a"])
+    assert len(seen) == 5
+    assert ("grazing", "not admissible") in seen
+
+
+def test_every_point_of_a_region_has_its_verdict() -> None:
+    found = corner()
+    for region in found.regions:
+        for number, side in region.cells:
+            tile = found.tiles[number]
+            own = tile.verdict if not side else getattr(tile.event, side)
+            assert (found.stability if own == "proved" else own) == region.verdict
+
+
+def test_the_flip_of_the_paper_is_where_its_event_is_proved() -> None:
+    found = paper()
+    assert found.decided == 1
+    assert [region.verdict for region in found.regions] == ["stable", "unstable"]
+    (curve,) = found.curves
+    assert (curve.event.kind, curve.ends) == ("flip", ("border", "border"))
+    for eta in ("3.93", "4.07"):
+        branch = ns.continue_orbit(ns.solve(SYMMETRIC, {"V": "1.1", "eta": eta}), "V", (1, 1.2))
+        (event,) = [e for e in branch.events if e.kind == "flip"]
+        proved = ns.certify_event(branch, event, bits=128)
+        ball = proved.enclosures["V"]
+        value = Fraction(ball.texts[0])
+        tile = found.tile_at({"V": value, "eta": eta})
+        assert tile.event is not None
+        at = inside(found, tile, {"V": value, "eta": Fraction(eta)})
+        assert side_of(tile.event.band, at) is None
+        assert tile.event.band.radius < 1e-4
+
+
+def test_an_event_on_the_edge_of_the_box(tmp_path: Path) -> None:
+    # r = -1 is the right edge: there is a flip, and beside it all is unstable
+    found = ns.certify_box(loop(r="-5/4"), {"r": ("-3/2", "-1"), "k": ("4/5", "6/5")}, tiles=60)
+    assert [region.verdict for region in found.regions] == ["unstable"]
+    assert found.decided == 1
+    (curve,) = found.curves
+    assert all(r == pytest.approx(-1, abs=1e-9) for r, _ in curve.points)
+    check_tiles(content_of(found, tmp_path / "map.json"))
+
+
+def test_a_thin_tongue_is_found() -> None:
+    # not admissible only between the edge a = 1/2 and a = 1/(1 - r), below 1e-3 of the box
+    box = {"r": ("-101/100", "-999/1000"), "a": ("1/2", "9/10")}
+    found = ns.certify_box(loop(r="-1001/1000", a="3/5"), box, tiles=100)
+    (tongue,) = [region for region in found.regions if region.verdict == "not admissible"]
+    assert 0 < tongue.share < 1e-3
+    tile = found.tile_at({"r": "-0.9991", "a": "0.50015"})
+    assert tile.verdict in ("divided", "not admissible", "undecided")
+
+
+def test_maps_with_curves_are_kept_and_resumed(tmp_path: Path) -> None:
+    orbit = loop(r="-1/2", a="3/5")
+    part = ns.certify_box(orbit, CORNER, tiles=20)
+    part.save(tmp_path / "map.json")
+    again = ns.load(tmp_path / "map.json")
+    assert again.to_json()["tiles"] == part.to_json()["tiles"]
+    assert map_json(again) == map_json(part)
+    whole = ns.certify_box(orbit, CORNER, resume=again)
+    assert whole.shares == corner().shares
+    assert [r.verdict for r in whole.regions] == [r.verdict for r in corner().regions]
+
+
+def test_maps_with_curves_are_drawn() -> None:
+    pytest.importorskip("matplotlib")
+    (axes,) = corner().plot().axes
+    texts = [text.get_text() for text in axes.get_legend().get_texts()]
+    for label in ("flip", "grazing", "stable, proved", "unstable, proved", "undecided box"):
+        assert any(text.startswith(label) for text in texts)
+
+
+def content_of(found: ns.BoxCertificate, path: Path) -> dict[str, Any]:
+    """What its file holds."""
+    found.save(path)
+    return json.loads(path.read_text())
+
+
+def refused(content: dict[str, Any], told: str) -> None:
+    """The check fails, with the checksum made right again."""
+    with pytest.raises((Failure, Malformed), match=told):
+        check_tiles({**content, "sha256": checksum_of(content)})
+
+
+def divided(content: dict[str, Any], kind: str) -> dict[str, Any]:
+    """An event of the largest tile that a curve of this kind divides."""
+    tiles = [t for t in content["tiles"] if t["event"] and t["event"]["kind"] == kind]
+    return min(tiles, key=lambda t: sum(level for _, level in t["place"]))["event"]
+
+
+def exchanged(event: dict[str, Any]) -> None:
+    event["below"], event["above"] = event["above"], event["below"]
+
+
+def moved(event: dict[str, Any]) -> None:
+    event["centre"][0] += 0.01
+
+
+CHANGES: dict[str, tuple[str, Callable[[dict[str, Any]], object], str]] = {
+    "other sides of a flip": ("flip", exchanged, "beside the event stability"),
+    "other sides of a grazing": ("grazing", exchanged, "other verdicts|admissibility"),
+    "another curve": ("grazing", moved, "beside its band"),
+    "a curve that is moved": ("flip", moved, "beside its band"),
+    "too narrow": ("grazing", lambda e: e.update(radius=1e-19), "beside its band"),
+    "no width": ("grazing", lambda e: e.update(radius=0.0), "without width"),
+    "negative width": ("grazing", lambda e: e.update(radius=-1e-3), "without width"),
+    "without bounds": ("flip", lambda e: e.update(radius=float("inf")), "without bounds"),
+    "another kind": ("flip", lambda e: e.update(kind="neimark-sacker"), "happen twice|beside the"),
+    "a fold": ("flip", lambda e: e.update(kind="fold"), "fold"),
+    "another boundary": ("grazing", lambda e: e.update(boundary="falls"), "event|boundary"),
+    "another phase": ("grazing", lambda e: e.update(phase=2), "boundary|configuration"),
+    "no phase": ("grazing", lambda e: e.update(phase=None), "no phase"),
+    "no such phase": ("grazing", lambda e: e.update(phase=9), "no such phase"),
+    "no window": ("grazing", lambda e: e.update(window=[]), "window"),
+    "another window": (
+        "grazing", lambda e: e.update(window=["0", "1/100"]), "time of a grazing|outside|admissib"
+    ),
+    "another axis": ("flip", lambda e: e.update(across="a"), "happen twice|known|band"),
+    "no parameter": ("flip", lambda e: e.update(across="k"), "no plane"),
+    "several parts": ("flip", lambda e: e.update(centre=[0.9, 0.0, 0.5]), "several parts"),
+    "a border twice": (
+        "grazing", lambda e: e.update(also=[["grazing", 1, "wall", "inside"]]), "border twice"
+    ),
+}  # fmt: skip
+
+
+@cache
+def corner_content() -> str:
+    """A part of the map, so that checks are fast."""
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as folder:
+        box = {"r": ("-11/10", "-9/10"), "a": ("27/50", "7/10")}
+        flip = ns.certify_box(loop(r="-19/20", a="3/5"), box)
+        grazing = ns.certify_box(
+            loop(r="-1/2", a="7/10"), {"r": ("-11/20", "-9/20"), "a": ("13/20", "7/10")}
+        )
+        return json.dumps(
+            {
+                "flip": content_of(flip, Path(folder) / "flip.json"),
+                "grazing": content_of(grazing, Path(folder) / "grazing.json"),
+            }
+        )
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_false_curves_are_refused(name: str) -> None:
+    kind, change, told = CHANGES[name]
+    content = json.loads(corner_content())[kind]
+    change(divided(content, kind))
+    refused(content, told)
+
+
+def test_true_curves_pass_and_a_wider_band_is_true() -> None:
+    for kind, content in json.loads(corner_content()).items():
+        check_tiles(content)
+        wider = copy.deepcopy(content)
+        divided(wider, kind)["radius"] *= 3
+        check_tiles({**wider, "sha256": checksum_of(wider)})
+
+
+def test_a_curve_that_is_left_out_is_refused() -> None:
+    content = json.loads(corner_content())["flip"]
+    for tile in content["tiles"]:
+        tile["event"] = None
+    refused(content, "shares")
+
+
+def test_the_command_tells_regions_curves_and_open_boxes(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    path, picture = tmp_path / "map.json", tmp_path / "map.png"
+    arguments = [SYMMETRIC, "V=1.05:1.1", "eta=3.98:4.02", "--save", str(path)]
+    run = CliRunner().invoke(app, ["certify", *arguments, "--plot", str(picture)])
+    assert run.exit_code == 0, run.output
+    assert "2 regions" in run.output
+    assert "flip" in run.output
+    assert picture.exists()
+    run = CliRunner().invoke(app, ["certify", "--check", str(path)])
+    assert run.exit_code == 0, run.output
+    assert "2 regions" in run.output
+    told = map_json(ns.load(path))
+    assert {region["verdict"] for region in told["regions"]} == {"stable", "unstable"}
+    assert told["curves"][0]["kind"] == "flip"
+    assert told["open"] == []
+
+
+def test_edges_are_shared_by_more_than_a_point() -> None:
+    whole = Place(((0, 0), (0, 0)))
+    left, right = whole.halves(0)
+    low, high = right.halves(1)
+    edges = {(e.first, e.second): e.ends for e in edges_of([left, low, high])}
+    half = Fraction(1, 2)
+    assert edges == {
+        (0, 1): ((half, Fraction(0)), (half, half)),
+        (0, 2): ((half, half), (half, Fraction(1))),
+        (1, 2): ((half, half), (Fraction(1), half)),
+    }
+
+
+def test_a_band_holds_all_zeros_of_its_number() -> None:
+    # p = 0.3 + 0.5 q + rho, |rho| < 1/100, and a slope between 1 and 3
+    space = space_of(2, 3)
+    p, q = (space.variable(k, arb(0), arb(1)) for k in (0, 1))
+    number = (p - arb("0.3") - q * arb("0.5") + arb(0, 0.01)) * 2
+    away = _away(number, 0, (0.3, 0.5))
+    assert away is not None
+    assert 0.01 <= float(away.upper()) < 0.0101
+    steeper = number + p * p * p * arb("0.2")
+    away = _away(steeper, 0, (0.3, 0.5))
+    assert away is not None
+    # at q = 1 the zeros of 2 (p - 0.8 - rho) + 0.2 p^3 are up to 0.052 away
+    assert 0.052 < float(away.upper()) < 0.08
+    assert _away(number * 0 + p * p, 0, (0.3, 0.5)) is None
+
+
+def test_sides_of_a_band_are_connected() -> None:
+    assert Band(0, (0.0, 0.0, 0.5), 0.1).connected  # it stays inside
+    assert Band(0, (0.9, 0.5, 0.1), 0.1).connected  # it rises
+    assert not Band(0, (0.9, 0.0, 0.5), 0.1).connected
+    band = Band(1, (0.0, 1.0), 0.25)
+    assert side_of(band, (Fraction(1, 2), Fraction(1))) == "above"
+    assert side_of(band, (Fraction(1, 2), Fraction(3, 4))) is None
+    assert side_of(band, (Fraction(1, 2), Fraction(1, 8))) == "below"
