@@ -149,7 +149,8 @@ def end_where_nothing_vanishes(content: Content) -> None:
 ATTACKS: list[Callable[[Content], None]] = [
     drop_a_tile, drop_an_event, hide_both_sides, exchange_the_sides, another_kind, a_fold,
     move_the_event, sharpen_the_event, move_the_window, widen_the_window, move_the_tube,
-    widen_the_tube, reverse_a_tile, shorten_a_tile, widen_the_interval, call_it_stable, call_a_tile_undecided,
+    widen_the_tube, reverse_a_tile, shorten_a_tile, widen_the_interval,
+    call_it_stable, call_a_tile_undecided,
     forget_an_end, another_phase, an_event_of_its_own, a_flip_beside_a_grazing,
     divide_a_phase, end_where_nothing_vanishes,
 ]  # fmt: skip
