@@ -589,6 +589,7 @@ def _ends(tiles: Sequence[CheckedTile], content: dict[str, Any]) -> None:
         if why == _VANISHED:
             vanishes = tile.event is not None and tile.event["kind"] == "vanishing-phase"
             demand(vanishes and verdict == "not admissible", "no phase vanishes at its end")
+            demand(tile.turns, "it goes on where a phase vanishes at its end")
         if why == _FINISHED:
             there = place == curve.last and value in curve.interval
             demand(there, "it does not reach the end of the interval")

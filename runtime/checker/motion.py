@@ -382,11 +382,12 @@ def _below(
     rises is left to the one behind it, or to the end where g is zero; one in which it falls to
     the one before it, or to the start, where g is not positive: both cannot meet. Where more
     derivatives vanish at the start the first that does not decides. Where a function may touch
-    it is concave in a window, and what is beside that is left to it, or to what is beside it.
+    it is concave in all of a window, which is left to its one maximum there.
     Where it may be reached without speed it is concave at the end.
     """
     length = orbit.dwell[place]
-    if not length > 0:  # it may vanish: at most so long
+    lasts = bool(length > 0)
+    if not lasts:  # it may vanish: at most so long
         length = range_of(length).upper()
     b = lower(orbit.chain.fields[place] * length)
     wide = range_of(b)
@@ -424,12 +425,14 @@ def _below(
             curve = (range_of(n) * bent)[0, 0]
             if shape.touches is not None:
                 begins, ends = since * dwell, (since + fmpq(1, 2**depth)) * dwell
+                beside = ends < shape.touches[0] or begins > shape.touches[1]
+                if not (beside or curve < 0):
+                    rest.append(i)
+                    continue
                 if begins > shape.touches[0] and ends < shape.touches[1]:
-                    if not curve < 0:
-                        rest.append(i)
                     continue
             if value > 0:
-                return 1
+                return 1 if lasts else None  # the phase may end before
             change = slope + curve * around
             top = value + least + slope * around + curve * arb(0).union(r * r / 2)
             rising = watched.ends_it or shape.ends or not last

@@ -79,6 +79,11 @@ def move_the_window(content: Content) -> None:
     with_event(content, "grazing")["event"]["window"] = ["0.1", "0.2"]
 
 
+def widen_the_window(content: Content) -> None:
+    """The function has its one maximum in this window too, but is convex where it begins."""
+    with_event(content, "grazing")["event"]["window"] = ["0.1", "2"]
+
+
 def move_the_tube(content: Content) -> None:
     content["tiles"][4]["centre"][0][0] += 1e-3
 
@@ -143,8 +148,9 @@ def end_where_nothing_vanishes(content: Content) -> None:
 
 ATTACKS: list[Callable[[Content], None]] = [
     drop_a_tile, drop_an_event, hide_both_sides, exchange_the_sides, another_kind, a_fold,
-    move_the_event, sharpen_the_event, move_the_window, move_the_tube, widen_the_tube,
-    reverse_a_tile, shorten_a_tile, widen_the_interval, call_it_stable, call_a_tile_undecided,
+    move_the_event, sharpen_the_event, move_the_window, widen_the_window, move_the_tube,
+    widen_the_tube, reverse_a_tile, shorten_a_tile, widen_the_interval,
+    call_it_stable, call_a_tile_undecided,
     forget_an_end, another_phase, an_event_of_its_own, a_flip_beside_a_grazing,
     divide_a_phase, end_where_nothing_vanishes,
 ]  # fmt: skip

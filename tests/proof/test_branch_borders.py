@@ -173,3 +173,82 @@ def test_a_condition_without_effect_is_no_event(tmp_path: Path) -> None:
     digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
     with pytest.raises(Failure):
         check_branch({**content, "sha256": digest})
+
+
+LENGTH = Parameter("p", "where a phase ends, nondimensional", lower=-sp.oo)
+
+
+@pytest.fixture(scope="module")
+def shrinking(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A phase that lasts p, and would pass another boundary after 1/100."""
+    full = Boundary("full", A - LENGTH.symbol), Boundary("hot", A - sp.Rational(1, 100))
+    system = System(
+        name="saw",
+        description="a saw with a pause; nondimensional",
+        states=(A, B),
+        parameters=(LENGTH,),
+        configurations=(
+            Configuration("on", FirstOrder([[0, 0], [0, -1]], [1, 0]), full),
+            Configuration(
+                "off",
+                FirstOrder([[0, 0], [0, -1]], [-1, 1]),
+                (Boundary("cold", B - sp.Rational(1, 2)),),
+            ),
+        ),
+        transitions=(
+            Transition("on", {"full"}, "off"),
+            Transition("off", {"cold"}, "on", reset={A: 0, B: 0}),
+            Transition("on", {"hot"}, "off", reset={A: 7}),
+        ),
+    )
+    itinerary = [("on", "full"), ("off", "cold")]
+    orbit = ns.solve(system, {"p": "0.5"}, [0.5, 0.7], itinerary=itinerary)
+    branch = ns.continue_orbit(orbit, "p", (-0.1, 0.9))
+    found = ns.certify_branch(branch, interval=("-1/10", "9/10"))
+    assert found.complete
+    assert [part.verdict for part in found.intervals] == [
+        "not admissible", "stable", "not admissible",
+    ]  # fmt: skip
+    assert [event.kind for event in found.events] == ["vanishing-phase", "simultaneous"]
+    path = tmp_path_factory.mktemp("saw") / "saw.json"
+    found.save(path)
+    return path
+
+
+def test_numbers_that_are_zero_are_proved_again(shrinking: Path) -> None:
+    """The reset sets them to zero: no ball around them is that narrow in every proof."""
+    assert ns.check_certificate(shrinking).claims == {"branch": "proved"}
+
+
+def forgery(path: Path, change: Any) -> dict[str, Any]:
+    content: dict[str, Any] = json.loads(path.read_text())
+    del content["sha256"]
+    change(content)
+    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+    return {**content, "sha256": digest}
+
+
+def test_a_phase_that_may_end_before_passes_nothing(shrinking: Path) -> None:
+    """One tile over all: where the phase lasts less than 1/100 the orbit is a motion."""
+
+    def whole(content: dict[str, Any]) -> None:
+        first, last = content["tiles"][0], content["tiles"][-1]
+        centre = [[0.0] * 6 for _ in content["unknown_names"]]
+        centre[content["unknown_names"].index("tau1")][:2] = [0.4, 0.5]
+        centre[content["unknown_names"].index("tau2")][0] = 0.6931471805599453
+        tile = {**first, "upper": last["upper"], "centre": centre, "radii": [1e-8] * 4}
+        content["tiles"], content["start"] = [tile], 0
+
+    with pytest.raises(Failure, match="admissibility is undecided"):
+        check_branch(forgery(shrinking, whole))
+
+
+def test_a_branch_goes_on_where_its_phase_vanishes_and_nothing_turns(shrinking: Path) -> None:
+    def cut(content: dict[str, Any]) -> None:
+        place = next(k for k, tile in enumerate(content["tiles"]) if tile["event"])
+        content["tiles"] = content["tiles"][place:]
+        content["start"] -= place
+        content["ends"][0] = "a phase vanishes"
+
+    with pytest.raises(Failure, match="it goes on"):
+        check_branch(forgery(shrinking, cut))

@@ -273,15 +273,17 @@ def _tile(curve: OrbitCurve, step: BranchStep, forwards: bool) -> BranchTile:
 
 
 def _event(curve: OrbitCurve, found: EventCrossing) -> BranchEvent:
+    from flint import arb
+
     which = found.which
     cycle = curve.region.cycle
     place = which.phase if isinstance(which, OpenInequality) else None
     with flint_precision(SHARP):
-        from flint import arb
-
-        # twice as wide: the check, whose equations are others, finds its own
+        # twice as wide, and what is exactly zero too has a radius: the check, whose equations are
+        # others, finds its own
+        least = arb(2) ** -STATED
         enclosures = {
-            name: Stated.around(x + arb(0, x.rad()), STATED)
+            name: Stated.around(x + arb(0, x.rad() + least), STATED)
             for name, x in zip(curve.names, found.enclosures, strict=True)
         }
     return BranchEvent(
