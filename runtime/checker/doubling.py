@@ -67,7 +67,8 @@ def check_cascade(content: dict[str, Any]) -> None:
     doublings, branches = content["doublings"], content["branches"]
     demand(len(branches) == len(doublings) + 1, "a doubling has a branch in front and behind")
     demand(0 < content["asked"] >= len(doublings), "more doublings than were asked for")
-    whole = len(doublings) == content["asked"]
+    decided = all(doubling["verdict"] != "undecided" for doubling in doublings)
+    whole = len(doublings) == content["asked"] and decided
     demand((content["claims"]["doublings"] == "proved") == whole, "the claim is another one")
     demand(not (whole and content["end"]), "a reason why it goes no further, though it is whole")
     tiles = []

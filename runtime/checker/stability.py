@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from itertools import combinations, pairwise
+from math import comb
 from typing import Any
 
 from flint import acb, acb_poly, arb, arb_mat, arb_poly
@@ -22,6 +23,7 @@ __all__ = [
 ]
 
 MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
+_SQUARINGS = 12  # of roots, before nothing is said of them
 
 
 def has_multipliers(orbit: CheckedOrbit, stated: Sequence[tuple[Any, Any]]) -> bool:
@@ -143,22 +145,44 @@ def _inside(polynomial: list[Any]) -> str:
     """Whether all roots lie inside the unit circle: Schur (1917) and Cohn (1922).
 
     Of z^n + ... + k, with |k| < 1, p(z) - k z^n p(1/z) has as many roots outside. Where p(1) or
-    (-1)^n p(-1) is negative a real root is outside, as p is positive far out.
+    (-1)^n p(-1) is negative a real root is outside, as p is positive far out. Wide coefficients
+    are squared instead, which drives the roots apart.
     """
     ahead = sum(polynomial, arb(0))
     behind = sum((c * (-1) ** k for k, c in enumerate(polynomial)), arb(0))
     if ahead < 0 or behind < 0:
         return "refuted"
+    whole = polynomial
     while len(polynomial) > 1:
         last = polynomial[-1]
         if abs(last) > 1:
             return "refuted"
         if not abs(last) < 1:
-            return "undecided"
+            return "refuted" if _some_outside(whole) else "undecided"
         pairs = zip(polynomial, reversed(polynomial), strict=True)
         rest = [(x - last * y) / (1 - last * last) for x, y in pairs]
         polynomial = [arb(1), *rest[1:-1]]
     return "proved"
+
+
+def _some_outside(polynomial: list[Any]) -> bool:
+    """Whether a root is surely outside the unit circle: of the roots, or of their powers.
+
+    Were all n of them inside, no coefficient would be larger than its binomial one. The roots of
+    (-1)^n p(z) p(-z), in z^2, are the squares of p's (G. Dandelin, 1826, and K. Graeffe, 1837).
+    """
+    size = len(polynomial) - 1
+    for _ in range(_SQUARINGS):
+        if any(abs(range_of(c)) > comb(size, k) for k, c in enumerate(polynomial)):
+            return True
+        squared = []
+        for k, own in enumerate(polynomial):
+            total = own * own
+            for j in range(1, min(k, size - k) + 1):
+                total = total + 2 * (-1) ** j * polynomial[k - j] * polynomial[k + j]
+            squared.append((-1) ** k * total)
+        polynomial = squared
+    return False
 
 
 def products_less_one(polynomial: Sequence[Any]) -> Any:

@@ -413,6 +413,24 @@ def test_roots_inside_the_unit_circle_are_told_from_others(size: int) -> None:
     assert seen == {"proved", "refuted"}
 
 
+def test_of_wide_coefficients_a_root_outside_is_seen_and_none_is_made_up() -> None:
+    """As next to a grazing, where a trace is large and the product of the roots is not known."""
+    assert _inside([arb(1), arb(3e9, 4e8), arb(0, 1e13)]) == "refuted"
+    wide = [(1.64, 2e-3), (2.509, 4e-4), (1.66, 2e-3), (0.706343, 1e-7)]
+    assert _inside([arb(1), *(arb(*x) for x in wide)]) == "refuted"
+    rng = np.random.default_rng(4)
+    for _ in range(60):
+        size = int(rng.integers(1, 6))
+        roots = np.exp(2j * np.pi * rng.random(size // 2)) * rng.random(size // 2) ** 0.1
+        real = rng.uniform(-1, 1, size % 2)
+        middles = np.poly([*roots, *roots.conj(), *real]).real[1:]
+        away = 10.0 ** rng.uniform(-6, 2, size)
+        # not around its own polynomial, but around others that are as near
+        others = middles + rng.uniform(-0.99, 0.99, size) * away
+        told = [arb(float(x), float(r)) for x, r in zip(others, away, strict=True)]
+        assert _inside([arb(1), *told]) != "refuted"
+
+
 @pytest.mark.parametrize(
     ("pairs", "verdict"),
     [

@@ -49,6 +49,10 @@ def undecided_without_reason(content: Content) -> None:
     content["doublings"][0]["verdict"] = "undecided"
 
 
+def proved_without_a_verdict(content: Content) -> None:
+    content["doublings"][0].update(verdict="undecided", reason="not known")
+
+
 def wider_amplitude(content: Content) -> None:
     content["doublings"][0]["amplitude"] = "2"
 
@@ -115,8 +119,9 @@ def doubled_from_elsewhere(content: Content) -> None:
 
 
 EDITS: tuple[Callable[[Content], None], ...] = (
-    other_side, stable, a_reason_for_nothing, undecided_without_reason, wider_amplitude,
-    negative_amplitude, moved_tube, narrow_tube, wide_tube, another_rate, another_tile,
+    other_side, stable, a_reason_for_nothing, undecided_without_reason,
+    proved_without_a_verdict, wider_amplitude, negative_amplitude, moved_tube, narrow_tube,
+    wide_tube, another_rate, another_tile,
     another_unknown, more_than_asked, more_asked, claimed_without_a_doubling,
     the_orbit_itself_as_doubled, other_parameters, another_declaration, doubled_from_elsewhere,
 )  # fmt: skip

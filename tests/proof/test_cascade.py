@@ -1,5 +1,6 @@
 """Beyond flips: the side and verdict of doubled orbits, against differences and the integrator."""
 
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -51,6 +52,8 @@ def test_the_papers_flip_is_subcritical(found: CertifiedCascade) -> None:
     assert str(found.flips[0].enclosures["V"]).startswith("[1.0805880741771120197670640")
     assert [len(part.itinerary) for part in found.branches] == [2, 4]
     assert "subcritical" in found.statement
+    left = replace(doubling, verdict="undecided", reason="not known")
+    assert replace(found, doublings=(left,)).claims == {"doublings": "undecided"}
 
 
 def test_doubled_orbits_by_newton_are_where_the_rate_says(

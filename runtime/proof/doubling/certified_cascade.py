@@ -125,8 +125,9 @@ class CertifiedCascade(Shown):
 
     @property
     def claims(self) -> dict[str, str]:
-        """Of the doublings: "proved" where there are as many as were asked for."""
-        whole = len(self.doublings) == self.asked
+        """Of the doublings: "proved" where all that were asked for are there, with a verdict."""
+        decided = all(doubling.verdict != UNDECIDED for doubling in self.doublings)
+        whole = len(self.doublings) == self.asked and decided
         return {"doublings": "proved" if whole else UNDECIDED}
 
     def kind(self, number: int) -> str:

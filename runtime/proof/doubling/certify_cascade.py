@@ -101,8 +101,8 @@ def certify_cascade(
     Returns
     -------
     CertifiedCascade
-        Its claim is "proved" if there are as many doublings as were asked for; else its `end`
-        says why there are not.
+        Its claim is "proved" if there are as many doublings as were asked for, all with a
+        verdict; its `end` says why there are not so many.
 
     Raises
     ------
