@@ -27,6 +27,7 @@ functions. The table is in the order in which to read.
 `census`       orbits that were counted
 `sets`         sets of states through the phases of a motion
 `chaos`        sets that cover each other, and the entropy of their graph
+`cones`        cone conditions along coverings: exponents from below
 =============  ===========================================================
 """
 

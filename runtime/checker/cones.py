@@ -18,7 +18,7 @@ from flint import arb, arb_mat, fmpq
 from nonsmooth.runtime.checker.exact import demand, exact
 from nonsmooth.runtime.checker.sets import StateSet, TooWide
 
-__all__ = ["Mapped", "check_cones"]
+__all__ = ["MappedSet", "check_cones"]
 
 _FINEST = fmpq(1, 2**22)
 _MOST = 20_000  # images of one set
@@ -28,7 +28,7 @@ Box = tuple[tuple[Any, Any], ...]
 Matrix = list[list[Any]]
 
 
-class Mapped(Protocol):
+class MappedSet(Protocol):
     """A set that is mapped part by part, and those that it covers."""
 
     def image(self, box: Box) -> StateSet:
@@ -41,7 +41,7 @@ class Mapped(Protocol):
         """How long the sides of a part are, about."""
 
 
-class _Part(NamedTuple):
+class _MappedPart(NamedTuple):
     box: Box
     image: Any
     slopes: dict[str, Matrix]
@@ -50,7 +50,7 @@ class _Part(NamedTuple):
 def check_cones(
     cones: dict[str, Any],
     targets: Mapping[str, Sequence[str]],
-    mapped: Callable[[str], Mapped],
+    mapped: Callable[[str], MappedSet],
     size: int,
     iterates: int,
 ) -> None:
@@ -102,12 +102,12 @@ def check_cones(
 
 def _check_set(
     name: str,
-    mapped: Mapped,
+    mapped: MappedSet,
     strips: dict[str, Box],
     forms: dict[str, list[Any]],
     rates: Sequence[Any],
 ) -> None:
-    parts: list[_Part] = []
+    parts: list[_MappedPart] = []
     waiting: list[Box] = [tuple((fmpq(-1), fmpq(1)) for _ in forms[name])]
     looked = 0
     for spread in _SPREADS:
@@ -142,12 +142,12 @@ def _check_set(
     demand(False, f"the cone condition of {name} is not proved")
 
 
-def _looked_at(mapped: Mapped, box: Box, strips: dict[str, Box]) -> tuple[bool, _Part]:
+def _looked_at(mapped: MappedSet, box: Box, strips: dict[str, Box]) -> tuple[bool, _MappedPart]:
     """Whether the image of a part is away from those it is stated to be away from."""
     try:
         image = mapped.image(box)
     except TooWide:
-        return False, _Part(box, None, {})
+        return False, _MappedPart(box, None, {})
     away, slopes = True, {}
     for other, strip in strips.items():
         seen = mapped.seen(other, image)
@@ -156,7 +156,7 @@ def _looked_at(mapped: Mapped, box: Box, strips: dict[str, Box]) -> tuple[bool, 
             slopes[other] = [[*row] for row in zip(*columns, strict=True)]
         else:
             away &= any(x > 1 or x < -1 for x in seen.hull.entries())
-    return away, _Part(box, image, slopes)
+    return away, _MappedPart(box, image, slopes)
 
 
 def _cut(box: Box, strips: Any) -> int | None:
@@ -176,7 +176,7 @@ def _halves(box: Box, k: int) -> list[Box]:
     return [(*box[:k], half, *box[k + 1 :]) for half in ((middle, high), (low, middle))]
 
 
-def _longest(mapped: Mapped, part: _Part) -> int:
+def _longest(mapped: MappedSet, part: _MappedPart) -> int:
     """The coordinate that is longest at the start and behind the map together."""
     lengths = mapped.lengths(part.box)
     if part.image is not None:
@@ -187,7 +187,7 @@ def _longest(mapped: Mapped, part: _Part) -> int:
     return max(range(len(lengths)), key=lengths.__getitem__)
 
 
-def _spread(part: _Part) -> float:
+def _spread(part: _MappedPart) -> float:
     """Radii of derivatives, against what stretches."""
     largest = 0.0
     for matrix in part.slopes.values():

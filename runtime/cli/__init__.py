@@ -8,6 +8,7 @@
 `certifying`            `certify` of one orbit, and its `--check`
 `certifying_boxes`      `certify` over ranges of parameters
 `certifying_branches`   `certify --branch`
+`certifying_cascades`   `certify --doublings`
 `certifying_events`     `certify --events`
 `chaos`                 `chaos`
 `charting`              `chart`

@@ -20,6 +20,7 @@
 `result_files`             the codec of result files: format, version, checksum
 `resuming`                 whether interrupted work asked the same
 `showing`                  how results show themselves, in a few lines and as a table
+`taylor_averages`          averages of Taylor models over an interval of one variable
 `taylor_models`            functions of a few variables as polynomials with ball coefficients
 `valid_json`               answers as JSON without NaN and Infinity
 `vectorised`               any-arithmetic kernels as NumPy generalized ufuncs

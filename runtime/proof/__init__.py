@@ -5,6 +5,7 @@
 `branch`                    whole branches: every interval, every event, and that there is no other
 `chaos`                     symbolic dynamics by sets that cover each other, and its entropy
 `counting`                  all orbits of an itinerary in a box of dwell times, each proved
+`doubling`                  orbits of twice the period beside flips, their side and stability
 `events`                    events of branches, enclosed to any precision
 `motion`                    the sequence of configurations of a simulated motion, proved
 `sets`                      sets of states carried through the phases of a motion

@@ -442,7 +442,7 @@ def test_pairs_on_the_unit_circle_are_told_from_others(
 RUNTIME = files("nonsmooth.runtime")
 # of `core`, with tests of their own
 ARITHMETIC = {
-    "taylor_models", "jets", "rational_functions", "irrational_numbers"
+    "taylor_models", "taylor_averages", "jets", "rational_functions", "irrational_numbers"
 }  # fmt: skip
 
 

@@ -8,6 +8,7 @@
 `censuses`            censuses
 `certificates`        certificates of one orbit
 `certified_branches`  certified branches
+`certified_cascades`  certified cascades of doublings
 `chaos_certificates`  certificates of chaos
 `claim_entries`       entries that the files of all proofs share
 `declared_table`      the table of an orbit without kernels, as a declaration would have it

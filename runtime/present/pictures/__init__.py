@@ -8,6 +8,7 @@
 `motion_panels`       what is drawn of a motion into one Axes
 `branches`            branches, and curves of events in the plane
 `certified_branches`  certified branches: intervals in colours, events marked
+`certified_cascades`  certified cascades: each doubled branch beside its flip
 `charts`              charts of the parameter plane
 `designs`             designs: iterates, and quantities along each parameter
 `fits`                measurements over a fitted motion, and what is left

@@ -78,7 +78,7 @@ class ConeCondition:
     exponent: Exact
 
 
-class _Part(NamedTuple):
+class _DividedPart(NamedTuple):
     """A part of an h-set: by target whether its image may be in it, and the derivative there."""
 
     box: Box
@@ -147,7 +147,7 @@ class _Derivatives:
         self.left, self.progress = most, progress
         self.parts = [self._part(((-1.0, 1.0),) * len(sets[number].centre))]
 
-    def _part(self, box: Box) -> _Part:
+    def _part(self, box: Box) -> _DividedPart:
         from flint import arb_mat
 
         if not self.left:
@@ -160,14 +160,14 @@ class _Derivatives:
         except Undecided:
             if not divisible(box):
                 raise
-            return _Part(box, None, dict.fromkeys(self.targets, True), {})
+            return _DividedPart(box, None, dict.fromkeys(self.targets, True), {})
         image = coordinates(states, self.mapped.section.free)
         meets, slopes = {}, {}
         for target in self.targets:
             seen = image.mapped(self.sets[target].inward)
             meets[target] = not any(x > 1 or x < -1 for x in seen.ranges)
             slopes[target] = arb_mat([*zip(*(t.ranges for t in seen.tangents), strict=True)])
-        return _Part(box, image, meets, slopes)
+        return _DividedPart(box, image, meets, slopes)
 
     def strip(self, target: int) -> Box:
         """The box around all parts whose image may be in a target."""
@@ -197,7 +197,7 @@ class _Derivatives:
                     kept += map(self._part, slices(part.box, k, usable))
             self.parts = kept
 
-    def _longest(self, part: _Part) -> int:
+    def _longest(self, part: _DividedPart) -> int:
         """The coordinate that is longest at the start and behind the map together."""
         own = self.sets[self.number]
         if part.image is None:
@@ -230,7 +230,7 @@ def _overlap(box: Box, strip: Box) -> bool:
     return all(a < d and c < b for (a, b), (c, d) in zip(box, strip, strict=True))
 
 
-def _spread(part: _Part, target: int) -> float:
+def _spread(part: _DividedPart, target: int) -> float:
     """Radii of a derivative, against what stretches."""
     if target not in part.slopes:
         return inf

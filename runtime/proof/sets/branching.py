@@ -62,7 +62,7 @@ class Leaf(NamedTuple):
     passages: tuple[PassedTransition, ...]
 
 
-class _Part(NamedTuple):
+class _StatesOnTheWay(NamedTuple):
     """States of one configuration.
 
     `under` are functions, by number, that are not positive; `clock` counts passages of the
@@ -154,7 +154,7 @@ class BranchingMap:
         """
         found: list[Leaf] = []
         inside = {shape.row for shape in self.system.structure.boundaries[configuration]}
-        left = [_Part(start, configuration, facts, frozenset(inside), (), 0)]
+        left = [_StatesOnTheWay(start, configuration, facts, frozenset(inside), (), 0)]
         looked = 0
         while left:
             part = left.pop()
@@ -180,9 +180,11 @@ class BranchingMap:
                     found.append(leaf)
         return found
 
-    def _merged(self, parts: Sequence[tuple[_Part, bool]]) -> list[tuple[_Part, bool]]:
+    def _merged(
+        self, parts: Sequence[tuple[_StatesOnTheWay, bool]]
+    ) -> list[tuple[_StatesOnTheWay, bool]]:
         """The same states in fewer sets: boxes about two that went one way and nearly fill it."""
-        found: list[tuple[_Part, bool]] = []
+        found: list[tuple[_StatesOnTheWay, bool]] = []
         for part, forced in parts:
             for k, (other, also) in enumerate(found):
                 if also != forced or part[1:] != other[1:]:
@@ -203,7 +205,7 @@ class BranchingMap:
             for row, scale in zip(states.columns.tolist(), self.scales, strict=False)
         )
 
-    def _leaf(self, part: _Part, forced: bool) -> Leaf | None:
+    def _leaf(self, part: _StatesOnTheWay, forced: bool) -> Leaf | None:
         """A leaf if the section is reached."""
         section, last = self.section, part.passages[-1] if part.passages else None
         if section.phase is not None:
@@ -221,7 +223,7 @@ class BranchingMap:
 
     # along a phase
 
-    def _ends(self, part: _Part) -> Iterator[_End]:
+    def _ends(self, part: _StatesOnTheWay) -> Iterator[_End]:
         """The ways in which a phase may end."""
         here, states = part.configuration, part.states
         lasting = self._lasting(part.facts, here)
@@ -260,7 +262,9 @@ class BranchingMap:
                 states = inside
         yield from self._march(part._replace(states=states), lasting, watched)
 
-    def _functions(self, part: _Part, lasting: Invariants) -> list[tuple[tuple[int, ...], Row]]:
+    def _functions(
+        self, part: _StatesOnTheWay, lasting: Invariants
+    ) -> list[tuple[tuple[int, ...], Row]]:
         """Functions of the boundaries that are not constant, each with those that have it."""
         exact, here = self.system.exact, part.configuration
         together: dict[Any, tuple[list[int], Row]] = {}
@@ -275,7 +279,7 @@ class BranchingMap:
             together.setdefault(tuple(x / size for x in reduced), ([], row))[0].append(b)
         return [(tuple(own), row) for own, row in together.values()]
 
-    def _start(self, part: _Part, row: Row) -> tuple[Row, int]:
+    def _start(self, part: _StatesOnTheWay, row: Row) -> tuple[Row, int]:
         """The first derivative that is not exactly zero at the start, and its order; -1: none."""
         field = self.system.exact.fields[part.configuration]
         for order in range(len(row) + 1):
@@ -286,7 +290,7 @@ class BranchingMap:
         return row, -1
 
     def _march(
-        self, part: _Part, lasting: Invariants, watched: Sequence[_Watched]
+        self, part: _StatesOnTheWay, lasting: Invariants, watched: Sequence[_Watched]
     ) -> Iterator[_End]:
         """Along the phase, window by window."""
         here, states = part.configuration, part.states
@@ -409,7 +413,7 @@ class BranchingMap:
     def _find_lasting(self, facts: Invariants, here: int) -> Invariants:
         return facts.lasting(self.system.exact.fields[here])
 
-    def _tick_row(self, part: _Part) -> arb_mat:
+    def _tick_row(self, part: _StatesOnTheWay) -> arb_mat:
         """The time since the forcing has come back as often as it will, as a row."""
         from flint import arb
 
@@ -417,7 +421,7 @@ class BranchingMap:
         size = part.states.columns.nrows()
         return _row([*(arb(0),) * (size - 2), arb(1), -whole])
 
-    def _ticks(self, part: _Part, states: AffineSet, window: tuple[float, int]) -> int:
+    def _ticks(self, part: _StatesOnTheWay, states: AffineSet, window: tuple[float, int]) -> int:
         """Whether the forcing comes back in a window: 0 no, 1 for some states, 2 by its end."""
         half, index = window
         (time,) = values_over(self._tick_row(part), states).entries()
@@ -427,7 +431,7 @@ class BranchingMap:
 
     def _pipe(
         self,
-        part: _Part,
+        part: _StatesOnTheWay,
         lasting: Invariants,
         reached: Sequence[_Watched],
         ends: tuple[float, float],
@@ -527,7 +531,7 @@ class BranchingMap:
 
     # behind a boundary
 
-    def _behind(self, part: _Part, end: _End) -> Iterator[_Part]:
+    def _behind(self, part: _StatesOnTheWay, end: _End) -> Iterator[_StatesOnTheWay]:
         """The ways in which states go on behind what they reach."""
         here = part.configuration
         if end.boundaries == (_CLOCK,):
@@ -553,7 +557,7 @@ class BranchingMap:
             kept_rows = {r for r in under if self._kept_by(r, reset)}
             passage = PassedTransition(here, tuple(sorted(reached)), target)
             watched = {shape.row for shape in structure.boundaries[target]}
-            yield _Part(
+            yield _StatesOnTheWay(
                 moved,
                 target,
                 facts,
@@ -633,7 +637,7 @@ class BranchingMap:
 
 
 def _passed_at_start(
-    part: _Part,
+    part: _StatesOnTheWay,
     passed: Sequence[tuple[tuple[int, ...], arb_mat, bool]],
     touched: Sequence[tuple[tuple[int, ...], arb_mat, bool]],
 ) -> Iterator[_End]:
