@@ -33,6 +33,7 @@ __all__ = ["Division", "Part"]
 Part = Sequence[tuple[Any, Any]]
 _PARAMETERS = 2
 _ORDER = 12  # of what is composed along a curve
+_NARROW = fmpq(1, 100_000)  # the largest radius of a band, as a share of the box
 _VERDICTS = {"proved": "proved", "refuted": "unstable"}
 
 
@@ -47,16 +48,21 @@ class Division:
         Verdicts on existence, admissibility and stability of all of the tile.
     names : sequence of str
         Parameters of the box.
+    place : sequence of (int, int)
+        Step and level of the tile along each of them.
     """
 
     def __init__(
-        self, event: dict[str, Any], claims: tuple[str, str, str], names: Sequence[str]
-    ) -> None:
+        self, event: dict[str, Any], claims: tuple[str, str, str], names: Sequence[str],
+        place: Sequence[tuple[int, int]],
+    ) -> None:  # fmt: skip
         demand(len(names) == _PARAMETERS and event["across"] in names, "a curve in no plane")
         self.event, self.axis = event, names.index(event["across"])
         self.centre = [_fraction(c) for c in event["centre"]]
         self.radius = _fraction(event["radius"])
         demand(len(self.centre) > 1 and self.radius > 0, "a curve without width")
+        share = self.radius / 2 ** (place[self.axis][1] + 1)
+        demand(share < _NARROW, "a band is too wide: a part of the tile has no verdict")
         bends = sum((k * abs(c) for k, c in enumerate(self.centre) if k > 1), fmpq(0))
         over = sum((abs(c) for c in self.centre[1:]), fmpq(0))
         whole = all(  # each side is on all lines along the axis, or on none

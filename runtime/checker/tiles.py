@@ -108,7 +108,9 @@ class _Tile:
         self.tile = tile
         self.claims = agreed_claims(tile["claims"], tile["reasons"])
         event = tile["event"]
-        self.division = None if event is None else Division(event, self.claims, names)
+        self.division: Division | None = None
+        if event is not None:
+            self.division = Division(event, self.claims, names, tile["place"])
         self.where: Sequence[Interval] = ()
 
     def check(self, where: Sequence[Interval]) -> None:

@@ -22,6 +22,7 @@ from nonsmooth.runtime.checker.tiles import check_tiles
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.taylor_models import space_of
+from nonsmooth.runtime.present.files.box_certificates import BOX, box_of
 from nonsmooth.runtime.proof.boxes.box_certificate import Tile
 from nonsmooth.runtime.proof.boxes.regions import edges_of, map_json
 from nonsmooth.runtime.proof.boxes.tile_event import Band, _away, side_of
@@ -222,6 +223,12 @@ def moved(event: dict[str, Any]) -> None:
     event["centre"][0] += 0.01
 
 
+def wide(event: dict[str, Any]) -> None:
+    """All that is stated of both sides is true, but regions would end at the wrong curve."""
+    moved(event)
+    event["radius"] = 0.02
+
+
 CHANGES: dict[str, tuple[str, Callable[[dict[str, Any]], object], str]] = {
     "other sides of a flip": ("flip", exchanged, "beside the event stability"),
     "other sides of a grazing": ("grazing", exchanged, "other verdicts|admissibility"),
@@ -230,6 +237,8 @@ CHANGES: dict[str, tuple[str, Callable[[dict[str, Any]], object], str]] = {
     "too narrow": ("grazing", lambda e: e.update(radius=1e-19), "beside its band"),
     "no width": ("grazing", lambda e: e.update(radius=0.0), "without width"),
     "negative width": ("grazing", lambda e: e.update(radius=-1e-3), "without width"),
+    "too wide": ("flip", lambda e: e.update(radius=1e-3), "too wide"),
+    "wide enough for a curve that is moved": ("flip", wide, "too wide"),
     "without bounds": ("flip", lambda e: e.update(radius=float("inf")), "without bounds"),
     "another kind": ("flip", lambda e: e.update(kind="neimark-sacker"), "happen twice|beside the"),
     "a fold": ("flip", lambda e: e.update(kind="fold"), "fold"),
@@ -290,6 +299,24 @@ def test_a_curve_that_is_left_out_is_refused() -> None:
     for tile in content["tiles"]:
         tile["event"] = None
     refused(content, "shares")
+
+
+def test_a_curve_beside_its_tile_is_none_of_the_box(tmp_path: Path) -> None:
+    """The flip is at r = -1: a file may state it of a tile, but not that the box has one."""
+    found = ns.certify_box(
+        loop(r="-19/20", a="3/5"), {"r": ("-99/100", "-9/10"), "a": ("27/50", "7/10")}
+    )
+    content = content_of(found, tmp_path / "map.json")
+    (tile,) = content["tiles"]
+    event = dict(divided(json.loads(corner_content())["flip"], "flip"))
+    event |= {"centre": [-11 / 9, 0.0], "radius": 1e-6, "below": "proved", "above": "proved"}
+    tile |= {"event": event, "claims": {**tile["claims"], "stability": "undecided"}}
+    tile["reasons"] = {"stability": "so"}
+    told = box_of(BOX.check_entries(content))
+    content |= {n: told.to_json()[n] for n in ("claims", "reasons", "shares", "enclosures")}
+    check_tiles({**content, "sha256": checksum_of(content)})
+    assert [region.verdict for region in told.regions] == ["stable"]
+    assert told.curves == ()
 
 
 def test_the_command_tells_regions_curves_and_open_boxes(tmp_path: Path) -> None:

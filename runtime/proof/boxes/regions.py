@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import pairwise, product
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from nonsmooth.runtime.proof.boxes.tile_event import TileEvent, side_of
+from nonsmooth.runtime.proof.boxes.tile_event import Band, TileEvent, side_of
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 
 if TYPE_CHECKING:
@@ -183,7 +183,11 @@ def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
     -------
     tuple of EventCurve
     """
-    events = {k: tile.event for k, tile in enumerate(found.tiles) if tile.event is not None}
+    events = {
+        k: tile.event
+        for k, tile in enumerate(found.tiles)
+        if tile.event is not None and _passes(tile.event.band)
+    }
     beside: dict[int, list[int]] = {k: [] for k in events}
     for edge in _joined(found):
         pair = edge.first, edge.second
@@ -235,7 +239,9 @@ def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
         kinds = {
             _event_text(tile.event)
             for tile in found.tiles
-            if tile.event is not None and any(tile.place.touches(place) for place in places)
+            if tile.event is not None
+            and _passes(tile.event.band)
+            and any(tile.place.touches(place) for place in places)
         }
         largest = max(own, key=lambda tile: tile.place.share)
         told.append(
@@ -389,6 +395,14 @@ def _side(tile: Tile, point: Point) -> str:
     if tile.event is None:
         return ""
     return side_of(tile.event.band, _inside(tile.place, point)) or "band"
+
+
+def _passes(band: Band) -> bool:
+    """Whether a band has points of its tile: else all of that is on one side of it."""
+    ends = [Fraction(-1), Fraction(1)]
+    along = [Fraction(k, 4) for k in range(-4, 5)]
+    points = product(ends, along) if band.axis == 0 else product(along, ends)
+    return {side_of(band, point) for point in points} not in ({"below"}, {"above"})
 
 
 def _share(tile: Tile, side: str) -> float:
