@@ -15,6 +15,7 @@ from nonsmooth.runtime.proof.chaos.cone_conditions import positive
 from nonsmooth.runtime.proof.chaos.coverings import coverings
 from nonsmooth.runtime.proof.chaos.entropy import growth
 from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart, piece
+from nonsmooth.runtime.proof.chaos.search import _walks
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.sets.affine_sets import affine_set
 from nonsmooth.runtime.proof.sets.images import SectionMap
@@ -171,6 +172,21 @@ def test_growth_is_below_the_spectral_radius():
     assert growth(3, [(0, 1), (1, 2)])[0] == 0
     golden = growth(2, [(0, 0), (0, 1), (1, 0)])[0]
     assert golden < (1 + 5**0.5) / 2 < float(golden) + 1e-5
+
+
+def test_walks_choose_among_sets_that_meet():
+    # 0 and 1 lie across each other and themselves; 2 to 40 meet 0, and nothing lies across them
+    centres = np.array([[0.0], [3.0], *[[0.5 - k / 40] for k in range(39)]])
+    covers = np.zeros((41, 41), dtype=bool)
+    covers[:2, :2] = covers[2:, 1] = True
+    assert _walks(covers, centres, np.ones((41, 1, 1))) == [[0, 1]]
+    # one closed walk alone is no horseshoe, nor are sets that meet
+    covers[0, 0] = covers[1, 1] = False
+    assert _walks(covers, centres, np.ones((41, 1, 1))) == []
+    covers[0, 0] = True
+    assert _walks(covers, centres, np.full((41, 1, 1), 2.0)) == []
+    covers[:] = np.eye(41, dtype=bool)
+    assert _walks(covers, centres, np.ones((41, 1, 1))) == []
 
 
 def test_sets_apart():

@@ -30,7 +30,7 @@ __all__ = ["certify_chaos"]
 
 _BITS = 80
 _CONE_PARTS = 4  # times as many for derivatives
-_BASES = 240  # points of the motion about which sets stand
+_BASES = 800  # points of the motion about which sets stand
 _LEAST_GROWTH = 0.01  # of the logarithm of distances in one iterate: else it is no chaos
 _FEWEST_BITS, _MOST_BITS = 64, 4096
 

@@ -3,8 +3,11 @@
 Many small parallelepipeds stand about points of the motion, each with its long side in the
 direction that is stretched. Their images under powers of the map lie along the motion too: where
 one crosses another set from end to end, and between its other sides, there is an edge of a
-graph. Two closed walks through one vertex are what is looked for: a homoclinic chain, as short as
-there is one. Nothing here is a proof.
+graph. A closed walk is looked for with a second way from one of its vertices to one, as short as
+there are any. Nothing here is a proof.
+
+What is found must not depend on the last digits of a start, which a chaotic motion makes large:
+so the sets are many, about different points, and walks choose among all of them.
 """
 
 from __future__ import annotations
@@ -12,7 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from itertools import product
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,19 +26,19 @@ from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set
 __all__ = ["Horseshoe", "StretchedOrbits", "candidates", "orbits_on"]
 
 _SEED = 3
-_ORBITS, _LENGTH = 40, 10
+_ORBITS, _LENGTH = 600, 10  # each begins behind the end of the one before
 _TURNING = 8  # iterates in which directions turn to the one that is stretched
 _RADII = (0.12, 0.06, 0.03)  # half the long sides, in units of the motion's range
 _WIDTHS = (0.5, 1.5)  # the other sides, in units of the long one
-_LINE, _ACROSS = 25, 3  # samples of a set
+_LINE, _ACROSS = 17, 2  # samples of a set
 _FINE = (401, 5)  # of one that may be proved
 _EDGE = 1.1  # where the images of the ends are to lie
 _INSIDE = 0.85  # of a set's width that images may have
 _UNEVEN = 6.0  # how much more than in the mean images may be stretched
+_SPARE = 3  # times as many points as sets: about some no set can stand
 _GAP = 1.02  # between sets
 _ASLANT = 0.05  # cosine between the long side and what is stretched
 _LONGEST = 10  # sets on a closed walk
-_ORDERS = 16  # in which disjoint sets are taken
 _KEPT = 6  # pairs of walks for each size of the sets
 
 
@@ -143,11 +146,11 @@ def candidates(
     size = orbits.points.shape[-1]
     points, directions = (x.reshape(-1, size) for x in (orbits.points, orbits.directions))
     good = np.isfinite(points).all(axis=1) & np.isfinite(directions).all(axis=1)
-    chosen = np.random.default_rng(_SEED).permutation(np.flatnonzero(good))[:bases]
+    chosen = np.random.default_rng(_SEED).permutation(np.flatnonzero(good))[: _SPARE * bases]
     scaled = _ScaledMap(section, orbits)
     for iterates in range(1, most_iterates + 1):
         across = scaled.contracted(points[chosen], directions[chosen], iterates)
-        sound = np.isfinite(across).all(axis=(1, 2))
+        sound = np.flatnonzero(np.isfinite(across).all(axis=(1, 2)))[:bases]
         centres, along = points[chosen][sound], directions[chosen][sound]
         found = []
         for radius, width in product(_RADII, _WIDTHS if size > 1 else _WIDTHS[:1]):
@@ -244,56 +247,71 @@ def _covers(
         uneven = (steps.max(axis=1) / steps.mean(axis=1)).max(axis=1)
         whole &= np.less_equal(uneven, _UNEVEN)
     found = np.zeros((count, count), dtype=bool)
+    side = len(grid) // line  # samples of one end
     for i in np.flatnonzero(whole):
-        seen = np.einsum("jab,jpb->jpa", inverses, images[i] - centres[:, None])
-        ends = seen[..., 0].reshape(count, line, -1)
-        first, last = ends[:, 0], ends[:, -1]
+        ends = images[i][[*range(side), *range(-side, 0)]] - centres[:, None]
+        along = np.einsum("jb,jpb->jp", inverses[:, 0], ends)
+        first, last = along[:, :side], along[:, side:]
         crosses = (first < -_EDGE).all(axis=1) & (last > _EDGE).all(axis=1)
         crosses |= (first > _EDGE).all(axis=1) & (last < -_EDGE).all(axis=1)
+        crossed = np.flatnonzero(crosses)
+        seen = np.einsum("jab,jpb->jpa", inverses[crossed], images[i] - centres[crossed, None])
         away = (np.abs(seen[..., 0]) > _EDGE)[..., None] | (np.abs(seen[..., 1:]) < _INSIDE)
-        found[i] = crosses & away.all(axis=(1, 2))
+        found[i, crossed] = away.all(axis=(1, 2))
     return found, uneven
 
 
 def _walks(covers: np.ndarray, centres: np.ndarray, frames: np.ndarray) -> list[list[int]]:
-    """Vertices of pairs of closed walks through one vertex, of disjoint sets: the shortest."""
+    """Vertices of closed walks with a second way from one of theirs to one: the shortest.
+
+    Sets on them are disjoint. All sets are at hand for the walks, also those that meet: which
+    are taken is decided on the way.
+    """
     meets = _meets(centres, frames)
-    random = np.random.default_rng(_SEED)
-    useful = np.flatnonzero(covers.any(axis=0) & covers.any(axis=1))
-    found: dict[tuple[int, ...], int] = {}
-    for _ in range(_ORDERS):
-        alone: list[int] = []
-        for k in random.permutation(useful).tolist():
-            if not meets[k, alone].any():
-                alone.append(k)
-        graph = covers[np.ix_(alone, alone)]
-        for start in range(len(alone)):
-            if graph[start].sum() < 2:
-                continue
-            paths = (_path(graph, first, start) for first in np.flatnonzero(graph[start]))
-            ways = sorted((path for path in paths if path), key=len)
-            if len(ways) > 1 and len(ways[1]) <= _LONGEST:
-                members = {*ways[0], *ways[1]}
-                found[tuple(sorted(alone[k] for k in members))] = len(members)
-    best = sorted(found, key=lambda members: found[members])[:_KEPT]
+    found: set[tuple[int, ...]] = set()
+    for start in _recurrent(covers).tolist():
+        closed = _way(covers, meets, [start], set())
+        if closed:
+            edges = set(zip(closed, [*closed[1:], start], strict=True))
+            second = _way(covers, meets, closed, edges)
+            if second:
+                found.add(tuple(sorted({*closed, *second})))
+    best = sorted(found, key=lambda members: (len(members), members))[:_KEPT]
     return [list(members) for members in best]
 
 
-def _path(graph: np.ndarray, first: Any, last: int) -> list[int] | None:
-    """Vertices of a shortest path, both ends among them."""
-    behind: dict[int, int] = {int(first): -1}
-    queue = [int(first)]
-    for vertex in queue:
-        if vertex == last:
-            path = [vertex]
-            while behind[path[-1]] >= 0:
-                path.append(behind[path[-1]])
-            return path
-        for other in np.flatnonzero(graph[vertex]).tolist():
-            if other not in behind:
-                behind[other] = vertex
-                queue.append(other)
-    return None
+def _recurrent(covers: np.ndarray) -> np.ndarray:
+    """Vertices that have edges from and to others of them, or themselves."""
+    left = np.ones(len(covers), dtype=bool)
+    while True:
+        fewer = left & covers[:, left].any(axis=1) & covers[left].any(axis=0)
+        if (fewer == left).all():
+            return np.flatnonzero(left)
+        left = fewer
+
+
+def _way(
+    covers: np.ndarray, meets: np.ndarray, ends: list[int], gone: set[tuple[int, int]]
+) -> list[int]:
+    """Vertices of a short way from one of the ends to one, but for edges that are gone already.
+
+    None of the sets on it meets another one or one of the ends. Empty where there is none.
+    """
+    taken = meets[ends].any(axis=0)
+    goal = np.zeros(len(covers), dtype=bool)
+    goal[ends] = True
+    queue = [[vertex] for vertex in ends]
+    for way in queue:
+        last = way[-1]
+        for other in np.flatnonzero(covers[last] & goal).tolist():
+            if (last, other) not in gone:
+                return way
+        if len(way) == _LONGEST:
+            continue
+        free = covers[last] & ~taken & ~meets[way].any(axis=0)
+        taken |= free
+        queue += [[*way, other] for other in np.flatnonzero(free).tolist()]
+    return []
 
 
 def _meets(centres: np.ndarray, frames: np.ndarray) -> np.ndarray:

@@ -22,7 +22,7 @@ from nonsmooth.runtime.simulation.trajectory import Trajectory
 __all__ = ["Sampled", "sampled_sections"]
 
 _PHASES = 16
-_PERIODS, _TRANSIENT = 400, 150
+_PERIODS, _TRANSIENT = 7000, 150
 _TRANSITIONS = 6000
 _FEWEST = 60  # points on a section
 _TRIED = 4  # sections
