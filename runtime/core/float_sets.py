@@ -234,7 +234,7 @@ class ManySets:
             most = _above(-1 - bottom[:, None] / size) if zero else np.ones_like(size)
         least = np.where(least > -1, np.minimum(least, 2.0), -1.0)
         most = np.where(most < 1, np.maximum(most, -2.0), 1.0)
-        alive &= ~(least > most).any(axis=1)
+        alive &= ~np.any(least > most, axis=1)
         turned = weights < 0
         least, most = np.where(turned, -most, least), np.where(turned, -least, most)
         sets, moved, half = self._shortened(least, most, alive)
@@ -251,7 +251,7 @@ class ManySets:
         cut = alive[:, None] & ((least > -1) | (most < 1))
         middle = np.where(cut, (least + most) / 2, 0.0)
         half = np.where(cut, upward(np.maximum(most - middle, middle - least)), 1.0)
-        touched = cut.any(axis=1)[:, None]
+        touched: NDArray[np.bool_] = np.any(cut, axis=1, keepdims=True)
         centre = self.centre + (self.sides @ middle[:, :, None])[:, :, 0]
         sides = self.sides * half[:, None, :]
         loose = ROUNDING * (np.abs(self.centre) + np.abs(self.sides).sum(axis=2))

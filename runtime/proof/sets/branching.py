@@ -56,7 +56,7 @@ class Leaves(NamedTuple):
     lost: NDArray[np.bool_]
 
 
-class _Kind(NamedTuple):
+class _StartKind(NamedTuple):
     """What is true of parts where their phase begins.
 
     The functions of the boundaries in `under` are not positive, with their first derivative that
@@ -69,19 +69,19 @@ class _Kind(NamedTuple):
     clock: int
 
 
-class _Parts(NamedTuple):
+class _SetParts(NamedTuple):
     """Parts of one kind: of which set, and behind how many transitions."""
 
     states: ManySets
     origin: NDArray[np.int_]
     depth: NDArray[np.int_]
 
-    def chosen(self, mask: Any) -> _Parts:
-        return _Parts(self.states[mask], self.origin[mask], self.depth[mask])
+    def chosen(self, mask: Any) -> _SetParts:
+        return _SetParts(self.states[mask], self.origin[mask], self.depth[mask])
 
-    def of(self, states: ManySets, origin: Any) -> _Parts:
+    def of(self, states: ManySets, origin: Any) -> _SetParts:
         """Parts of these parts."""
-        return _Parts(states, self.origin[origin], self.depth[origin])
+        return _SetParts(states, self.origin[origin], self.depth[origin])
 
 
 @dataclass
@@ -121,7 +121,7 @@ class BranchingMap:
         ]
         self._resets = [Rounded.of(with_time(reset, 0)) for reset in exact.resets]
         self._timed = self.section.phase is not None
-        self._phases: dict[_Kind, _Phase] = {}
+        self._phases: dict[_StartKind, _StartedPhase] = {}
 
     def leaves(self, starts: ManySets) -> Leaves:
         """Boxes that contain where each state of each set comes to the section first.
@@ -155,10 +155,11 @@ class BranchingMap:
         """
         rows = [self.system.exact.rows[s.row] for s in self._shapes(configuration)]
         inside = frozenset(b for b, row in enumerate(rows) if any(facts.reduce(row)))
-        work = _Work(len(starts), self.most)
+        work = _PartsLeft(len(starts), self.most)
         none = np.zeros(len(starts), dtype=int)
         work.add(
-            _Kind(configuration, facts, inside, 0), _Parts(starts, np.arange(len(starts)), none)
+            _StartKind(configuration, facts, inside, 0),
+            _SetParts(starts, np.arange(len(starts)), none),
         )
         found: list[tuple[Any, Floats, Floats]] = []
         while (taken := work.take()) is not None:
@@ -185,7 +186,7 @@ class BranchingMap:
         known = ~work.lost[origin]
         return Leaves(origin[known], low[known], high[known], work.lost)
 
-    def _divided(self, parts: _Parts, work: _Work) -> _Parts:
+    def _divided(self, parts: _SetParts, work: _PartsLeft) -> _SetParts:
         """Those that are wide in two, as often as it takes."""
         if not np.isfinite(self.widest):
             return parts
@@ -204,7 +205,9 @@ class BranchingMap:
             work.count(parts.origin[-len(again) // 2 :])
             parts = parts.chosen(~work.lost[parts.origin])
 
-    def _is_leaf(self, kind: _Kind, forced: PassedTransition | None, before: _Kind) -> bool:
+    def _is_leaf(
+        self, kind: _StartKind, forced: PassedTransition | None, before: _StartKind
+    ) -> bool:
         section = self.section
         if section.phase is not None:
             if forced is not None or kind.configuration != section.configuration:
@@ -220,11 +223,11 @@ class BranchingMap:
     # along a phase and behind it
 
     def _behind_phase(
-        self, kind: _Kind, parts: _Parts, work: _Work
-    ) -> Iterator[tuple[_Kind, _Parts, PassedTransition | None]]:
+        self, kind: _StartKind, parts: _SetParts, work: _PartsLeft
+    ) -> Iterator[tuple[_StartKind, _SetParts, PassedTransition | None]]:
         phase = self._phases.get(kind)
         if phase is None:
-            phase = self._phases[kind] = _Phase(self, kind)
+            phase = self._phases[kind] = _StartedPhase(self, kind)
         for end in phase.ends(parts, work):
             own = parts.of(end.states, end.origin)
             if end.boundaries == (CLOCK,):
@@ -237,8 +240,8 @@ class BranchingMap:
             yield from self._passed(kind, end, own, work)
 
     def _passed(
-        self, kind: _Kind, end: EndedSets, parts: _Parts, work: _Work
-    ) -> Iterator[tuple[_Kind, _Parts, PassedTransition]]:
+        self, kind: _StartKind, end: EndedSets, parts: _SetParts, work: _PartsLeft
+    ) -> Iterator[tuple[_StartKind, _SetParts, PassedTransition]]:
         """The ways in which states go on behind what they reach."""
         here, reached = kind.configuration, frozenset(end.boundaries)
         exact = self.system.exact
@@ -263,8 +266,8 @@ class BranchingMap:
                 for b, shape in enumerate(self._shapes(target))
                 if self._below(target, shape.row, facts, reset, end.facts, under)
             )
-            next_kind = _Kind(target, facts, below, kind.clock)
-            yield next_kind, _Parts(states, own.origin, own.depth + 1), passage
+            next_kind = _StartKind(target, facts, below, kind.clock)
+            yield next_kind, _SetParts(states, own.origin, own.depth + 1), passage
 
     def _reset_box(
         self, states: ManySets, under: frozenset[Row], reset: int
@@ -311,10 +314,10 @@ class BranchingMap:
         here: int,
         reached: frozenset[int],
         facts: Invariants,
-        parts: _Parts,
+        parts: _SetParts,
         known: frozenset[Row],
-        work: _Work,
-    ) -> Iterator[tuple[int, int, _Parts, frozenset[Row]]]:
+        work: _PartsLeft,
+    ) -> Iterator[tuple[int, int, _SetParts, frozenset[Row]]]:
         """Targets and resets that may follow, with the parts for which they may.
 
         And with functions that are known not to be positive.
@@ -349,10 +352,10 @@ class BranchingMap:
         listed: Sequence[TransitionShape],
         place: int,
         facts: Invariants,
-        parts: _Parts,
+        parts: _SetParts,
         known: frozenset[Row],
-        work: _Work,
-    ) -> Iterator[tuple[int, int, _Parts, frozenset[Row]]]:
+        work: _PartsLeft,
+    ) -> Iterator[tuple[int, int, _SetParts, frozenset[Row]]]:
         """What may follow of the transitions from the first on, from one of its conditions on."""
         if not len(parts.origin):
             return
@@ -420,16 +423,16 @@ class BranchingMap:
         return Rounded.of(found)
 
 
-class _Work:
+class _PartsLeft:
     """Parts that are to be followed, by their kinds."""
 
     def __init__(self, count: int, most: int) -> None:
         self.most = most
         self.lost = np.zeros(count, dtype=bool)
         self._seen = np.zeros(count, dtype=int)
-        self._left: dict[_Kind, list[_Parts]] = {}
+        self._left: dict[_StartKind, list[_SetParts]] = {}
 
-    def add(self, kind: _Kind, parts: _Parts) -> None:
+    def add(self, kind: _StartKind, parts: _SetParts) -> None:
         self.count(parts.origin)
         self._left.setdefault(kind, []).append(parts)
 
@@ -441,13 +444,13 @@ class _Work:
     def lose(self, origin: NDArray[np.int_]) -> None:
         self.lost[origin] = True
 
-    def take(self) -> tuple[_Kind, _Parts] | None:
+    def take(self) -> tuple[_StartKind, _SetParts] | None:
         """The most parts of one kind, as many as are followed at once."""
         if not self._left:
             return None
         kind = max(self._left, key=lambda own: sum(len(p.origin) for p in self._left[own]))
         listed = self._left.pop(kind)
-        parts = _Parts(
+        parts = _SetParts(
             joined_sets([part.states for part in listed]),
             np.concatenate([part.origin for part in listed]),
             np.concatenate([part.depth for part in listed]),
@@ -459,10 +462,10 @@ class _Work:
         return kind, parts
 
 
-class _Phase:
+class _StartedPhase:
     """The phase that begins with states of one kind."""
 
-    def __init__(self, mapped: BranchingMap, kind: _Kind) -> None:
+    def __init__(self, mapped: BranchingMap, kind: _StartKind) -> None:
         self.kind = kind
         system, here = mapped.system, kind.configuration
         exact, structure = system.exact, system.structure
@@ -503,7 +506,7 @@ class _Phase:
         self.begins = [Rounded.of(f.leading) for f in self.functions]
         self.phase = PhaseEnds(mapped._flows[here], self.functions)
 
-    def ends(self, parts: _Parts, work: _Work) -> Iterator[EndedSets]:
+    def ends(self, parts: _SetParts, work: _PartsLeft) -> Iterator[EndedSets]:
         """The ways in which it may end; origins are numbers of the parts."""
         if self.stuck:
             work.lose(parts.origin)
@@ -529,7 +532,7 @@ class _Phase:
             yield end._replace(origin=origin[end.origin])
 
     def _passed_at_start(
-        self, parts: _Parts, values: Sequence[Any], passed: Sequence[int], work: _Work
+        self, parts: _SetParts, values: Sequence[Any], passed: Sequence[int], work: _PartsLeft
     ) -> Iterator[EndedSets]:
         """States beyond boundaries at the start of the phase, which they leave at once."""
         touched = [
@@ -561,7 +564,7 @@ class _Phase:
                 yield EndedSets(states, origin, boundaries, self.kind.facts, rising)
 
 
-def _kept(parts: _Parts, row: Rounded) -> _Parts:
+def _kept(parts: _SetParts, row: Rounded) -> _SetParts:
     """The parts of parts for which a function is not negative."""
     states, alive = parts.states.cut(row)
     return parts.chosen(alive)._replace(states=states[alive])
