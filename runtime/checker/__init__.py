@@ -27,6 +27,9 @@ functions. The table is in the order in which to read.
 `census`       orbits that were counted
 `sets`         sets of states through the phases of a motion
 `chaos`        sets that cover each other, and the entropy of their graph
+`switching`    a system whose sets may divide, and its sections
+`exits`        where many sets of states leave one configuration
+`many_sets`    many sets of states, whatever ways their states go
 `cones`        cone conditions along coverings: exponents from below
 =============  ===========================================================
 """
