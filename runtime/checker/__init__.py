@@ -29,6 +29,7 @@ functions. The table is in the order in which to read.
 `chaos`        sets that cover each other, and the entropy of their graph
 `switching`    a system whose sets may divide, and its sections
 `exits`        where many sets of states leave one configuration
+`portions`     portions of many sets, and how they leave a phase
 `many_sets`    many sets of states, whatever ways their states go
 `cones`        cone conditions along coverings: exponents from below
 =============  ===========================================================

@@ -210,9 +210,9 @@ class PhaseExits:
             margin = _MARGIN * (1 + end)
             earliest = middle + (-high / ways).min(axis=0) - margin
             latest = middle + (-low / ways).max(axis=0) + margin
-            earliest = np.where(rises, np.maximum(begin, earliest), begin)
-            latest = np.where(rises, np.minimum(end, latest), end)
-            some &= earliest <= latest
+            earliest = np.where(rises & (earliest > begin), earliest, begin)
+            latest = np.where(rises & (latest < end), latest, end)
+            some &= ~(earliest > latest)
             latest = np.maximum(earliest, latest)
             useful = latest - earliest < 0.75 * (end - begin)
             begin, end = earliest, latest
