@@ -13,7 +13,7 @@ from flint import arb, arb_mat
 
 from nonsmooth.runtime.checker.exact import Elimination
 from nonsmooth.runtime.core.float_flows import FloatFlow
-from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded
+from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, joined_sets
 
 __all__ = ["Exit", "ExitFunction", "PhaseExits", "negative", "rounded"]
 
@@ -21,6 +21,7 @@ _WINDOWS = 16  # looked at together
 _LONGEST = 1536  # windows
 _SLACK = 0.5  # of the size of a set: by so much what is on the way in a piece may be larger
 _PIECE = 64.0  # windows at most
+_AT_ONCE = 8192  # pieces
 _CORRECTIONS = 3  # of the times of a piece
 _MARGIN = 2.0**-40  # of times
 
@@ -171,8 +172,18 @@ class PhaseExits:
             )
             for k in (place, place + 1)
         ]
-        origin = origin[whole]
-        first, last, some = self._corrected(number, states[origin], *edges)
+        found = [
+            self._pieces(number, states, origin[whole[few]], *(x[few] for x in edges))
+            for few in np.array_split(np.arange(len(whole)), len(whole) // _AT_ONCE + 1)
+        ]
+        sets = joined_sets([one.states for one in found])
+        return Exit(sets, np.concatenate([one.origin for one in found]), (number,))
+
+    def _pieces(
+        self, number: int, states: ManySets, origin: Any, first: Floats, last: Floats
+    ) -> Exit:
+        """The same, each set once, with the time as a side."""
+        first, last, some = self._corrected(number, states[origin], first, last)
         origin, first, last = origin[some], first[some], last[some]
         _, found = self.flow.between(states[origin], first, last)
         found, alive = found.cut(self._values[number], zero=True)

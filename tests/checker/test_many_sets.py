@@ -206,23 +206,22 @@ def test_a_boundary_that_is_dropped_leads_elsewhere(proved):
     middles, half = boxes_of(name, KINDS[0][1])
     starts = anywhere(middles - half, middles + half)
     leaves = motions(changed(proved[0], drop)).leaves(starts, name, [])
-    away, ran, _ = missed(leaves, name, 2)
-    assert not ran or away
+    assert missed(leaves, name, 2)[0] >= 3
 
 
-def test_a_condition_that_is_flipped_leads_elsewhere(proved):
+def test_a_condition_that_is_flipped_leads_elsewhere(proved, found):
     name = "overshoot-slip"
 
     def flip(declared):
         for own in declared["transitions"]:
-            if own["boundaries"] == ["first-reaches-belt"]:
+            if own["source"] == "stick-slip" and own["boundaries"] == ["second-reaches-belt"]:
                 own["conditions"] = [[row, along, not h] for row, along, h in own["conditions"]]
 
     middles, half = boxes_of(name, KINDS[1][1])
     starts = anywhere(middles - half, middles + half)
     leaves = motions(changed(proved[0], flip)).leaves(starts, name, [])
-    away, ran, _ = missed(leaves, name, 2)
-    assert not ran or away
+    away = missed(leaves, name, 2)[0]
+    assert away + (leaves.lost & ~found[name].lost).sum() >= 5
 
 
 @pytest.fixture(scope="module")
@@ -239,15 +238,14 @@ def forced():
     return kernels, declared, middles, leaves
 
 
-@pytest.mark.compiled
-def test_every_state_comes_to_a_box_at_the_phase_of_a_forcing(forced):
-    kernels, declared, middles, others = forced
+def stroboscopic(forced, data):
+    """Of motions over a period how many end in no leaf; how many ran, divided sets, lost ones."""
+    kernels, declared, middles, _ = forced
     section = StatedSection("free", phase=("1", "0"))
-    own = ManyMotions(declared, FORCED, section, SCALES, 0.2, 200, 12)
+    own = ManyMotions(declared, data, section, SCALES, 0.2, 200, 12)
     leaves = own.arrivals(ManySets.of_boxes(middles - 0.02, middles + 0.02))
-    assert leaves.lost.sum() <= others.lost.sum() + 2
     random = np.random.default_rng(6)
-    tested = several = 0
+    away = ran = several = 0
     divided = np.bincount(leaves.origin, minlength=160) > 1
     for k in np.flatnonzero(~leaves.lost & (divided | (np.arange(160) % 16 == 0))):
         counts = set()
@@ -256,11 +254,25 @@ def test_every_state_comes_to_a_box_at_the_phase_of_a_forcing(forced):
             motion = ns.simulate(kernels, FORCED, state, "free", until=2 * np.pi / 2.8)
             end = motion(np.array([motion.end]))[0]
             counts.add(len(motion.times))
-            assert inside(leaves, k, end[:2]).any(), state
-            tested += 1
+            away += not inside(leaves, k, end[:2]).any()
+            ran += 1
         several += len(counts) > 1
-    assert tested >= 120
+    return away, ran, several, leaves.lost.sum()
+
+
+@pytest.mark.compiled
+def test_every_state_comes_to_a_box_at_the_phase_of_a_forcing(forced):
+    away, ran, several, lost = stroboscopic(forced, FORCED)
+    assert not away
+    assert ran >= 120
     assert several >= 2
+    assert lost <= forced[3].lost.sum() + 2
+
+
+@pytest.mark.compiled
+def test_another_restitution_leads_elsewhere(forced):
+    away, ran, _, _ = stroboscopic(forced, {**FORCED, "r": "0.4"})
+    assert away >= ran / 10
 
 
 @pytest.mark.compiled
