@@ -359,7 +359,7 @@ class CheckedTile:
             image = self.curve.krawczyk(self.place, value, centre, radii)
             if image is None:
                 break
-            found = image
+            found = [min(pair, key=_width) for pair in zip(found, image, strict=True)]
         return _with(self.place, value, found)
 
     def _goes_on(self, point: Sequence[Any]) -> None:
@@ -633,6 +633,11 @@ def solution(square: Any, y: Any, right: Any) -> list[Any]:
     worst = _largest(errors) / (1 - norm)
     pairs = zip(guess.entries(), scales, strict=True)
     return [x + arb(0, (s * worst).upper()) for x, s in pairs]
+
+
+def _width(number: Any) -> Any:
+    """How far what a model encloses may be from its polynomial."""
+    return abs(range_of(number - number.mid())).upper()
 
 
 def _largest(numbers: Sequence[Any]) -> Any:
