@@ -185,6 +185,7 @@ def test_a_cascade_can_be_interrupted_and_resumed(
 def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedCascade) -> None:
     pytest.importorskip("matplotlib")
     (axes,) = found.plot().axes
+    assert axes.get_title(loc="left") == "dry-friction/symmetric"
     labels = [text.get_text() for text in axes.get_legend().get_texts()]
     assert "flip, enclosed" in labels
     assert any("twice the period" in label for label in labels)

@@ -164,7 +164,14 @@ def compare_cascade(content: Content) -> bool:
     Failure
         If a declaration is another one.
     """
-    return all([compare_branch(branch) for branch in content["branches"]])
+    compared = all([compare_branch(branch) for branch in content["branches"]])
+    first = content["branches"][0]
+    if content["orbit"] == first["orbit"]:
+        return compared
+    if first["tables"] is not None:
+        return False
+    named_in({**first, "orbit": content["orbit"]})
+    return compared
 
 
 def compare_census(content: Content) -> bool:

@@ -55,6 +55,7 @@ class CascadeClaimEntries:
 class CertifiedCascadeEntries:
     """What a certified cascade's file states."""
 
+    orbit: str
     claims: CascadeClaimEntries
     asked: int
     end: str
@@ -98,7 +99,9 @@ def certified_cascade_entries(found: CertifiedCascade) -> CertifiedCascadeEntrie
     CertifiedCascadeEntries
         Ready to be written.
     """
+    branches = tuple(map(certified_branch_entries, found.branches))
     return CertifiedCascadeEntries(
+        orbit=_renamed(found, branches[0].system),
         claims=CascadeClaimEntries(
             doublings="proved" if found.claims["doublings"] == "proved" else "undecided"
         ),
@@ -114,8 +117,14 @@ def certified_cascade_entries(found: CertifiedCascade) -> CertifiedCascadeEntrie
             )
             for doubling in found.doublings
         ),
-        branches=tuple(map(certified_branch_entries, found.branches)),
+        branches=branches,
     )
+
+
+def _renamed(found: CertifiedCascade, system: str) -> str:
+    """The orbit's name with that of its system as files call it."""
+    own = found.orbit.removeprefix(found.system)
+    return found.orbit if own == found.orbit else system + own
 
 
 def load_certified_cascade(path: str | os.PathLike[str]) -> CertifiedCascade:
@@ -161,6 +170,7 @@ def certified_cascade_of(entries: CertifiedCascadeEntries) -> CertifiedCascade:
     CertifiedCascade
     """
     return CertifiedCascade(
+        orbit=entries.orbit,
         asked=entries.asked,
         end=entries.end,
         doublings=tuple(

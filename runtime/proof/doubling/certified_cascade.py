@@ -67,6 +67,8 @@ class CertifiedCascade(Shown):
 
     Attributes
     ----------
+    orbit : str
+        The orbit whose branch has the first flip.
     asked : int
         How many doublings were asked for.
     doublings : tuple of CertifiedDoubling
@@ -78,15 +80,11 @@ class CertifiedCascade(Shown):
         Why it goes no further; empty where all is proved that was asked for.
     """
 
+    orbit: str
     asked: int
     doublings: tuple[CertifiedDoubling, ...]
     branches: tuple[CertifiedBranch, ...] = field(repr=False)
     end: str
-
-    @property
-    def orbit(self) -> str:
-        """The orbit whose branch has the first flip."""
-        return self.branches[0].orbit
 
     @property
     def system(self) -> str:
