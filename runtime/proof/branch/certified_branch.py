@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from fractions import Fraction
@@ -10,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Stated, balls_json, orbit_json
@@ -135,7 +134,7 @@ class BranchInterval:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class CertifiedBranch(Shown):
+class CertifiedBranch(Kept):
     """What ball arithmetic proves of a branch over an interval of its parameter.
 
     The branch is the union of its tiles. In each there is exactly one orbit of the itinerary's
@@ -168,6 +167,8 @@ class CertifiedBranch(Shown):
     declaration, closing : dict
         As in a `BoxCertificate`, over the parameter and those that were given.
     """
+
+    _kept_by = "save_certified_branch"
 
     orbit: str
     system: str
@@ -317,21 +318,6 @@ class CertifiedBranch(Shown):
             Without matplotlib: ``pip install "nonsmooth[plot]"``.
         """
         return registered("draw_certified_branch")(self, quantity, axes)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the branch to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
-        """
-        registered("save_certified_branch")(self, path)
 
 
 def event_json(event: BranchEvent) -> dict[str, Any]:

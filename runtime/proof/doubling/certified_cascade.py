@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -10,7 +9,7 @@ from itertools import pairwise
 from typing import Any
 
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.proof.branch.certified_branch import BranchEvent, CertifiedBranch
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
@@ -62,7 +61,7 @@ class CertifiedDoubling:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class CertifiedCascade(Shown):
+class CertifiedCascade(Kept):
     """What ball arithmetic proves beyond flips: orbits of twice the period, again and again.
 
     Attributes
@@ -79,6 +78,8 @@ class CertifiedCascade(Shown):
     end : str
         Why it goes no further; empty where all is proved that was asked for.
     """
+
+    _kept_by = "save_cascade"
 
     orbit: str
     asked: int
@@ -214,21 +215,6 @@ class CertifiedCascade(Shown):
             Without matplotlib: ``pip install "nonsmooth[plot]"``.
         """
         return registered("draw_cascade")(self, quantity, axes)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the cascade to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
-        """
-        registered("save_cascade")(self, path)
 
 
 def told_cascade_json(found: CertifiedCascade) -> dict[str, Any]:
