@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
-from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.present.files.certified_branches import (
     CertifiedBranchEntries,
     certified_branch_entries,
@@ -70,23 +69,6 @@ CASCADE = FileFormat(
 )
 
 
-def save_cascade(found: CertifiedCascade, path: str | os.PathLike[str]) -> None:
-    """Write a cascade to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    found : CertifiedCascade
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
-    CASCADE.write(path, certified_cascade_entries(found))
-
-
 def certified_cascade_entries(found: CertifiedCascade) -> CertifiedCascadeEntries:
     """What a certified cascade's file states.
 
@@ -127,36 +109,6 @@ def _renamed(found: CertifiedCascade, system: str) -> str:
     return found.orbit if own == found.orbit else system + own
 
 
-def load_certified_cascade(path: str | os.PathLike[str]) -> CertifiedCascade:
-    """Read a cascade that `CertifiedCascade.save` wrote; nothing is proved again.
-
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Returns
-    -------
-    CertifiedCascade
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign. The message names it.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> orbit = ns.solve("dry-friction/symmetric", {"V": "1.05"})
-    >>> branch = ns.continue_orbit(orbit, "V", (1, 1.2))
-    >>> ns.certify_cascade(branch, tiles=2).save("cascade.json")
-    >>> ns.load("cascade.json").doublings[0].side
-    'above'
-    """
-    with naming(path) as file:
-        return certified_cascade_of(CASCADE.read(file))
-
-
 def certified_cascade_of(entries: CertifiedCascadeEntries) -> CertifiedCascade:
     """The cascade that a file's entries describe.
 
@@ -185,3 +137,7 @@ def certified_cascade_of(entries: CertifiedCascadeEntries) -> CertifiedCascade:
         ),
         branches=tuple(map(certified_branch_of, entries.branches)),
     )
+
+
+save_cascade = CASCADE.writer(certified_cascade_entries)
+load_certified_cascade = CASCADE.reader(certified_cascade_of)
