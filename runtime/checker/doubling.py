@@ -16,12 +16,9 @@ from typing import Any
 
 from flint import arb, arb_mat, ctx
 
-from nonsmooth.runtime.checker.branch import (
-    CheckedCurve,
-    CheckedTile,
-    checked_tiles,
-    solution,
-)
+from nonsmooth.runtime.checker.branch import checked_tiles
+from nonsmooth.runtime.checker.branch_curve import CheckedCurve, solution
+from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
 from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
