@@ -8,10 +8,12 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value, flint_precision
-from nonsmooth.runtime.proof.branch.certified_branch import BranchEvent, CertifiedBranch
+from nonsmooth.runtime.proof.branch.certified_branch import (
+    BranchEvent,
+    CertifiedBranch,
+    DrawnOverParameter,
+)
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Stated
 
@@ -61,7 +63,7 @@ class CertifiedDoubling:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class CertifiedCascade(Kept):
+class CertifiedCascade(DrawnOverParameter):
     """What ball arithmetic proves beyond flips: orbits of twice the period, again and again.
 
     Attributes
@@ -79,7 +81,7 @@ class CertifiedCascade(Kept):
         Why it goes no further; empty where all is proved that was asked for.
     """
 
-    _kept_by = "save_cascade"
+    _kept_by, _drawn_by = "save_cascade", "draw_cascade"
 
     orbit: str
     asked: int
@@ -191,30 +193,6 @@ class CertifiedCascade(Kept):
             "doublings": [_doubling_json(doubling) for doubling in self.doublings],
             "branches": [branch.to_json() for branch in self.branches],
         }
-
-    def plot(self, quantity: str | None = None, axes: Any = None) -> Any:
-        """Draw the branches over the parameter, with the doubled orbits next to each flip.
-
-        Parameters
-        ----------
-        quantity : str, optional
-            The unknown that is drawn; the one whose halves are told apart at the first flip.
-        axes : matplotlib Axes, optional
-            Where to draw; a figure of its own by default.
-
-        Returns
-        -------
-        matplotlib Figure or Axes
-            The figure, or the Axes that were given.
-
-        Raises
-        ------
-        InputError
-            If the branch has no such unknown.
-        MissingExtra
-            Without matplotlib: ``pip install "nonsmooth[plot]"``.
-        """
-        return registered("draw_cascade")(self, quantity, axes)
 
 
 def told_cascade_json(found: CertifiedCascade) -> dict[str, Any]:
