@@ -23,7 +23,7 @@ from nonsmooth.runtime.proof.branch.certified_branch import (
     BranchTile,
     CertifiedBranch,
 )
-from nonsmooth.runtime.proof.branch.certify_branch import STATED
+from nonsmooth.runtime.proof.branch.stating import STATED
 from nonsmooth.runtime.proof.certificate import VERSION
 
 __all__ = [
