@@ -31,7 +31,7 @@ functions. The table is in the order in which to read.
 =============  ===========================================================
 """
 
-from nonsmooth.runtime.checker.branch import check_branch
+from nonsmooth.runtime.checker.beyond import check_branch
 from nonsmooth.runtime.checker.census import check_census
 from nonsmooth.runtime.checker.chaos import check_chaos
 from nonsmooth.runtime.checker.doubling import check_cascade

@@ -14,11 +14,10 @@ from typing import Any
 from flint import arb, arb_mat, ctx
 
 from nonsmooth.runtime.checker.declared import StatedSystem
-from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
+from nonsmooth.runtime.checker.exact import Failure, demand, exact, inside
 from nonsmooth.runtime.checker.motion import Border, admissibility, time_of_touch
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
-from nonsmooth.runtime.checker.shape import BRANCH, check_shape
 from nonsmooth.runtime.checker.short import Short, short_phase
 from nonsmooth.runtime.checker.stability import (
     MULTIPLIERS,
@@ -31,7 +30,7 @@ from nonsmooth.runtime.checker.stability import (
 from nonsmooth.runtime.core.jets import Jet, jet, part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 
-__all__ = ["CheckedCurve", "CheckedTile", "check_branch", "checked_tiles", "solution"]
+__all__ = ["CheckedCurve", "CheckedTile", "checked_tiles", "solution"]
 
 _BITS, _SHARP = 64, 192
 _ORDER = 5  # of the models: that of the polynomials
@@ -39,26 +38,6 @@ _STEPS = 8  # of Newton's method
 _DEEPEST = 5  # halvings of a tile whose claims take smaller ones
 _FINISHED, _VANISHED = "end of the interval", "a phase vanishes"
 _OPEN = "undecided"
-
-
-def check_branch(content: dict[str, Any]) -> None:
-    """Prove every claim of a branch; Failure says which one cannot be.
-
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Raises
-    ------
-    Failure
-        If a claim is not proved.
-    Malformed
-        If the file has another shape.
-    """
-    check_shape(content, BRANCH)
-    check_sum(content)
-    checked_tiles(content)
 
 
 def checked_tiles(content: dict[str, Any]) -> list["CheckedTile"]:

@@ -51,7 +51,7 @@ from nonsmooth.runtime.present.files.certificates import (
 )
 from nonsmooth.runtime.present.files.certified_branches import (
     BRANCH,
-    certified_branch_entries,
+    branch_file_entries,
     certified_branch_of,
 )
 from nonsmooth.runtime.present.files.certified_cascades import (
@@ -144,7 +144,7 @@ _KINDS = {
         ),
         _Kind(BOX, check_tiles, box_of, box_entries, lambda found: found.claims, compare_box),
         _Kind(
-            BRANCH, check_branch, certified_branch_of, certified_branch_entries,
+            BRANCH, check_branch, certified_branch_of, branch_file_entries,
             lambda found: found.claims, compare_branch,
         ),
         _Kind(

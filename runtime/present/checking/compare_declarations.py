@@ -126,7 +126,7 @@ def compare_events(content: Content) -> bool:
 
 
 def compare_branch(content: Content) -> bool:
-    """Compare a certified branch: a box of one parameter.
+    """Compare a certified branch, a box of one parameter, and those that begin at its events.
 
     Parameters
     ----------
@@ -136,14 +136,17 @@ def compare_branch(content: Content) -> bool:
     Returns
     -------
     bool
-        As `compare_box` tells it.
+        As `compare_box` tells it of all of them.
 
     Raises
     ------
     Failure
-        If the declaration is another one.
+        If a declaration is another one.
     """
-    return compare_box({**content, "box": {content["parameter"]: content["interval"]}})
+    events = [tile["event"] for tile in content["tiles"] if tile["event"] is not None]
+    beyond = [each["branch"] for event in events for each in event.get("beyond", [])]
+    own = {**content, "box": {content["parameter"]: content["interval"]}}
+    return all([compare_box(own), *map(compare_branch, beyond)])
 
 
 def compare_cascade(content: Content) -> bool:

@@ -68,7 +68,7 @@ def with_beyond(
         The same if its event is no border, or nothing is proved.
     """
     event = tile.event
-    if event is None or event.kind in MULTIPLIERS:
+    if event is None or event.kind in MULTIPLIERS or event.beyond:
         return tile
     value = float(event.enclosures[branch.parameter])
     other = _in_floating_point(branch, event.kind, event.phase, value)

@@ -57,7 +57,7 @@ class OrbitBeyond:
 
     @property
     def scenario(self) -> str:
-        """What happens: "persistence" where one itinerary follows the other, or "nonsmooth fold"."""
+        """Whether one itinerary follows the other, "persistence", or it is a "nonsmooth fold"."""
         return "nonsmooth fold" if self.side == self.own else "persistence"
 
     @property
@@ -413,7 +413,7 @@ def event_json(event: BranchEvent) -> dict[str, Any]:
         "window": [str(time) for time in event.window],
         "also": [[kind, phase + 1, *rest] for kind, phase, *rest in event.also],
         "enclosures": balls_json(event.enclosures),
-        "beyond": [_beyond_json(beyond) for beyond in event.beyond],
+        **({"beyond": [_beyond_json(beyond) for beyond in event.beyond]} if event.beyond else {}),
     }
 
 

@@ -142,8 +142,10 @@ class _Junction:
         for row in rows:
             if any(Invariants.of(free).reduce(row)):
                 free.append(row)
-        found = Invariants.of(free)
-        minor = numbers([[row[k] for k in found.pivots] for row in free], met.passage.number)
+        found, number = Invariants.of(free), met.passage.number
+        if not all(x.is_finite() for x in numbers(free, number).entries()):
+            return None
+        minor = numbers([[row[k] for k in found.pivots] for row in free], number)
         regular = minor.det()
         return found if found.consistent and (regular > 0 or regular < 0) else None
 

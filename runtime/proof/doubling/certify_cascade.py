@@ -23,8 +23,8 @@ from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, Certifie
 from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, certify_branch
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
-from nonsmooth.runtime.proof.branch.tube import BranchTube
 from nonsmooth.runtime.proof.branch.stating import STATED
+from nonsmooth.runtime.proof.branch.tube import BranchTube
 from nonsmooth.runtime.proof.certificate import Stated
 from nonsmooth.runtime.proof.doubling.beside_flip import (
     begin_of_branch,
