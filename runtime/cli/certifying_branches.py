@@ -23,6 +23,7 @@ def certify_whole_branch(
     save: Path | None,
     plot: Path | None,
     *,
+    beyond: bool,
     overwrite: bool,
     as_json: bool,
 ) -> tuple[dict[str, str], int]:
@@ -46,6 +47,8 @@ def certify_whole_branch(
         The file to keep the answer in.
     plot : Path or None
         The picture's file.
+    beyond : bool
+        Whether to prove what begins where it meets a border.
     overwrite : bool
         Whether a file that is there may be replaced.
     as_json : bool
@@ -88,6 +91,7 @@ def certify_whole_branch(
                 branch,
                 interval=interval,
                 tiles=tiles,
+                beyond=beyond,
                 resume=known,
                 progress=progress,
                 keep=None if save is None else lambda state: Written().save(state.save, save),
