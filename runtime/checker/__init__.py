@@ -12,7 +12,7 @@ functions. The table is in the order in which to read.
 `declared`     what is declared, and what follows from it without rounding
 `contacts`     transitions of a contact law, derived again
 `parameters`   the values of what the declaration is a function of
-`short`        equations divided by the dwell time of a phase that may vanish
+`short`        equations and maps that are regular where a phase vanishes
 `orbit`        existence, enclosures, the Poincare map
 `stability`    multipliers against the unit circle
 `vanishing`    functions of the state that vanish because an orbit closes
@@ -23,6 +23,7 @@ functions. The table is in the order in which to read.
 `divided`      a tile that the curve of an event divides
 `events`       bifurcations and limits of admissibility
 `branch`       a branch: tiles that follow each other, and the events between them
+`beyond`       what begins at a branch's borders; the file of a branch
 `doubling`     orbits of twice the period that begin at flips
 `census`       orbits that were counted
 `sets`         sets of states through the phases of a motion

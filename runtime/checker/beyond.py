@@ -196,7 +196,7 @@ class _Met:
         return product(row, at)
 
 
-class _Junction:
+class _CheckedState:
     """The state at which a phase ends, and what happens there at once."""
 
     def __init__(self, met: _Met, place: int) -> None:
@@ -306,7 +306,7 @@ def _demand_exactly(longer: _Met, shorter: _Met, parts: _Parts) -> None:
             special.append((y, own[-1], False))
     demand(len(special) == 1, "the itineraries differ at several states")
     ((y, x, split),) = special
-    junction = _Junction(longer, x)
+    junction = _CheckedState(longer, x)
     facts = junction.facts()
     junction.demand_met(facts)
     if split:
@@ -322,7 +322,7 @@ def _demand_exactly(longer: _Met, shorter: _Met, parts: _Parts) -> None:
         time = longer.orbit.dwell[x]
         demand(time > window[0] and time < window[1], "it is touched at another time")
         return
-    ends = _Junction(shorter, y)
+    ends = _CheckedState(shorter, y)
     asked = all(not any(reduced(row, facts)) for row in ends.rows)
     demand(asked, "the other itinerary asks for more")
     demand(_alike(junction.map, ends.map, facts), "the itineraries lead to two states")
