@@ -33,7 +33,7 @@ from nonsmooth.runtime.core.taylor_models import range_of
 __all__ = ["check_branch"]
 
 _BITS, _SHARP = 64, 192
-_NONE = "not admissible"
+_NONE, _FORCING_PHASE = "not admissible", "forcing-phase"
 _ALIKE = ("system", "parameter", "interval", "stability")
 
 _Parts = list[tuple[int, tuple[int, ...]]]
@@ -157,8 +157,7 @@ class _Met:
         closing, declared = self.curve.declared.closing, self.curve.declared
         covered = closing["kind"] in ("state", "forcing") and declared.dropped < 0
         demand(covered and not declared.translations, "cycles of another closing")
-        for step in self.steps:
-            demand("forcing-phase" not in step.taken.begins, "a cycle of the forcing's phase")
+        demand(len(declared.forcing) <= 1, "several forcings: times a turn apart differ")
 
     @cached_property
     def point(self) -> list[Any]:
@@ -259,6 +258,10 @@ def _demand_one_motion(longer: _Met, shorter: _Met) -> None:
     """The longer one's motion is the orbit of the shorter one at its event."""
     one, two = longer.curve.declared.closing, shorter.curve.declared.closing
     demand(one["kind"] == two["kind"] and one.get("turns") == two.get("turns"), "other closings")
+    if _FORCING_PHASE in shorter.steps[0].taken.begins:
+        _demand_free(longer, shorter)
+        return
+    demand(_FORCING_PHASE not in longer.steps[0].taken.begins, "the longer one has no boundary")
     reason = "no phases of one itinerary are those of the other"
     for parts in _matches(longer, shorter):
         try:
@@ -310,23 +313,58 @@ def _demand_exactly(longer: _Met, shorter: _Met, parts: _Parts) -> None:
     facts = junction.facts()
     junction.demand_met(facts)
     if split:
-        border = shorter.borders[0]
-        row = border.watched(shorter.orbit).row
-        rate = product(row, shorter.steps[border.phase].field)
-        touched = not any(reduced(row, facts)) and not any(reduced(rate, facts))
-        demand(border.phase == y and touched, "the boundary may not be touched")
-        size = len(row)
-        identity = [tuple(fmpq(int(i == j)) for j in range(size)) for i in range(size)]
-        demand(_alike(junction.map, identity, facts), "the state jumps")
-        window = [arb(exact(time)) for time in shorter.event["window"]]
+        demand(shorter.borders[0].phase == y, "another phase is grazed")
+        _demand_touch(shorter, junction, facts)
+        low, high = (arb(exact(time)) for time in shorter.event["window"])
         time = longer.orbit.dwell[x]
-        demand(time > window[0] and time < window[1], "it is touched at another time")
+        demand(time > low and time < high, "it is touched at another time")
         return
     ends = _CheckedState(shorter, y)
     asked = all(not any(reduced(row, facts)) for row in ends.rows)
     demand(asked, "the other itinerary asks for more")
     demand(_alike(junction.map, ends.map, facts), "the itineraries lead to two states")
     ends.demand_met(facts)
+
+
+def _demand_touch(shorter: _Met, junction: _CheckedState, facts: list[Any]) -> None:
+    """The shorter one's boundary is touched at a state that stays as it is."""
+    border = shorter.borders[0]
+    row = border.watched(shorter.orbit).row
+    rate = product(row, shorter.steps[border.phase].field)
+    touched = not any(reduced(row, facts)) and not any(reduced(rate, facts))
+    demand(touched, "the boundary may not be touched")
+    size = len(row)
+    identity = [tuple(fmpq(int(i == j)) for j in range(size)) for i in range(size)]
+    demand(_alike(junction.map, identity, facts), "the state jumps")
+
+
+def _demand_free(longer: _Met, shorter: _Met) -> None:
+    """The longer one's motion reaches no boundary: it is the shorter one, that grazes one.
+
+    That begins where the sine of the first forcing is zero: the motion is followed to there.
+    """
+    single = len(longer.lasting) == 1 and len(shorter.borders) == 1
+    demand(single and shorter.borders[0].kind == "grazing", "no motion without a boundary grazes")
+    (x,) = longer.lasting
+    own, step = longer.steps[x], shorter.steps[0]
+    demand(own.name == step.name and _same(own.field, step.field), "other configurations")
+    junction = _CheckedState(longer, x)
+    facts = junction.facts()
+    junction.demand_met(facts)
+    _demand_touch(shorter, junction, facts)
+    orbit, other = longer.orbit, shorter.orbit
+    turn = other.chain.period / shorter.curve.declared.closing["turns"]
+    half = turn / 2
+    begins = half * round(float((shorter.point[other.first - 1] / half).mid()))
+    away = longer.point[orbit.first - 1] + sum(orbit.dwell[: x + 1], arb(0)) - begins
+    passed = away - turn * int((away / turn).mid().floor().unique_fmpz())
+    state = (other.chain.fields[0] * (turn - passed)).exp() * orbit.now.ends[x]
+    free = [state[k, 0] for k in shorter.curve.declared.free]
+    point = [*free, begins, sum(orbit.dwell, arb(0)), longer.point[-1]]
+    demand(_holds(shorter.tile, point), "two orbits")
+    low, high = (arb(exact(time)) for time in shorter.event["window"])
+    times = [passed + turn * k for k in range(shorter.curve.declared.closing["turns"])]
+    demand(any(t > low and t < high for t in times), "it is touched at another time")
 
 
 def _points(longer: _Met, shorter: _Met, parts: _Parts) -> Iterator[list[Any]]:

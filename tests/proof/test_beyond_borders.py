@@ -9,11 +9,15 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
+import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
+from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.proof.admissibility import OpenInequality
@@ -26,6 +30,11 @@ from nonsmooth.runtime.proof.branch.same_motion import is_same_motion
 from nonsmooth.runtime.proof.branch.tube import BranchTube
 from tests.proof.test_branch_borders import SYSTEMS
 
+PAD = oscillator(
+    "pad", ["x"], mass=[[1]], damping=[["1/5"]], stiffness=[[1]],
+    forcing=[Harmonic(sp.symbols("Omega"), cosine=["2/5"])],
+    elements=[SoftStop("x", at=1, stiffness="1/2", damping="1/20", name="pad")],
+)  # fmt: skip
 GRAZING = 0.665294576295129867
 
 
@@ -121,6 +130,52 @@ def test_nothing_is_claimed_where_nothing_is_found(kind: str) -> None:
     found = ns.certify_branch(branch, interval=(str(low), str(high)), beyond=True)
     assert found.complete
     assert [event.beyond for event in found.events] == [()]
+
+
+@pytest.fixture(scope="module")
+def pad(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path]:
+    """A motion that reaches nothing, until it touches a soft stop."""
+    orbit = ns.find_orbits(PAD, {"Omega": "0.79"}, 10, transitions=300).orbits[0].orbit
+    branch = ns.continue_orbit(orbit, "Omega", (0.79, 0.8))
+    found = ns.certify_branch(branch, interval=("0.79", "0.8"), beyond=True)
+    path = tmp_path_factory.mktemp("pad") / "branch.json"
+    found.save(path)
+    return found, path
+
+
+def test_a_contact_begins_where_a_soft_stop_is_touched(pad: Any) -> None:
+    found, path = pad
+    beyond = only(found)
+    assert (beyond.side, beyond.own, beyond.verdict) == ("above", "below", "stable")
+    assert beyond.scenario == "persistence"
+    assert ns.check_certificate(path).difference is None
+    # without the stop the amplitude is 2/5 / |1 - Omega^2 + i Omega / 5|: 1 at the event
+    (event,) = found.events
+    with mpmath.workprec(200):
+        square = (
+            mpmath.mpf(49) / 25 + mpmath.sqrt((mpmath.mpf(49) / 25) ** 2 - 4 * mpmath.mpf(21) / 25)
+        ) / 2
+        lower = mpmath.mpf(49) / 25 - square
+        assert event.enclosures["Omega"].ball.contains(exact_ball(mpmath.sqrt(lower)))
+    value = as_value((beyond.reach + float(event.enclosures["Omega"])) / 2)
+    motion = ns.simulate(PAD, {"Omega": value}, {"x": 0, "v": 0}, until=800.0)
+    names, tile = [*beyond.branch.unknown_names, "Omega"], beyond.branch.tiles[0]
+    assert tile.coordinate == names[-2]
+    contact = float(np.diff(motion.times)[-2:].min())
+    place = (contact - float(tile.lower)) / float(tile.upper - tile.lower) * 2 - 1
+    told = np.polynomial.polynomial.polyval(place, tile.centre[-1])
+    assert abs(told - float(value)) < 1e-8
+
+
+def test_a_contact_that_vanishes_leaves_the_motion_without_it(tmp_path: Path) -> None:
+    orbit = ns.find_orbits(PAD, {"Omega": "0.8"}, 10, transitions=300).orbits[0].orbit
+    branch = ns.continue_orbit(orbit, "Omega", (0.79, 0.8))
+    found = ns.certify_branch(branch, interval=("0.79", "0.8"), beyond=True)
+    beyond = only(found)
+    assert beyond.itinerary == (("free", "forcing-phase"),)
+    assert (beyond.side, beyond.own, beyond.verdict) == ("below", "above", "stable")
+    found.save(tmp_path / "branch.json")
+    assert ns.check_certificate(tmp_path / "branch.json").difference is None
 
 
 def forged(path: Path, change: Callable[[dict[str, Any], dict[str, Any]], None]) -> dict[str, Any]:

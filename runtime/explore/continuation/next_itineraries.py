@@ -19,7 +19,7 @@ from nonsmooth.runtime.explore.continuation.composed_family import SystemAt, com
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -81,7 +81,10 @@ def next_itineraries(
         for distance in _DISTANCES:
             try:
                 here, period = system_at(event.value + sign * distance * span)
-                orbits = list(_composed(base, ways, here, event, period))
+                orbits = [
+                    *_composed(base, ways, here, event, period),
+                    *_without_boundary(base, here, event),
+                ]
             except InputError:  # beyond a domain
                 break
             if sign == side and period is None:
@@ -266,6 +269,21 @@ def _splits(total: float, count: int, time: float | None) -> list[list[float]]:
         middle = [short] * (count - 2)
         found.append([time, *middle, max(total - time - sum(middle), short)])
     return found
+
+
+def _without_boundary(base: Orbit, parameters: Mapping[str, Any], event: Event) -> Iterator[Orbit]:
+    """The motion that reaches no boundary any more, where one of two phases vanishes."""
+    if event.kind != "vanishing-phase" or event.phase is None or len(base.itinerary) != 2:
+        return
+    left = base.itinerary[1 - event.phase % 2][0]
+    try:
+        orbit = solve_itinerary(
+            base.system, parameters, ((left, FORCING_PHASE),), [float(base.period)]
+        )
+    except InputError:  # no forcing
+        return
+    if orbit.converged and orbit.admissibility.verdict is True:
+        yield orbit
 
 
 def _simulated(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:

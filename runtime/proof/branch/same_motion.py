@@ -8,11 +8,13 @@ that there is only one.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from nonsmooth.runtime.model.structure import FORCING_PHASE
 from nonsmooth.runtime.proof.admissibility import OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.branch.passage import CyclePassage
@@ -212,6 +214,8 @@ def is_same_motion(longer: MetBorder, shorter: MetBorder) -> bool:
         return False
     if not _closes_alike(longer.region.closing, shorter.region.closing):
         return False
+    if shorter.region.cycle.itinerary[0][1] == FORCING_PHASE:
+        return _grazes_freely(longer, shorter)
     matches = [*_rotated(longer, shorter), *_split(longer, shorter)]
     return any(_holds(longer, shorter, match) for match in matches)
 
@@ -277,16 +281,53 @@ def _exactly(longer: MetBorder, shorter: MetBorder, match: _Match) -> bool:
 
 def _touches(longer: MetBorder, shorter: MetBorder, own: _Junction, facts: Invariants) -> bool:
     """Whether the shorter one's boundary is touched, in its window, and nothing else happens."""
+    time = longer.passage.dwell[own.place]
+    inside = time > shorter.window[0] and time < shorter.window[1]
+    return bool(inside) and _is_touched(shorter, own, facts)
+
+
+def _is_touched(shorter: MetBorder, own: _Junction, facts: Invariants) -> bool:
+    """Whether the shorter one's boundary is touched at a state that stays as it is."""
     border = shorter.borders[0]
     plan = shorter.region.plans[border.phase]
     row = next(w.row for w in plan.watched if w.name == border.boundary)
     rate = product(row, shorter.field(border.phase))
-    if any(facts.reduce(row)) or any(facts.reduce(rate)):
+    touched = not any(facts.reduce(row)) and not any(facts.reduce(rate))
+    return touched and _alike(facts, own.map, _identity(len(row)))
+
+
+def _grazes_freely(longer: MetBorder, shorter: MetBorder) -> bool:
+    """Whether the shorter one is a motion that reaches no boundary, and grazes one.
+
+    Its cycle begins where the sine of the first forcing is zero, the longer one's at the boundary:
+    from there it is followed to such a time.
+    """
+    from flint import arb
+
+    border = shorter.borders[0]
+    if len(longer.lasting) != 1 or border.kind != "grazing" or len(shorter.borders) > 1:
         return False
-    if not _alike(facts, own.map, _identity(len(row))):
+    (x,) = longer.lasting
+    same = longer.name(x) == shorter.name(0) and _equal(longer.field(x), shorter.field(0))
+    own = _Junction(longer, x)
+    facts = own.facts() if same else None
+    if facts is None or not own.meets(facts, longer.borders):
         return False
-    time = longer.passage.dwell[own.place]
-    return bool(time > shorter.window[0] and time < shorter.window[1])
+    if not _is_touched(shorter, own, facts):
+        return False
+    now, equations = longer.passage, shorter.passage.equations
+    turn = equations.period / equations.closing.turns
+    begins = shorter.point[equations.first - 1]
+    begins = turn / 2 * round(float(begins.mid()) / float(turn.mid()) * 2)
+    away = longer.point[now.equations.first - 1] + sum(now.dwell[: x + 1], -begins)
+    turns = math.ceil(float(away.mid()) / float(turn.mid()))
+    flow = (equations.phases[0].field * (turns * turn - away)).exp()
+    state = flow * now.shooting.ends[x]
+    free = [state[k, 0] for k in equations.free]
+    point = [*free, begins, sum(now.dwell, arb(0)), longer.point[-1]]
+    low, high = shorter.window
+    times = [away + k * turn for k in range(-turns, equations.closing.turns + 1)]
+    return any(time > low and time < high for time in times) and _in_tile(shorter, point)
 
 
 def _points(longer: MetBorder, shorter: MetBorder, match: _Match) -> Iterator[list[arb]]:
@@ -327,10 +368,13 @@ def _in_tile(met: MetBorder, point: list[arb]) -> bool:
 
 def _closes_alike(one: ClosureConditions, other: ClosureConditions) -> bool:
     """Whether two cycles close in one way, that leaves no condition out."""
+    single = len(one.pairs) <= 1  # times a turn apart are the same
     told = [(each.kind, each.turns, each.pairs, each.dropped) for each in (one, other)]
     covered = one.kind in ("state", "forcing") and one.form is None and other.form is None
     whole = not (one.translations or other.translations) and one.dropped < 0
-    return told[0] == told[1] and covered and whole and _equal([one.speeds], [other.speeds])
+    return (
+        single and told[0] == told[1] and covered and whole and _equal([one.speeds], [other.speeds])
+    )
 
 
 def _identity(size: int) -> _Map:
