@@ -15,7 +15,16 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, SoftStop, oscillator
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    FirstOrder,
+    Harmonic,
+    SoftStop,
+    System,
+    Transition,
+    oscillator,
+)
 from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import as_value, flint_precision
@@ -28,7 +37,7 @@ from nonsmooth.runtime.proof.branch.crossing import SHARP
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve
 from nonsmooth.runtime.proof.branch.same_motion import is_same_motion
 from nonsmooth.runtime.proof.branch.tube import BranchTube
-from tests.proof.test_branch_borders import SYSTEMS
+from tests.proof.test_branch_borders import HOT, SYSTEMS, THRESHOLD, WIDTH, A, B
 
 PAD = oscillator(
     "pad", ["x"], mass=[[1]], damping=[["1/5"]], stiffness=[[1]],
@@ -119,6 +128,61 @@ def test_the_other_boundary_takes_over(relay: Any) -> None:
     for value, verdict in (("0.5207", "proved"), ("0.521", "refuted")):
         orbit = ns.solve(system, {"w": value}, [1.15, 1.15], itinerary=beyond.itinerary)
         assert ns.certify(orbit).claims["admissibility"] == verdict
+
+
+def corner(push: float) -> System:
+    """The relay, but its input jumps by this where the threshold is passed, till it switches."""
+    lags = [[-1, 0], [1, -1]]
+    warm, cold = Boundary("warm", B - WIDTH), Boundary("cold", -B - WIDTH)
+    return System(
+        name="corner",
+        description="two lags and a relay with a second stage; nondimensional",
+        states=(A, B),
+        parameters=(THRESHOLD,),
+        configurations=(
+            Configuration("on", FirstOrder(lags, [1, 0]), (warm, HOT)),
+            Configuration("push", FirstOrder(lags, [1 + push, 0]), (warm,)),
+            Configuration("off", FirstOrder(lags, [-1, 0]), (cold,)),
+        ),
+        transitions=(
+            Transition("on", frozenset({"warm"}), "off"),
+            Transition("on", frozenset({"hot"}), "push"),
+            Transition("push", frozenset({"warm"}), "off"),
+            Transition("off", frozenset({"cold"}), "on"),
+        ),
+    )
+
+
+@pytest.mark.parametrize(
+    ("push", "side", "verdict", "scenario"),
+    [
+        (44, "below", "stable", "persistence"),
+        (-200, "below", "unstable", "persistence"),
+        # another orbit of the itinerary is near, and does not begin here
+        (60, "above", "unstable", "nonsmooth fold"),
+        (200, "above", "unstable", "nonsmooth fold"),
+    ],
+)
+def test_itineraries_follow_each_other_or_end_together(
+    push: int, side: str, verdict: str, scenario: str, tmp_path: Path
+) -> None:
+    system = corner(push)
+    orbit = ns.solve(system, {"w": "0.522"}, [1, 1], itinerary=[("on", "warm"), ("off", "cold")])
+    branch = ns.continue_orbit(orbit, "w", (0.518, 0.524))
+    found = ns.certify_branch(branch, interval=("0.518", "0.524"), beyond=True)
+    beyond = only(found)
+    assert (beyond.side, beyond.own) == (side, "above")
+    assert (beyond.verdict, beyond.scenario) == (verdict, scenario)
+    found.save(tmp_path / "branch.json")
+    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+    # on that side it is an orbit that is proved on its own, of a short new phase
+    at = float(found.events[0].enclosures["w"])
+    value = as_value(at + (beyond.reach - at) / 2)
+    other = ns.solve(system, {"w": value}, [1.155, 1.155, 1e-5], itinerary=beyond.itinerary)
+    assert other.dwell_times[2] < 1e-3
+    claims = ns.certify(other).claims
+    told = "proved" if verdict == "stable" else "refuted"
+    assert claims == {"existence": "proved", "admissibility": "proved", "stability": told}
 
 
 @pytest.mark.parametrize("kind", ["entry", "condition", "tangent"])

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,6 +23,10 @@ from nonsmooth.runtime.core.taylor_models import range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.continuation.next_itineraries import (
+    canonical_itinerary,
+    orbits_beside,
+)
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.admissibility import OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, region_of
@@ -41,7 +46,8 @@ if TYPE_CHECKING:
 
 __all__ = ["with_beyond"]
 
-_TRIES = 10
+_TRIES = 6
+_WIDE = 1e-4  # of the interval: the first tile at least
 _SMALLER = 4  # times, from try to try
 _BACK = 32  # share of a tile over a dwell time that lies behind its border
 _NEAR = 1e-4  # of the interval: where floating point has the same event
@@ -80,16 +86,13 @@ def with_beyond(
     side = _side(own_curve, tile, piece)
     if not side:
         return tile
-    found = []
-    try:
-        orbits = branch.next_itineraries(other, opened)
-    except InputError:
-        return tile
-    for orbit in orbits:
-        proved = _proved(orbit, curve, own, value)
+    found: dict[Any, OrbitBeyond] = {}
+    for orbit in _candidates(branch, other, opened):
+        name = canonical_itinerary(orbit.itinerary)
+        proved = None if name in found else _proved(orbit, curve, own, value)
         if proved is not None:
-            found.append(replace(proved, own=side))
-    return replace(tile, event=replace(event, beyond=tuple(found)))
+            found[name] = replace(proved, own=side)
+    return replace(tile, event=replace(event, beyond=tuple(found.values())))
 
 
 def _in_floating_point(branch: Branch, kind: str, phase: int | None, value: float) -> Event | None:
@@ -102,6 +105,15 @@ def _in_floating_point(branch: Branch, kind: str, phase: int | None, value: floa
     ]
     near.sort(key=lambda event: event.kind != kind or event.phase != phase)
     return near[0] if near else None
+
+
+def _candidates(branch: Branch, event: Event, opened: Mapping[str, Any]) -> Iterator[Orbit]:
+    """Orbits of other itineraries near a border, in floating point."""
+    for looked_for in (branch.next_itineraries, partial(orbits_beside, branch)):
+        try:
+            yield from looked_for(event, opened)
+        except InputError:  # none
+            continue
 
 
 def _piece_of(curve: OrbitCurve, tile: BranchTile) -> Piece:
@@ -196,14 +208,15 @@ def _proved(orbit: Orbit, own: OrbitCurve, met: MetBorder, value: float) -> Orbi
 def _tried(curve: OrbitCurve, value: float) -> Iterator[tuple[int | None, int, Fraction, Fraction]]:
     """Tiles about a border, smaller and smaller: by the parameter, and by dwell times."""
     region = curve.region
-    away = max(abs(float(region.at[0]) - value), 1e-9)
+    low, high = map(float, region.box[0])
+    away = max(abs(float(region.at[0]) - value), _WIDE * (high - low))
     times = [float(x.mid()) for x in region.guess[curve.first_time :]]
     for step in range(_TRIES):
         share = _SMALLER**-step
         half = Fraction(f"{away * share / 2:.2g}")
         middle = _decimal(value, half)
-        low, high = max(region.box[0][0], middle - half), min(region.box[0][1], middle + half)
-        yield None, curve.parameter, low, high
+        lower, upper = max(region.box[0][0], middle - half), min(region.box[0][1], middle + half)
+        yield None, curve.parameter, lower, upper
         for place in curve.divided:
             if times[place] < _SHORT * sum(times):
                 upper = Fraction(f"{times[place] * share / 2:.2g}")
