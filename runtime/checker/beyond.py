@@ -178,8 +178,9 @@ class _Met:
     def row(self, border: Border, before: dict[int, Any], behind: tuple[int, Any]) -> Any:
         """What is zero at a border, by the state at a junction."""
         at = before.get(border.phase)
-        if border.instant == "start":
-            at = behind[1] if border.phase == behind[0] else at
+        if border.instant == "start":  # the first phase begins long before
+            starts = {**dict([*before.items()][1:]), behind[0]: behind[1]}
+            at = starts.get(border.phase)
         demand(at is not None and border.kind != "grazing", "a border is met elsewhere")
         if border.kind == "condition":
             return product(border.condition(self.orbit)[0], at)

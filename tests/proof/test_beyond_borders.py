@@ -13,6 +13,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from flint import ctx
 
 import nonsmooth as ns
 from nonsmooth.derive import (
@@ -26,6 +27,9 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.runtime.checker import Failure, check_branch
+from nonsmooth.runtime.checker.beyond import _CheckedState, _Met
+from nonsmooth.runtime.checker.branch import checked_tiles
+from nonsmooth.runtime.checker.motion import Border
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.values import as_value, flint_precision
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
@@ -303,6 +307,17 @@ def test_edited_files_are_refused(symmetric: Any, name: str) -> None:
     change, reason = FORGERIES[name]
     with pytest.raises(Failure, match=reason):
         check_branch(forged(symmetric[1], change))
+
+
+def test_a_border_where_a_phase_began_is_not_met_where_it_ends(relay: Any) -> None:
+    """The state at the end of a phase says nothing of its start."""
+    with ctx.workprec(192):
+        met = _Met(checked_tiles(json.loads(relay[1].read_text()))[4])
+        state = _CheckedState(met, 0)
+        first = Border("entry", 0, "warm", "start")
+        assert any(met.row(met.borders[0], state.before, state.behind))
+        with pytest.raises(Failure, match="elsewhere"):
+            met.row(first, state.before, state.behind)
 
 
 def test_a_branch_is_not_beyond_itself(relay: Any) -> None:
