@@ -12,7 +12,7 @@ functions. The table is in the order in which to read.
 `declared`      what is declared, and what follows from it without rounding
 `contacts`      transitions of a contact law, derived again
 `parameters`    the values of what the declaration is a function of
-`short`         equations divided by the dwell time of a phase that may vanish
+`short`         equations and maps that are regular where a phase vanishes
 `orbit`         existence, enclosures, the Poincare map
 `stability`     multipliers against the unit circle
 `vanishing`     functions of the state that vanish because an orbit closes
@@ -25,6 +25,7 @@ functions. The table is in the order in which to read.
 `events`        bifurcations and limits of admissibility
 `branch_tile`   one tile of a branch: a verdict, or an event
 `branch`        a branch: tiles that follow each other
+`beyond`        what begins at a branch's borders; the file of a branch
 `doubling`      orbits of twice the period that begin at flips
 `census`        orbits that were counted
 `sets`          sets of states through the phases of a motion
@@ -33,7 +34,7 @@ functions. The table is in the order in which to read.
 ==============  ===========================================================
 """
 
-from nonsmooth.runtime.checker.branch import check_branch
+from nonsmooth.runtime.checker.beyond import check_branch
 from nonsmooth.runtime.checker.census import check_census
 from nonsmooth.runtime.checker.chaos import check_chaos
 from nonsmooth.runtime.checker.doubling import check_cascade

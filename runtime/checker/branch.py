@@ -12,34 +12,13 @@ from flint import arb, ctx
 from nonsmooth.runtime.checker.branch_curve import CheckedCurve, without_entry
 from nonsmooth.runtime.checker.branch_tile import BITS, OPEN, SHARP, CheckedTile
 from nonsmooth.runtime.checker.declared import StatedSystem
-from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact
+from nonsmooth.runtime.checker.exact import Failure, demand, exact
 from nonsmooth.runtime.checker.parameters import independent, values_of
-from nonsmooth.runtime.checker.shape import BRANCH, check_shape
 from nonsmooth.runtime.core.jets import part_of
 
-__all__ = ["check_branch", "checked_tiles"]
+__all__ = ["checked_tiles"]
 
 _FINISHED, _VANISHED = "end of the interval", "a phase vanishes"
-
-
-def check_branch(content: dict[str, Any]) -> None:
-    """Prove every claim of a branch; Failure says which one cannot be.
-
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Raises
-    ------
-    Failure
-        If a claim is not proved.
-    Malformed
-        If the file has another shape.
-    """
-    check_shape(content, BRANCH)
-    check_sum(content)
-    checked_tiles(content)
 
 
 def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:

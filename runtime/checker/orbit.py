@@ -130,7 +130,7 @@ class CheckedOrbit:
         begin, before = y, dy
         for place, (b, n, r) in enumerate(zip(*chain[:3], strict=True)):
             own = arb_mat([[int(j == self.first + place) for j in range(self.count)]])
-            divided = self.short is not None and place == self.short.place
+            divided = self.short is not None and self.short[::2] == (place, True)
             if divided:
                 time, rate = unknowns[self.first + place], b * y
                 mean = n * quotient(b, time)

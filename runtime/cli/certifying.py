@@ -139,6 +139,14 @@ def certify(
             help="Prove all of the branch over one range, V=0.6:1.3: every interval and event.",
         ),
     ] = False,
+    beyond: Annotated[
+        bool,
+        typer.Option(
+            "--beyond",
+            help="With --branch: prove which other itineraries begin where it meets a border,"
+            " and on which side.",
+        ),
+    ] = False,
     doublings: Annotated[
         int | None,
         typer.Option(
@@ -166,7 +174,7 @@ def certify(
         options = (
             parameters, guess, digits, bits, save, resume, plot, tiles, derivatives, doublings,
         )  # fmt: skip
-        chosen = (every, events, branch, overwrite, yes)
+        chosen = (every, events, branch, beyond, overwrite, yes)
         if any(chosen) or any(option is not None and option != [] for option in options):
             raise InputError("--check takes a file, and perhaps its orbit, and nothing else")
         return _check(check, orbit, require, as_json=as_json)
@@ -178,6 +186,8 @@ def certify(
         )
     if derivatives and (every or events or branch or is_box(parameters)):
         raise InputError("--derivatives are for one orbit, at one point")
+    if beyond and not branch:
+        raise InputError("--beyond goes with --branch")
     near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
     save = resume if save is None else save
     given = parameters or []
@@ -190,7 +200,7 @@ def certify(
             raise InputError("--digits and --bits are not for --branch: --events takes them")
         looked_at = _BRANCH_TILES if tiles is None else tiles
         check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
-        told, code = certify_whole_branch(proof, looked_at)
+        told, code = certify_whole_branch(proof, looked_at, beyond=beyond)
         return _judged(told, require, code)
     if doublings is not None:
         if digits is not None or bits is not None:

@@ -11,7 +11,9 @@ from nonsmooth.runtime.cli.ranges import followed_over
 __all__ = ["certify_flips", "certify_whole_branch"]
 
 
-def certify_whole_branch(proof: LongProof, tiles: int) -> tuple[Mapping[str, str], int]:
+def certify_whole_branch(
+    proof: LongProof, tiles: int, *, beyond: bool
+) -> tuple[Mapping[str, str], int]:
     """Follow the orbit over a range, prove all of it, show it and keep it.
 
     Gives what is claimed, and the exit code.
@@ -22,6 +24,8 @@ def certify_whole_branch(proof: LongProof, tiles: int) -> tuple[Mapping[str, str
         Which orbit, its files, and how it is shown.
     tiles : int
         The most tiles that are proved.
+    beyond : bool
+        Whether to prove what begins where it meets a border.
 
     Returns
     -------
@@ -47,6 +51,7 @@ def certify_whole_branch(proof: LongProof, tiles: int) -> tuple[Mapping[str, str
                 branch,
                 interval=interval,
                 tiles=tiles,
+                beyond=beyond,
                 resume=known,
                 progress=progress,
                 keep=proof.keep,

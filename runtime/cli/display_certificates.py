@@ -275,6 +275,10 @@ def branch_table(found: CertifiedBranch) -> Table:
                 where = f"phase {event.phase + 1} {where}: {event.boundary}"
             value = str(event.enclosures[found.parameter])
             table.add_row(Text(event.kind, style="bold"), value, where, "")
+            for beyond in event.beyond:
+                ends = f"{float(event.enclosures[found.parameter]):.10g} ... {beyond.reach:.10g}"
+                way = " -> ".join(configuration for configuration, _ in beyond.itinerary)
+                table.add_row(f"beyond: {beyond.verdict}", ends, f"{beyond.scenario}: {way}", "1")
         told = f"{part.begin:.10g} ... {part.end:.10g}"
         why = part.reason
         if part.verdict == UNDECIDED:

@@ -94,10 +94,10 @@ class Linearised(NamedTuple):
 
 
 class ShortPhase(NamedTuple):
-    """A phase that begins and ends on one boundary, and may vanish.
+    """A phase that may vanish.
 
-    Its switching condition is divided by its dwell time: what is left is regular where the
-    dwell time is zero, and elsewhere it has the same solutions.
+    If it begins and ends on one boundary its switching condition is divided by its dwell time:
+    what is left is regular where the dwell time is zero, and elsewhere it has the same solutions.
 
     Attributes
     ----------
@@ -106,10 +106,13 @@ class ShortPhase(NamedTuple):
     saltations : tuple
         For each phase a column (N + 1, 1): the jump of the velocity at its end over the rate of
         the boundary function, where that is a number though both may be zero; else None.
+    divided : bool
+        Whether its switching condition is divided.
     """
 
     place: int
     saltations: tuple[Any, ...]
+    divided: bool
 
     def at(self, number: Number) -> ShortPhase:
         """The same with numbers in place of exact entries.
@@ -127,7 +130,7 @@ class ShortPhase(NamedTuple):
             None if column is None else numbers([[entry] for entry in column], number)
             for column in self.saltations
         ]
-        return ShortPhase(self.place, tuple(columns))
+        return ShortPhase(self.place, tuple(columns), self.divided)
 
 
 class Equations:
@@ -285,7 +288,7 @@ class Equations:
         n (phi1 - phi2)(B t) B B, where phi1(z) = (e^z - 1) / z and phi2(z) = (phi1(z) - 1) / z
         (N. Higham, Functions of Matrices, 2008, 10.7.4).
         """
-        if self.short is None:
+        if self.short is None or not self.short.divided:
             return None
         place, size = self.short.place, self.size + 1
         phase, time = self.phases[place], self.dwell(unknowns)[place]

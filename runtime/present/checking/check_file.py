@@ -43,7 +43,7 @@ from nonsmooth.runtime.present.files.certificates import (
 )
 from nonsmooth.runtime.present.files.certified_branches import (
     BRANCH,
-    certified_branch_entries,
+    branch_file_entries,
     certified_branch_of,
 )
 from nonsmooth.runtime.present.files.certified_cascades import (
@@ -136,7 +136,7 @@ _KINDS = {
     for kind in (
         _Kind(CERTIFICATE, check, certificate_of, certificate_entries, _own),
         _Kind(BOX, check_tiles, box_of, box_entries, _own),
-        _Kind(BRANCH, check_branch, certified_branch_of, certified_branch_entries, _own),
+        _Kind(BRANCH, check_branch, certified_branch_of, branch_file_entries, _own),
         _Kind(CASCADE, check_cascade, certified_cascade_of, certified_cascade_entries, _own),
         _Kind(EVENTS, check_events, events_of, event_entries, events_claim),
         _Kind(CENSUS, check_census, census_of, census_entries, _listed),

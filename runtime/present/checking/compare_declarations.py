@@ -92,8 +92,11 @@ def _events(content: Content) -> bool:
 
 
 def _branch(content: Content) -> bool:
-    """Compare a certified branch: a box of one parameter."""
-    return _box({**content, "box": {content["parameter"]: content["interval"]}})
+    """Compare a certified branch, a box of one parameter, and those that begin at its events."""
+    events = [tile["event"] for tile in content["tiles"] if tile["event"] is not None]
+    beyond = [each["branch"] for event in events for each in event.get("beyond", [])]
+    own = {**content, "box": {content["parameter"]: content["interval"]}}
+    return all([_box(own), *map(_branch, beyond)])
 
 
 def _cascade(content: Content) -> bool:

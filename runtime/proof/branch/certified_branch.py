@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.proof.branch.look import UNDECIDED
+from nonsmooth.runtime.proof.branch.look import NOT_ADMISSIBLE, UNDECIDED
 from nonsmooth.runtime.proof.certificate import Stated, balls_json, orbit_json
 
 __all__ = [
@@ -22,12 +22,55 @@ __all__ = [
     "BranchTile",
     "CertifiedBranch",
     "DrawnOverParameter",
+    "OrbitBeyond",
     "event_json",
     "told_json",
 ]
 
 FINISHED = "end of the interval"
 VANISHED = "a phase vanishes"
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class OrbitBeyond:
+    """Orbits of another itinerary that begin where a branch meets a border.
+
+    At the event both itineraries have one motion. From there on, as far as its tile goes, there
+    is one admissible orbit of the other one for each value of the tile's coordinate.
+
+    Attributes
+    ----------
+    side : {"above", "below"}
+        On which side of the event's parameter they are.
+    own : {"above", "below"}
+        On which side the branch's own orbits are.
+    verdict : {"stable", "neutral", "unstable"}
+        Of all of them.
+    branch : CertifiedBranch
+        One tile of the other itinerary, with the event at which it begins.
+    """
+
+    side: str
+    own: str
+    verdict: str
+    branch: CertifiedBranch
+
+    @property
+    def scenario(self) -> str:
+        """Whether one itinerary follows the other, "persistence", or it is a "nonsmooth fold"."""
+        return "nonsmooth fold" if self.side == self.own else "persistence"
+
+    @property
+    def itinerary(self) -> tuple[tuple[str, str], ...]:
+        """Configurations and boundaries of the other orbits."""
+        return self.branch.itinerary
+
+    @property
+    def reach(self) -> float:
+        """The parameter up to which they are proved, about."""
+        tile = self.branch.tiles[0]
+        end = 0 if tile.after == NOT_ADMISSIBLE else 1
+        return self.branch.parameter_at(tile)[end]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -52,6 +95,8 @@ class BranchEvent:
         the branch turns as a phase vanishes.
     enclosures : dict of str to Stated
         The orbit's unknowns and the parameter.
+    beyond : tuple of OrbitBeyond
+        At a border: other itineraries that begin there, as far as they were asked for and proved.
     """
 
     kind: str
@@ -64,6 +109,7 @@ class BranchEvent:
     window: tuple[Fraction, ...]
     also: tuple[tuple[str, int, str, str], ...]
     enclosures: Mapping[str, Stated]
+    beyond: tuple[OrbitBeyond, ...] = field(default=(), repr=False)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -297,6 +343,7 @@ class CertifiedBranch(DrawnOverParameter):
             if before and self.intervals[before - 1].verdict != UNDECIDED != part.verdict:
                 event = next(events)
                 parts.append(f"{event.kind} at {event.enclosures[self.parameter]}")
+                parts += [_told_beyond(beyond) for beyond in event.beyond]
             told = f"{part.verdict} from {part.begin:.10g} to {part.end:.10g}"
             if part.verdict == UNDECIDED:
                 told = f"undecided from {part.begin:.17g} on, {part.width:.3g} wide"
@@ -328,6 +375,15 @@ class CertifiedBranch(DrawnOverParameter):
         }
 
 
+def _told_beyond(found: OrbitBeyond) -> str:
+    """In words: which orbits begin at an event, on which side, and how far they are proved."""
+    way = " -> ".join(configuration for configuration, _ in found.itinerary)
+    return (
+        f"there {way} begins, {found.verdict}, {found.side} it up to {found.reach:.10g}"
+        f" ({found.scenario})"
+    )
+
+
 def event_json(event: BranchEvent) -> dict[str, Any]:
     """An event as JSON.
 
@@ -351,6 +407,18 @@ def event_json(event: BranchEvent) -> dict[str, Any]:
         "window": [str(time) for time in event.window],
         "also": [[kind, phase + 1, *rest] for kind, phase, *rest in event.also],
         "enclosures": balls_json(event.enclosures),
+        **({"beyond": [_beyond_json(beyond) for beyond in event.beyond]} if event.beyond else {}),
+    }
+
+
+def _beyond_json(found: OrbitBeyond) -> dict[str, Any]:
+    return {
+        "side": found.side,
+        "own": found.own,
+        "verdict": found.verdict,
+        "scenario": found.scenario,
+        "reach": found.reach,
+        "branch": found.branch.to_json(),
     }
 
 
