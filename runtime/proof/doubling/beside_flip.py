@@ -12,7 +12,7 @@ import numpy as np
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, linearised_by_parameter
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.branch.passage import CyclePassage, others_at_circle
@@ -122,10 +122,12 @@ def doubled_guess(proved: ProvedTube, value: Fraction) -> list[arb]:
     list of arb
         Unknowns of the doubled cycle's equations.
     """
-    with flint_precision(BITS):
-        square = float(value) - float(proved.flip[-1].mid())
-        amplitude = math.sqrt(max(square / float(proved.rate.mid()), 0.0))
-        place = amplitude / float(proved.tube.amplitude)
+    from flint import arb
+
+    with flint_precision(FLIP):
+        square = (arb(rational_of(value)) - proved.flip[-1]) / proved.rate
+        amplitude = square.mid().max(arb(0)).sqrt()
+        place = amplitude / arb(rational_of(proved.tube.amplitude))
         return [x.at([place]).mid() for x in proved.point[:-1]]
 
 
@@ -196,7 +198,7 @@ def verdict_of(
         if orbit is None or not in_tube(proved, doubled, orbit):
             return UNDECIDED, "no doubled orbit is proved to be in the tube", None
         there = CyclePassage(doubled, orbit).stability.verdict
-    with flint_precision(BITS):
+    with flint_precision(doubled.bits):
         # wider, for the check multiplies the phases' maps in another order
         wide = [x + arb(0, _WIDER * x.rad()) for x in proved.point]
         reason = _undecided_on(doubled, wide)

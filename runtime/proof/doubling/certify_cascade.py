@@ -45,7 +45,7 @@ if TYPE_CHECKING:
 
 __all__ = ["certify_cascade"]
 
-_LARGEST, _LEAST = 1 / 8, 1 / 8192  # amplitudes, in the size of the orbit
+_LARGEST, _LEAST = 1 / 8, 2.0**-24  # amplitudes, in the size of the orbit
 _BEHIND = Fraction(1, 4)  # of the distance to the next flip: how far a branch goes behind it
 
 
@@ -183,7 +183,7 @@ class _Cascade:
             place = self._flip_in(last, number)
             before = state.doublings[-1].amplitude if state.doublings else None
             doubled = self._doubled(last, place, before)
-            beyond = self._branch(doubled, goes_on=number < state.asked)
+            beyond = self._branch(doubled)
         except (_Stopped, NotCovered) as reason:
             return replace(state, end=f"doubling {number}: {reason}")
         return replace(
@@ -286,14 +286,14 @@ class _Cascade:
         reached = range_of(proved.point[-1])
         return bool(reached > low and reached < high)
 
-    def _branch(self, doubled: _Doubled, *, goes_on: bool) -> CertifiedBranch:
+    def _branch(self, doubled: _Doubled) -> CertifiedBranch:
         """The branch of twice the period, from inside the tube on."""
         low, high = self.interval
         above = doubled.doubling.side == "above"
         ends = (doubled.value, high) if above else (low, doubled.value)
         followed = continue_orbit(doubled.orbit, self.parameter, _floats(ends))
         flips = [event.value for event in followed.events if event.kind == "flip"]
-        if goes_on and flips:
+        if flips:
             near = min(flips, key=lambda x: abs(x - float(doubled.value)))
             away = Fraction(f"{near - float(doubled.value):.3g}")
             far = doubled.value + away * (1 + _BEHIND)
