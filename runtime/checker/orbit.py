@@ -132,7 +132,8 @@ class CheckedOrbit:
         seen = None
         if self.short is None:  # from frames that turn with the states, where there are many
             seen = framed_phases(*chain[:3], flows)
-            chain, flows = PhaseNumbers(*seen[:3], chain.period), seen.flows
+            chain = PhaseNumbers(seen.fields, seen.rows, seen.resets, chain.period)
+            flows = seen.flows
         for place, (b, n, r) in enumerate(zip(*chain[:3], strict=True)):
             own = arb_mat([[int(j == self.first + place) for j in range(self.count)]])
             divided = self.short is not None and place == self.short.place

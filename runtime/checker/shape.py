@@ -270,6 +270,7 @@ CASCADE = {
     **_FILE,
     "claims": {"doublings": re.compile("proved|undecided")},
     "asked": int,
+    "ended": re.compile("complete|unfinished|no flip|not covered|not proved"),
     "end": str,
     "doublings": [
         {

@@ -147,6 +147,14 @@ def certify(
             " V=1:1.2, their side and stability; then beside the flip of these: N times.",
         ),
     ] = None,
+    seconds: Annotated[
+        float | None,
+        typer.Option(
+            "--seconds",
+            min=0,
+            help="With --doublings: after so long nothing more is begun; --resume goes on.",
+        ),
+    ] = None,
     yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
@@ -164,6 +172,7 @@ def certify(
     if check is not None:
         options = (
             parameters, guess, digits, bits, save, resume, plot, tiles, derivatives, doublings,
+            seconds,
         )  # fmt: skip
         chosen = (every, events, branch, overwrite, yes)
         if any(chosen) or any(option is not None and option != [] for option in options):
@@ -175,6 +184,8 @@ def certify(
         raise InputError(
             "--all, --events, --branch and --doublings are questions of their own: ask one of them"
         )
+    if seconds is not None and doublings is None:
+        raise InputError("--seconds is for --doublings")
     if derivatives and (every or events or branch or is_box(parameters)):
         raise InputError("--derivatives are for one orbit, at one point")
     near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
@@ -194,7 +205,7 @@ def certify(
         looked_at = _BRANCH_TILES if tiles is None else tiles
         check_hours(f"{doublings} doublings", doublings * looked_at * SECONDS["tile"], yes=yes)
         told, code = certify_flips(
-            orbit, parameters or [], near, doublings, looked_at, resume, save, plot,
+            orbit, parameters or [], near, doublings, looked_at, seconds, resume, save, plot,
             overwrite=overwrite, as_json=as_json,
         )  # fmt: skip
         return code if code == INTERRUPTED else _judged(told, require, code)

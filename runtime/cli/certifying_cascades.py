@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,7 @@ def certify_flips(
     near: Mapping[str, float] | None,
     doublings: int,
     tiles: int,
+    seconds: float | None,
     resume: Path | None,
     save: Path | None,
     plot: Path | None,
@@ -43,6 +45,8 @@ def certify_flips(
         How many flips are gone beyond.
     tiles : int
         The most tiles of each doubled branch.
+    seconds : float or None
+        The time after which nothing more is begun.
     resume : Path or None
         The file to go on from.
     save : Path or None
@@ -64,7 +68,7 @@ def certify_flips(
     InputError
         If there is not exactly one range.
     """
-    from nonsmooth.runtime.cli.display import counted, steps
+    from nonsmooth.runtime.cli.display import shared, steps
     from nonsmooth.runtime.cli.display_certificates import show_cascade
     from nonsmooth.runtime.core.errors import InputError
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
@@ -85,13 +89,14 @@ def certify_flips(
         begin(f"following {name}")
         lower, upper = (float(end) for end in interval)
         branch = continue_orbit(orbit, parameter, (lower, upper))
-    with counted("proving doublings", doublings) as progress:
+    with shared(f"proving {name}", f"of {doublings} doublings") as progress:
         found, stopped = worked(
             lambda: certify_cascade(
                 branch,
                 doublings=doublings,
                 interval=interval,
                 tiles=tiles,
+                seconds=math.inf if seconds is None else seconds,
                 resume=known,
                 progress=progress,
                 keep=None if save is None else lambda state: Written().save(state.save, save),

@@ -30,24 +30,24 @@ class FramedPhases(NamedTuple):
 
     Attributes
     ----------
-    fields, rows, resets, flows : sequence of matrices
+    fields, rows, resets, flows : list of matrices
         Of each phase: the affine field and the boundary's row in the frame of its end, the
         reset to the next phase's start, the flow from start to end.
-    starts, ends : sequence of arb_mat
+    starts, ends : list of arb_mat
         The frames: their products with what is seen are states. The first start's, and the one
         behind the last phase, are the unit matrix.
     """
 
-    fields: Sequence[Any]
-    rows: Sequence[Any]
-    resets: Sequence[Any]
-    flows: Sequence[Any]
-    starts: Sequence[arb_mat]
-    ends: Sequence[arb_mat]
+    fields: list[Any]
+    rows: list[Any]
+    resets: list[Any]
+    flows: list[Any]
+    starts: list[arb_mat]
+    ends: list[arb_mat]
 
 
 def framed_phases(
-    fields: Sequence[Any], rows: Sequence[Any], resets: Sequence[Any], flows: Sequence[Any]
+    fields: list[Any], rows: list[Any], resets: list[Any], flows: list[Any]
 ) -> FramedPhases:
     """See a chain's phases from frames in which flows and resets are nearly triangular.
 
@@ -55,9 +55,9 @@ def framed_phases(
 
     Parameters
     ----------
-    fields, resets, flows : sequence of matrices (N + 1, N + 1)
+    fields, resets, flows : list of matrices (N + 1, N + 1)
         That act on (y, 1).
-    rows : sequence of matrices (1, N + 1)
+    rows : list of matrices (1, N + 1)
 
     Returns
     -------
@@ -67,19 +67,20 @@ def framed_phases(
     if len(fields) <= _SHORT:
         same = [unit] * len(fields)
         return FramedPhases(fields, rows, resets, flows, [*same, unit], same)
-    seen: list[tuple[Any, ...]] = []
-    starts, ends = [unit], []
-    for place, (field, row, reset, flow) in enumerate(
-        zip(fields, rows, resets, flows, strict=True), 1
-    ):
-        moved = flow * starts[-1]
+    framed = FramedPhases([], [], [], [], [unit], [])
+    for field, row, reset, flow in zip(fields, rows, resets, flows, strict=True):
+        moved = flow * framed.starts[-1]
         end, back = _frame(moved, affine=True)
         behind = reset * end
-        start, before = (unit, unit) if place == len(fields) else _frame(behind, affine=True)
-        seen.append((back * field * end, row * end, before * behind, back * moved))
-        starts.append(start)
-        ends.append(end)
-    return FramedPhases(*(list(part) for part in zip(*seen, strict=True)), starts, ends)
+        last = len(framed.starts) == len(fields)
+        start, before = (unit, unit) if last else _frame(behind, affine=True)
+        framed.fields.append(back * field * end)
+        framed.rows.append(row * end)
+        framed.resets.append(before * behind)
+        framed.flows.append(back * moved)
+        framed.starts.append(start)
+        framed.ends.append(end)
+    return framed
 
 
 def along_chain(steps: Sequence[Callable[[Any], Any]], start: Any) -> Any:

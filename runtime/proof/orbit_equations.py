@@ -284,7 +284,7 @@ class Equations:
 
     def _from_frames(self, flows: Sequence[Any], start: Any, slope: Any) -> Shooting:
         """The passage, computed in frames that turn with the states of a long cycle."""
-        seen = framed_phases(*zip(*self.phases, strict=True), flows)
+        seen = framed_phases(*map(list, zip(*self.phases, strict=True)), list(flows))
         phases = [Phase(*parts) for parts in zip(*seen[:3], strict=True)]
         now = shooting_map(MATRICES, phases, seen.flows, start, slope, self._marks)
         starts, ends, velocities = (

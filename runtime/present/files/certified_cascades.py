@@ -57,6 +57,7 @@ class CertifiedCascadeEntries:
 
     claims: CascadeClaimEntries
     asked: int
+    ended: Literal["complete", "unfinished", "no flip", "not covered", "not proved"]
     end: str
     doublings: tuple[DoublingEntries, ...]
     branches: tuple[CertifiedBranchEntries, ...]
@@ -103,6 +104,7 @@ def certified_cascade_entries(found: CertifiedCascade) -> CertifiedCascadeEntrie
             doublings="proved" if found.claims["doublings"] == "proved" else "undecided"
         ),
         asked=found.asked,
+        ended=found.ended,
         end=found.end,
         doublings=tuple(
             DoublingEntries(
@@ -162,6 +164,7 @@ def certified_cascade_of(entries: CertifiedCascadeEntries) -> CertifiedCascade:
     """
     return CertifiedCascade(
         asked=entries.asked,
+        ended=entries.ended,
         end=entries.end,
         doublings=tuple(
             CertifiedDoubling(

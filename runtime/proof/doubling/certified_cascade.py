@@ -69,16 +69,21 @@ class CertifiedCascade(Shown):
     ----------
     asked : int
         How many doublings were asked for.
+    ended : {"complete", "unfinished", "no flip", "not covered", "not proved"}
+        Why it goes no further: there is all that was asked for; time or Ctrl-C ended the work,
+        and `resume` goes on; the doubled branch has no flip that is proved; such orbits are not
+        covered; or a step is not proved.
     doublings : tuple of CertifiedDoubling
         Each next to a flip of the branch with its number.
     branches : tuple of CertifiedBranch
         The branch with the first flip, and behind each doubling the branch of twice the period,
         from inside the doubling's tube on.
     end : str
-        Why it goes no further; empty where all is proved that was asked for.
+        The same in a sentence; empty where it is complete.
     """
 
     asked: int
+    ended: str
     doublings: tuple[CertifiedDoubling, ...]
     branches: tuple[CertifiedBranch, ...] = field(repr=False)
     end: str
@@ -188,6 +193,7 @@ class CertifiedCascade(Shown):
             "parameter": self.parameter,
             "claims": self.claims,
             "asked": self.asked,
+            "ended": self.ended,
             "end": self.end,
             "doublings": [_doubling_json(doubling) for doubling in self.doublings],
             "branches": [branch.to_json() for branch in self.branches],
