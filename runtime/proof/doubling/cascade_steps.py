@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
@@ -92,6 +93,11 @@ class CascadeSteps:
         self.progress, self.keep = progress, keep
         self.until = time.monotonic() + seconds
         self.stopped = False  # by Ctrl-C, along a branch
+
+    @cached_property
+    def region(self) -> Region:
+        """Of the orbit that has the first flip."""
+        return region_of(self.base, {self.parameter: self.interval})
 
     @property
     def over(self) -> bool:
@@ -180,7 +186,10 @@ class CascadeSteps:
         tile = last.tiles[0 if last.start == 0 else -1]
         place = -1 if begin == tile.lower else 1
         near = [sum(c * place**k for k, c in enumerate(row)) for row in tile.centre]
-        orbit = self._solved(last, begin, near)
+        try:
+            orbit = self._solved(last, begin, near)
+        except (_Stopped, NotCovered):
+            return state
         followed = continue_orbit(orbit, self.parameter, _floats(last.interval))
 
         def with_last(found: CertifiedBranch) -> CertifiedCascade:
@@ -340,11 +349,14 @@ class CascadeSteps:
 
     def _solved(self, branch: CertifiedBranch, value: Fraction, near: Sequence[float]) -> Orbit:
         """An orbit of a branch, in floating point, from about its unknowns."""
+        from flint import arb
+
         found = solve_itinerary(
             self.base.system,
             {**self.base.parameters, self.parameter: as_value(value)},
             branch.itinerary,
             near[-len(branch.itinerary) :],
+            start_of(self.region, [arb(x) for x in near], value),
         )
         if not found.converged:
             raise _Stopped("no orbit is found on the branch")
