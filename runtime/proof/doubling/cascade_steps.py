@@ -319,10 +319,10 @@ class CascadeSteps:
 
         found = self._certified(followed, ends, number, with_doubled)
         if not found.tiles:
-            raise _Stopped(
-                "the doubled branch is not proved to go on",
-                "unfinished" if self.over else "not proved",
-            )
+            why = found.ends[1 if above else 0]
+            if not why:
+                raise _Stopped("the time is over", "unfinished")
+            raise _Stopped(f"the doubled branch is not proved to go on: {why}")
         if not begins_with(found, doubled.value, doubled.sharp):
             raise _Stopped("the doubled branch is not proved to begin at the flip")
         return with_doubled(found)
