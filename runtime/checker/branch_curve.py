@@ -37,6 +37,12 @@ class CheckedCurve:
         found.short = short_phase(self.declared, place - 1)
         return found
 
+    def undivided(self) -> "CheckedCurve":
+        """The same orbits by the equations of all phases."""
+        found = copy(self)
+        found.short = None
+        return found
+
     def place(self, name: str) -> int:
         """The coordinate of a name: of the parameter, if an unknown has its name too."""
         demand(name in self.names, "there is no such coordinate")

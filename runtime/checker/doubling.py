@@ -67,7 +67,11 @@ def check_cascade(content: dict[str, Any]) -> None:
     decided = all(doubling["verdict"] != "undecided" for doubling in doublings)
     whole = len(doublings) == content["asked"] and decided
     demand((content["claims"]["doublings"] == "proved") == whole, "the claim is another one")
-    demand(not (whole and content["end"]), "a reason why it goes no further, though it is whole")
+    complete = content["ended"] == "complete"
+    demand(
+        not complete or len(doublings) == content["asked"], "fewer doublings than were asked for"
+    )
+    demand(not (complete and content["end"]), "a reason why it goes no further, though it is whole")
     tiles = []
     for number, branch in enumerate(branches, 1):
         try:
@@ -119,11 +123,10 @@ class _CheckedDoubling:
         self.tile = tiles[doubling["tile"] - 1]
         self.first = others[0] if beyond["start"] == 0 else others[-1]
         self.begin = self.first.begin if beyond["start"] == 0 else self.first.end
-        self.curve, self.twice = self.tile.curve, self.first.curve
+        self.curve, self.twice = self.tile.curve, self.first.curve.undivided()
         event = self.tile.event
         demand(event is not None and event["kind"] == "flip", "there is no flip")
-        undivided = self.curve.short is None and self.twice.short is None
-        demand(undivided, "its equations are divided by a dwell time")
+        demand(self.curve.short is None, "its equations are divided by a dwell time")
         demand(doubling["scaled"] in self.curve.declared.unknowns, "there is no such unknown")
         self.scaled = self.curve.declared.unknowns.index(doubling["scaled"])
         self.size = self.curve.last
@@ -197,7 +200,10 @@ class _CheckedDoubling:
         demand(inside(rate, self.doubling["rate"]), "the rate is not in its enclosure")
 
     def _goes_on(self) -> list[Any]:
-        """The doubled branch begins with an orbit of the tube."""
+        """The doubled branch begins with an orbit of the tube.
+
+        Solutions of equations divided by a dwell time solve those that are not.
+        """
         twice = self.twice
         demand(self.first.place == twice.last, "the doubled branch begins by another coordinate")
         orbit = self.first.at(arb(self.begin))

@@ -279,6 +279,7 @@ CASCADE = {
     "orbit": str,
     "claims": {"doublings": re.compile("proved|undecided")},
     "asked": int,
+    "ended": re.compile("complete|unfinished|no flip|not covered|not proved"),
     "end": str,
     "doublings": [
         {

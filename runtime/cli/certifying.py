@@ -156,6 +156,14 @@ def certify(
             " V=1:1.2, their side and stability; then beside the flip of these: N times.",
         ),
     ] = None,
+    seconds: Annotated[
+        float | None,
+        typer.Option(
+            "--seconds",
+            min=0,
+            help="With --doublings: after so long nothing more is begun; --resume goes on.",
+        ),
+    ] = None,
     yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
@@ -173,6 +181,7 @@ def certify(
     if check is not None:
         options = (
             parameters, guess, digits, bits, save, resume, plot, tiles, derivatives, doublings,
+            seconds,
         )  # fmt: skip
         chosen = (every, events, branch, beyond, overwrite, yes)
         if any(chosen) or any(option is not None and option != [] for option in options):
@@ -184,6 +193,8 @@ def certify(
         raise InputError(
             "--all, --events, --branch and --doublings are questions of their own: ask one of them"
         )
+    if seconds is not None and doublings is None:
+        raise InputError("--seconds is for --doublings")
     if derivatives and (every or events or branch or is_box(parameters)):
         raise InputError("--derivatives are for one orbit, at one point")
     if beyond and not branch:
@@ -207,7 +218,7 @@ def certify(
             raise InputError("--digits and --bits are not for --doublings")
         looked_at = _BRANCH_TILES if tiles is None else tiles
         check_hours(f"{doublings} doublings", doublings * looked_at * SECONDS["tile"], yes=yes)
-        told, code = certify_flips(proof, doublings, looked_at)
+        told, code = certify_flips(proof, doublings, looked_at, seconds)
         return _judged(told, require, code)
     if is_box(parameters) and not (every or events):
         if digits is not None or bits is not None:

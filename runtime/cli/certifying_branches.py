@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 from nonsmooth.runtime.cli.keeping import worked
@@ -61,7 +62,9 @@ def certify_whole_branch(
     return proof.answer(found, stopped, told_json, show_branch, enough=found.complete, done=done)
 
 
-def certify_flips(proof: LongProof, doublings: int, tiles: int) -> tuple[Mapping[str, str], int]:
+def certify_flips(
+    proof: LongProof, doublings: int, tiles: int, seconds: float | None
+) -> tuple[Mapping[str, str], int]:
     """Follow the orbit over a range, go beyond its first flip, show it and keep it.
 
     Gives what is claimed, and the exit code.
@@ -74,6 +77,8 @@ def certify_flips(proof: LongProof, doublings: int, tiles: int) -> tuple[Mapping
         How many flips are gone beyond.
     tiles : int
         The most tiles of each doubled branch.
+    seconds : float or None
+        The time after which nothing more is begun.
 
     Returns
     -------
@@ -85,7 +90,7 @@ def certify_flips(proof: LongProof, doublings: int, tiles: int) -> tuple[Mapping
     InputError
         If there is not exactly one range.
     """
-    from nonsmooth.runtime.cli.display import counted
+    from nonsmooth.runtime.cli.display import shared
     from nonsmooth.runtime.cli.display_certificates import show_cascade
     from nonsmooth.runtime.present.files.certified_cascades import load_certified_cascade
     from nonsmooth.runtime.proof.doubling.certified_cascade import told_cascade_json
@@ -94,13 +99,14 @@ def certify_flips(proof: LongProof, doublings: int, tiles: int) -> tuple[Mapping
     known = proof.known(load_certified_cascade)
     example = "--doublings V=1:1.2"
     branch, interval = followed_over(proof.name, proof.parameters, proof.near, example)
-    with counted("proving doublings", doublings) as progress:
+    with shared(f"proving {proof.name}", f"of {doublings} doublings") as progress:
         found, stopped = worked(
             lambda: certify_cascade(
                 branch,
                 doublings=doublings,
                 interval=interval,
                 tiles=tiles,
+                seconds=math.inf if seconds is None else seconds,
                 resume=known,
                 progress=progress,
                 keep=proof.keep,

@@ -96,6 +96,14 @@ def more_asked(content: Content) -> None:
     content["asked"] = 2
 
 
+def complete_with_less(content: Content) -> None:
+    content.update(asked=2, end="", claims={"doublings": "undecided"})
+
+
+def complete_with_a_reason(content: Content) -> None:
+    content["end"] = "the time is over"
+
+
 def claimed_without_a_doubling(content: Content) -> None:
     content["doublings"] = []
     content["branches"] = content["branches"][:1]
@@ -124,6 +132,7 @@ EDITS: tuple[Callable[[Content], None], ...] = (
     proved_without_a_verdict, wider_amplitude, negative_amplitude, moved_tube, narrow_tube,
     wide_tube, another_rate, another_tile,
     another_unknown, more_than_asked, more_asked, claimed_without_a_doubling,
+    complete_with_less, complete_with_a_reason,
     the_orbit_itself_as_doubled, other_parameters, another_declaration, doubled_from_elsewhere,
 )  # fmt: skip
 

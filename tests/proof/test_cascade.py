@@ -166,21 +166,53 @@ def test_a_cascade_can_be_interrupted_and_resumed(
 ) -> None:
     found.save(tmp_path / "part.json")
     part = ns.load(tmp_path / "part.json")
-    again = ns.certify_cascade(branch, tiles=3, resume=part)
-    assert again.statement == found.statement
+    again = ns.certify_cascade(branch, tiles=3, resume=part)  # tiles to the doubled branch
+    assert again.doublings[0].side == found.doublings[0].side
+    assert len(again.branches[1].tiles) == 6
+    assert again.ended == "complete"
     more = ns.certify_cascade(branch, doublings=2, tiles=3, resume=part)
     assert len(more.doublings) == 1
     assert more.claims == {"doublings": "undecided"}
+    assert more.ended == "no flip"
     assert "no flip is proved" in more.end
 
-    def stop(done: int, asked: int) -> None:
+    def stop(share: float, doublings: int) -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(Interrupted) as stopped:
         ns.certify_cascade(branch, tiles=3, progress=stop)
-    assert stopped.value.partial.doublings == ()
+    first: Any = stopped.value.partial
+    assert first.doublings == ()
     with pytest.raises(InputError):
         ns.certify_cascade(branch, interval=("1", "1.1"), resume=part)
+
+
+def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
+    branch: Any, found: CertifiedCascade, tmp_path: Path
+) -> None:
+    short = ns.certify_cascade(branch, tiles=3, seconds=1e-6)
+    assert (short.ended, short.claims) == ("unfinished", {"doublings": "undecided"})
+    assert "s that were given are over" in short.end
+    assert len(short.branches[0].tiles) == 1
+    shares: list[float] = []
+
+    def stop(share: float, doublings: int) -> None:
+        shares.append(share)
+        if share > 0.6:  # beyond the tube
+            raise KeyboardInterrupt
+
+    with pytest.raises(Interrupted) as stopped:
+        ns.certify_cascade(branch, tiles=3, progress=stop, resume=short)
+    part: Any = stopped.value.partial
+    assert shares == sorted(shares)
+    assert (len(part.doublings), part.ended) == (1, "unfinished")
+    assert 0 < len(part.branches[1].tiles) < 3
+    part.save(tmp_path / "part.json")
+    assert ns.check_certificate(tmp_path / "part.json").claims == {"doublings": "proved"}
+    whole = ns.certify_cascade(branch, tiles=3, resume=ns.load(tmp_path / "part.json"))
+    assert (whole.ended, whole.end) == ("complete", "")
+    assert whole.kind(0) == found.kind(0)
+    assert len(whole.branches[1].tiles) > len(part.branches[1].tiles)
 
 
 def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedCascade) -> None:
@@ -196,7 +228,14 @@ def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedCascade
 
 @pytest.mark.parametrize(
     "words",
-    [{"doublings": 0}, {"flip": 2}, {"tiles": True}, {"interval": ("1.2", "1")}, {"resume": 3}],
+    [
+        {"doublings": 0},
+        {"flip": 2},
+        {"tiles": True},
+        {"seconds": 0},
+        {"interval": ("1.2", "1")},
+        {"resume": 3},
+    ],
 )
 def test_wrong_questions_are_refused(branch: Any, words: dict[str, Any]) -> None:
     with pytest.raises(InputError):

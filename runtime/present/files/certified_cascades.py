@@ -57,6 +57,7 @@ class CertifiedCascadeEntries:
     orbit: str
     claims: CascadeClaimEntries
     asked: int
+    ended: Literal["complete", "unfinished", "no flip", "not covered", "not proved"]
     end: str
     doublings: tuple[DoublingEntries, ...]
     branches: tuple[CertifiedBranchEntries, ...]
@@ -88,6 +89,7 @@ def certified_cascade_entries(found: CertifiedCascade) -> CertifiedCascadeEntrie
             doublings="proved" if found.claims["doublings"] == "proved" else "undecided"
         ),
         asked=found.asked,
+        ended=found.ended,
         end=found.end,
         doublings=tuple(
             DoublingEntries(
@@ -124,6 +126,7 @@ def certified_cascade_of(entries: CertifiedCascadeEntries) -> CertifiedCascade:
     return CertifiedCascade(
         orbit=entries.orbit,
         asked=entries.asked,
+        ended=entries.ended,
         end=entries.end,
         doublings=tuple(
             CertifiedDoubling(

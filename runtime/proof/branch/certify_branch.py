@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -47,6 +48,7 @@ def certify_branch(
     interval: tuple[object, object] | None = None,
     tiles: int = MOST_TILES,
     beyond: bool = False,
+    seconds: float = math.inf,
     resume: CertifiedBranch | None = None,
     progress: Callable[[float, int], object] = lambda share, tiles: None,
     keep: Callable[[CertifiedBranch], object] | None = None,
@@ -69,6 +71,8 @@ def certify_branch(
     beyond : bool, default False
         Whether to prove which other itineraries begin where the branch meets a border, and on
         which side.
+    seconds : float
+        Behind the first tile that ends after this time no other is begun.
     resume : CertifiedBranch, optional
         What was proved before of the same branch.
     progress : function of a float and an int, optional
@@ -103,6 +107,8 @@ def certify_branch(
         raise InputError(f"{branch!r} is no branch, such as continue_orbit gives")
     if isinstance(tiles, bool) or not isinstance(tiles, int) or tiles < 1:
         raise InputError(f"tiles = {tiles!r} is not a positive integer")
+    if not seconds > 0:
+        raise InputError(f"seconds = {seconds!r} is not a positive number")
     if not isinstance(resume, CertifiedBranch | None):
         raise InputError(f"{resume!r} is no state to resume: load reads one")
     if interval is None:
@@ -124,13 +130,15 @@ def certify_branch(
     if resume is not None:
         _check_same(empty, resume)
     work = _Following(curve, begin, resume or empty, branch)
-    kept = time.monotonic()
+    kept = begun = time.monotonic()
     try:
         for count, _ in enumerate(islice(work.steps(), tiles), 1):
             progress(work.share, count)
             if keep is not None and time.monotonic() - kept > _EVERY:
                 keep(work.state)
                 kept = time.monotonic()
+            if time.monotonic() - begun > seconds:
+                break
         if beyond:
             work.go_beyond(orbit.opened)
     except KeyboardInterrupt:

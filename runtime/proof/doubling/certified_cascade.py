@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
+from typing import Any, Literal
 
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.proof.branch.certified_branch import (
@@ -20,6 +20,8 @@ from nonsmooth.runtime.proof.certificate import Stated
 __all__ = ["CertifiedCascade", "CertifiedDoubling", "told_cascade_json"]
 
 _RATIO_BITS = 80
+
+Ended = Literal["complete", "unfinished", "no flip", "not covered", "not proved"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -72,19 +74,24 @@ class CertifiedCascade(DrawnOverParameter):
         The orbit whose branch has the first flip.
     asked : int
         How many doublings were asked for.
+    ended : {"complete", "unfinished", "no flip", "not covered", "not proved"}
+        Why it goes no further: there is all that was asked for; time or Ctrl-C ended the work,
+        and `resume` goes on; the doubled branch has no flip that is proved; such orbits are not
+        covered; or a step is not proved.
     doublings : tuple of CertifiedDoubling
         Each next to a flip of the branch with its number.
     branches : tuple of CertifiedBranch
         The branch with the first flip, and behind each doubling the branch of twice the period,
         from inside the doubling's tube on.
     end : str
-        Why it goes no further; empty where all is proved that was asked for.
+        The same in a sentence; empty where it is complete.
     """
 
     _kept_by, _drawn_by = "save_cascade", "draw_cascade"
 
     orbit: str
     asked: int
+    ended: Ended
     doublings: tuple[CertifiedDoubling, ...]
     branches: tuple[CertifiedBranch, ...] = field(repr=False)
     end: str
@@ -189,6 +196,7 @@ class CertifiedCascade(DrawnOverParameter):
             "parameter": self.parameter,
             "claims": self.claims,
             "asked": self.asked,
+            "ended": self.ended,
             "end": self.end,
             "doublings": [_doubling_json(doubling) for doubling in self.doublings],
             "branches": [branch.to_json() for branch in self.branches],
