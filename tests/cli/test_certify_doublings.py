@@ -39,7 +39,7 @@ def test_a_flip_is_gone_beyond_saved_drawn_checked_and_resumed(tmp_path: Path) -
         ((*ASKED, "--events"), "ask one of them"),
         ((*ASKED, "--digits", "30"), "are not for --doublings"),
         ((*ASKED[:4], "0"), "not a positive integer"),
-        (("certify", "dry-friction/symmetric", "V=1.2:1.3", "--doublings", "1"), "has 0 flips"),
+        (("certify", "dry-friction/symmetric", "V=1.2:1.3", "--doublings", "1"), "has no flips"),
     ],
 )
 def test_what_is_wrong_is_told_in_a_line(words: tuple[str, ...], told: str) -> None:
