@@ -197,8 +197,8 @@ class _ChaosQuestion:
         number = {k: place for place, k in enumerate(kept)}
         own = [sets[k] for k in kept]
         between = [(number[i], number[j]) for i, j in inner]
-        proved = self._certificate(mapped, bound, own, between, [found[k] for k in kept])
-        return self._with_cones(proved, mapped, between) if self.exponents else proved
+        whole = self._certificate(mapped, bound, own, between, [found[k] for k in kept])
+        return self._with_cones(whole, mapped, between) if self.exponents else whole
 
     def _with_cones(
         self, proved: ChaosCertificate, mapped: SectionMap, edges: Sequence[tuple[int, int]]
