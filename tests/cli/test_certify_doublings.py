@@ -52,7 +52,7 @@ def test_a_time_ends_it_and_says_so(tmp_path: Path) -> None:
         ((*ASKED, "--digits", "30"), "are not for --doublings"),
         ((*ASKED[:2], "V=1.08", "--seconds", "2"), "--seconds is for --doublings"),
         ((*ASKED[:4], "0"), "not a positive integer"),
-        (("certify", "dry-friction/symmetric", "V=1.2:1.3", "--doublings", "1"), "has 0 flips"),
+        (("certify", "dry-friction/symmetric", "V=1.2:1.3", "--doublings", "1"), "has no flips"),
     ],
 )
 def test_what_is_wrong_is_told_in_a_line(words: tuple[str, ...], told: str) -> None:

@@ -91,7 +91,8 @@ def certify_cascade(
         raise InputError(f"{resume!r} is no state to resume: load reads one")
     flips = [event for event in branch.events if event.kind == "flip"]
     if len(flips) < flip:
-        raise InputError(f"the branch has {len(flips)} flips, and not a number {flip}")
+        told = f"{len(flips) or 'no'} {'flip' if len(flips) == 1 else 'flips'}"
+        raise InputError(f"the branch has {told}: there is no flip {flip} to go beyond")
     event = flips[flip - 1]
     base, _ = composed_family(branch, round(event.place), None)
     if branch.parameter not in base.parameters:
