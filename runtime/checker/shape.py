@@ -268,6 +268,7 @@ BRANCH = {
 }
 CASCADE = {
     **_FILE,
+    "orbit": str,
     "claims": {"doublings": re.compile("proved|undecided")},
     "asked": int,
     "end": str,

@@ -7,8 +7,7 @@
 `keeping`               what long commands keep when they are interrupted
 `certifying`            `certify` of one orbit, and its `--check`
 `certifying_boxes`      `certify` over ranges of parameters
-`certifying_branches`   `certify --branch`
-`certifying_cascades`   `certify --doublings`
+`certifying_branches`   `certify --branch` and `certify --doublings`
 `certifying_events`     `certify --events`
 `chaos`                 `chaos`
 `charting`              `chart`
@@ -27,7 +26,9 @@
 `doctor`                `doctor`
 `fitting`               `fit`
 `generating`            `generate`
+`long_proofs`           how proofs that may run for long are kept, drawn and shown
 `motions`               `simulate`, `find`, `sweep`
+`ranges`                ranges of parameters, and the orbit or branch in them
 `report_motions`        motions as JSON
 `tables`                consoles and tables that are as wide as they need to be
 `written`               files and pictures that a command writes, and what it shows of them

@@ -20,13 +20,14 @@ from nonsmooth.runtime.cli.application import (
     print_json,
     split,
 )
-from nonsmooth.runtime.cli.certifying_boxes import certify_over, is_box
-from nonsmooth.runtime.cli.certifying_branches import certify_whole_branch
-from nonsmooth.runtime.cli.certifying_cascades import certify_flips
+from nonsmooth.runtime.cli.certifying_boxes import certify_over
+from nonsmooth.runtime.cli.certifying_branches import certify_flips, certify_whole_branch
 from nonsmooth.runtime.cli.certifying_events import certify_events
 from nonsmooth.runtime.cli.counting import Every, count_orbits
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new, say
+from nonsmooth.runtime.cli.long_proofs import LongProof
 from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess, SaveResult, Yes
+from nonsmooth.runtime.cli.ranges import is_box
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
@@ -178,41 +179,37 @@ def certify(
     if derivatives and (every or events or branch or is_box(parameters)):
         raise InputError("--derivatives are for one orbit, at one point")
     near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
+    save = resume if save is None else save
+    given = parameters or []
+    proof = LongProof(
+        name=orbit, parameters=given, near=near, resume=resume, save=save, plot=plot,
+        overwrite=overwrite, as_json=as_json,
+    )  # fmt: skip
     if branch:
         if digits is not None or bits is not None:
             raise InputError("--digits and --bits are not for --branch: --events takes them")
         looked_at = _BRANCH_TILES if tiles is None else tiles
         check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
-        told, code = certify_whole_branch(
-            orbit, parameters or [], near, looked_at, resume, save, plot,
-            overwrite=overwrite, as_json=as_json,
-        )  # fmt: skip
-        return code if code == INTERRUPTED else _judged(told, require, code)
+        told, code = certify_whole_branch(proof, looked_at)
+        return _judged(told, require, code)
     if doublings is not None:
         if digits is not None or bits is not None:
             raise InputError("--digits and --bits are not for --doublings")
         looked_at = _BRANCH_TILES if tiles is None else tiles
         check_hours(f"{doublings} doublings", doublings * looked_at * SECONDS["tile"], yes=yes)
-        told, code = certify_flips(
-            orbit, parameters or [], near, doublings, looked_at, resume, save, plot,
-            overwrite=overwrite, as_json=as_json,
-        )  # fmt: skip
-        return code if code == INTERRUPTED else _judged(told, require, code)
+        told, code = certify_flips(proof, doublings, looked_at)
+        return _judged(told, require, code)
     if is_box(parameters) and not (every or events):
         if digits is not None or bits is not None:
             raise InputError("--digits and --bits are for one point: a box's enclosures are wide")
         looked_at = _TILES if tiles is None else tiles
         check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
-        found, code = certify_over(
-            orbit, parameters or [], near, looked_at, resume, save, plot,
-            overwrite=overwrite, as_json=as_json,
-        )  # fmt: skip
-        return code if code == INTERRUPTED else _judged(found.claims, require, code)
+        told, code = certify_over(proof, looked_at)
+        return _judged(told, require, code)
     if tiles is not None:
         raise InputError("--tiles is for a box of parameters, as in V=0.99:1.01")
     if plot is not None or (resume is not None and not events):
         raise InputError("--resume and --plot are for a box of parameters, as in V=0.99:1.01")
-    save = resume if save is None else save
     check_new(save, overwrite, resume, resumes=events)
     if digits is not None and bits is not None:
         raise InputError("--digits and --bits say the same: give one of them")
@@ -224,10 +221,8 @@ def certify(
     if every:
         return count_orbits(orbit, parameters, guess, wanted, require, save, as_json=as_json)
     if events:
-        told, code = certify_events(
-            orbit, parameters or [], near, wanted, resume, save, as_json=as_json
-        )
-        return code if code == INTERRUPTED else _judged(told, require, code)
+        told, code = certify_events(orbit, given, near, wanted, resume, save, as_json=as_json)
+        return _judged(told, require, code)
     by = split(derivatives) if derivatives else None
     return _certify(orbit, parameters, near, wanted, by, require, save, as_json)
 
@@ -287,6 +282,8 @@ def _check(path: Path, declared: str | None, require: Proven | None, *, as_json:
 
 def _judged(claims: Mapping[str, str], require: Proven | None, code: int) -> int:
     """The exit code, or another if claims that are not proved are required to be: told."""
+    if code == INTERRUPTED:
+        return code
     missed = [f"{name} {verdict}" for name, verdict in claims.items() if verdict != "proved"]
     if require is not None and missed:
         say(f"required: proved; found: {', '.join(missed)}")

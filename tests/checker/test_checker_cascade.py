@@ -4,6 +4,7 @@ import copy
 import hashlib
 import json
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -133,6 +134,13 @@ def test_what_is_false_is_refused(content: Content, edit: Callable[[Content], No
     edit(edited)
     with pytest.raises(Failure):
         check_cascade(signed(edited))
+
+
+@pytest.mark.parametrize("name", ["dry-friction/global-stick", "rigid-stop/one-impact", "mine"])
+def test_the_name_of_another_orbit_is_refused(content: Content, name: str, tmp_path: Path) -> None:
+    path = tmp_path / "edited.json"
+    path.write_text(json.dumps(signed({**content, "orbit": name})))
+    assert name in str(ns.check_certificate(path).difference)
 
 
 def test_a_file_that_was_edited_is_refused(content: Content) -> None:

@@ -16,6 +16,7 @@ def test_a_flip_is_gone_beyond_saved_drawn_checked_and_resumed(tmp_path: Path) -
     file, picture = tmp_path / "cascade.json", tmp_path / "cascade.svg"
     found = run(*ASKED, "--save", str(file), "--plot", str(picture), "--require", "proved")
     assert found.code == 0
+    assert "dry-friction/symmetric, along V" in found.out
     assert "subcritical" in found.out
     assert "above the flip: unstable" in found.out
     assert picture.stat().st_size > 1000
@@ -27,6 +28,7 @@ def test_a_flip_is_gone_beyond_saved_drawn_checked_and_resumed(tmp_path: Path) -
     more = run(*words)
     assert more.code == 1
     told = json.loads(more.out)
+    assert told["orbit"] == "dry-friction/symmetric"
     assert told["claims"] == {"doublings": "undecided"}
     assert told["flips"][0]["kind"] == "subcritical"
     assert "no flip is proved" in told["end"]

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Literal
 
 from nonsmooth.runtime.core.json_codec import FromOne
-from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.model.saved_system import system_in
 from nonsmooth.runtime.present.files.box_certificates import check_exponents
 from nonsmooth.runtime.present.files.claim_entries import (
@@ -101,23 +100,6 @@ BRANCH = FileFormat(
 )
 
 
-def save_certified_branch(found: CertifiedBranch, path: str | os.PathLike[str]) -> None:
-    """Write a branch to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    found : CertifiedBranch
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
-    BRANCH.write(path, certified_branch_entries(found))
-
-
 def certified_branch_entries(found: CertifiedBranch) -> CertifiedBranchEntries:
     """What a certified branch's file states.
 
@@ -131,36 +113,6 @@ def certified_branch_entries(found: CertifiedBranch) -> CertifiedBranchEntries:
         Ready to be written.
     """
     return stated(CertifiedBranchEntries, found)
-
-
-def load_certified_branch(path: str | os.PathLike[str]) -> CertifiedBranch:
-    """Read a branch that `CertifiedBranch.save` wrote; nothing is proved again.
-
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Returns
-    -------
-    CertifiedBranch
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign. The message names it.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> orbit = ns.solve("dry-friction/symmetric", {"V": 1})
-    >>> branch = ns.continue_orbit(orbit, "V", (0.9, 1.1))
-    >>> ns.certify_branch(branch).save("branch.json")
-    >>> [event.kind for event in ns.load("branch.json").events]
-    ['flip']
-    """
-    with naming(path) as file:
-        return certified_branch_of(BRANCH.read(file))
 
 
 def certified_branch_of(entries: CertifiedBranchEntries) -> CertifiedBranch:
@@ -190,3 +142,7 @@ def _event(entries: BranchEventEntries) -> BranchEvent:
     also = tuple((kind, phase - 1, *rest) for kind, phase, *rest in entries.also)
     enclosures = enclosed(entries.enclosures, STATED)
     return BranchEvent(**{**vars(entries), "also": also, "enclosures": enclosures})
+
+
+save_certified_branch = BRANCH.writer(certified_branch_entries)
+load_certified_branch = BRANCH.reader(certified_branch_of)

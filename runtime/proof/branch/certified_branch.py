@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Stated, balls_json, orbit_json
@@ -22,6 +21,7 @@ __all__ = [
     "BranchInterval",
     "BranchTile",
     "CertifiedBranch",
+    "DrawnOverParameter",
     "event_json",
     "told_json",
 ]
@@ -134,8 +134,39 @@ class BranchInterval:
         return abs(self.end - self.begin)
 
 
+class DrawnOverParameter(Kept):
+    """A result that is drawn over a parameter; `_drawn_by` names the function that does it."""
+
+    _drawn_by: ClassVar[str]
+
+    def plot(self, quantity: str | None = None, axes: Any = None) -> Any:
+        """Draw an unknown over the parameter: intervals in colours, events marked.
+
+        Parameters
+        ----------
+        quantity : str, optional
+            By default the last dwell time of a branch; of a cascade the unknown whose halves are
+            told apart at the first flip.
+        axes : matplotlib Axes, optional
+            Where to draw; a figure of its own by default.
+
+        Returns
+        -------
+        matplotlib Figure or Axes
+            The figure, or the Axes that were given.
+
+        Raises
+        ------
+        InputError
+            If the branch has no such unknown.
+        MissingExtra
+            Without matplotlib: ``pip install "nonsmooth[plot]"``.
+        """
+        return registered(self._drawn_by)(self, quantity, axes)
+
+
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class CertifiedBranch(Shown):
+class CertifiedBranch(DrawnOverParameter):
     """What ball arithmetic proves of a branch over an interval of its parameter.
 
     The branch is the union of its tiles. In each there is exactly one orbit of the itinerary's
@@ -168,6 +199,8 @@ class CertifiedBranch(Shown):
     declaration, closing : dict
         As in a `BoxCertificate`, over the parameter and those that were given.
     """
+
+    _kept_by, _drawn_by = "save_certified_branch", "draw_certified_branch"
 
     orbit: str
     system: str
@@ -293,45 +326,6 @@ class CertifiedBranch(Shown):
             "ends": list(self.ends),
             "tiles": [_tile_json(tile) for tile in self.tiles],
         }
-
-    def plot(self, quantity: str | None = None, axes: Any = None) -> Any:
-        """Draw the branch: its intervals in colours, its events marked.
-
-        Parameters
-        ----------
-        quantity : str, optional
-            The unknown that is drawn over the parameter; the last dwell time by default.
-        axes : matplotlib Axes, optional
-            Where to draw; a figure of its own by default.
-
-        Returns
-        -------
-        matplotlib Figure or Axes
-            The figure, or the Axes that were given.
-
-        Raises
-        ------
-        InputError
-            If the branch has no such unknown.
-        MissingExtra
-            Without matplotlib: ``pip install "nonsmooth[plot]"``.
-        """
-        return registered("draw_certified_branch")(self, quantity, axes)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the branch to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
-        """
-        registered("save_certified_branch")(self, path)
 
 
 def event_json(event: BranchEvent) -> dict[str, Any]:

@@ -140,7 +140,9 @@ def certify_cascade(
     lower, upper = (as_value(end).exact for end in interval)
     if lower is None or upper is None or not lower < upper:
         raise InputError("the interval has no two rational ends, the lower one first")
-    work = _Cascade(base, branch.parameter, (lower, upper), event.value, tiles)
+    # by the tables an orbit has no name of its own; phases that take no time are left out
+    name = branch.orbit.name if base.itinerary == branch.orbit.itinerary else base.name
+    work = _Cascade(name, base, branch.parameter, (lower, upper), event.value, tiles)
     state = work.begun(doublings, resume)
     try:
         while len(state.doublings) < doublings and not state.end:
@@ -158,9 +160,15 @@ class _Cascade:
     """From one flip to the next."""
 
     def __init__(
-        self, base: Orbit, parameter: str, interval: Interval, value: float, tiles: int
+        self,
+        name: str,
+        base: Orbit,
+        parameter: str,
+        interval: Interval,
+        value: float,
+        tiles: int,
     ) -> None:
-        self.base, self.parameter, self.interval = base, parameter, interval
+        self.name, self.base, self.parameter, self.interval = name, base, parameter, interval
         self.value, self.tiles = value, tiles
 
     def begun(self, asked: int, resume: CertifiedCascade | None) -> CertifiedCascade:
@@ -172,9 +180,11 @@ class _Cascade:
                 first, interval=self.interval, tiles=1,
                 resume=replace(resume.branches[0], ends=("", "")),
             )  # fmt: skip
-            return replace(resume, asked=asked, end="")
+            return replace(resume, orbit=self.name, asked=asked, end="")
         found = certify_branch(first, interval=self.interval)
-        return CertifiedCascade(asked=asked, doublings=(), branches=(found,), end="")
+        return CertifiedCascade(
+            orbit=self.name, asked=asked, doublings=(), branches=(found,), end=""
+        )
 
     def next(self, state: CertifiedCascade) -> CertifiedCascade:
         """One doubling more, or the reason why there is none."""
