@@ -200,6 +200,7 @@ register(
     "nonsmooth.runtime",
     {
         "design_json": "present.files.designs",
+        "draw_basin": "present.pictures.certified_basins",
         "draw_box": "present.pictures.proven_maps",
         "draw_chaos": "present.pictures.horseshoes",
         "draw_branch": "present.pictures.branches",
@@ -219,6 +220,7 @@ register(
         "plot_fit": "present.pictures.fits",
         "plot_orbit": "present.pictures.plot",
         "plot_trajectory": "present.pictures.scenes",
+        "save_basin": "present.files.basin_certificates",
         "save_box": "present.files.box_certificates",
         "save_branch": "present.files.branches",
         "save_chaos": "present.files.chaos_certificates",

@@ -17,6 +17,7 @@ from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.chaos.h_sets import Box, HSet, decimal_set, piece
 from nonsmooth.runtime.proof.chaos.parts import coordinates, slices
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
+from nonsmooth.runtime.proof.sets.affine_sets import AffineSet
 from nonsmooth.runtime.proof.sets.images import SectionMap
 from nonsmooth.runtime.proof.sets.sections import MapSection
 
@@ -75,7 +76,7 @@ def attracting_core(
             continue
         frame = _frame(slope)
         for size in range(_LARGEST, _SMALLEST):
-            h_set = decimal_set("core", centre, frame * scale * 2.0**-size)
+            h_set = decimal_set("core", centre.tolist(), frame * scale * 2.0**-size)
             try:
                 contraction = _contraction(mapped, h_set)
             except Undecided as reason:
@@ -89,7 +90,7 @@ def _about(mapped: SectionMap, point: Floats, scale: float) -> tuple[Floats, Flo
     """The fixed point and the derivative there, in doubles."""
     size = len(point)
     for _ in range(3):
-        tiny = decimal_set("point", point, np.eye(size) * scale * _TINY, 12)
+        tiny = decimal_set("point", point.tolist(), np.eye(size) * scale * _TINY, 12)
         image, slope = _image(mapped, tiny)
         found = np.array([float(x.mid()) for x in image.ranges[:-1]])
         slope = slope / (scale * _TINY)
@@ -97,7 +98,7 @@ def _about(mapped: SectionMap, point: Floats, scale: float) -> tuple[Floats, Flo
     return point, slope
 
 
-def _image(mapped: SectionMap, h_set: HSet) -> tuple[object, Floats]:
+def _image(mapped: SectionMap, h_set: HSet) -> tuple[AffineSet, Floats]:
     whole = ((-1.0, 1.0),) * len(h_set.centre)
     states = mapped.image(piece(h_set, mapped.section, whole, sloped=True)).states
     image = coordinates(states, mapped.section.free)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -12,7 +11,7 @@ from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
@@ -21,7 +20,7 @@ __all__ = ["BasinCertificate"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class BasinCertificate(Shown):
+class BasinCertificate(Kept):
     """Starts from which every motion tends to one periodic orbit.
 
     P is the map from a section to itself. It contracts the core, so that there is one orbit
@@ -73,6 +72,8 @@ class BasinCertificate(Shown):
         decides what follows.
     """
 
+    _kept_by = "save_basin"
+
     system: str
     orbit: str
     parameters: Mapping[str, Value]
@@ -101,6 +102,11 @@ class BasinCertificate(Shown):
     def proved(self) -> bool:
         """Whether the orbit is proved to attract all of a set around it."""
         return self.claim == "proved"
+
+    @property
+    def claims(self) -> dict[str, str]:
+        """Verdict on "basin"."""
+        return {"basin": self.claim}
 
     @property
     def share(self) -> float:
@@ -138,7 +144,7 @@ class BasinCertificate(Shown):
             "system": self.system,
             "orbit": self.orbit,
             "parameters": {name: str(value) for name, value in self.parameters.items()},
-            "claims": {"basin": self.claim},
+            "claims": self.claims,
             "reason": self.reason,
             "statement": self.statement,
             "section": {
@@ -165,15 +171,6 @@ class BasinCertificate(Shown):
                 "bounds": _bounds(self.tiles, self.attracted, self.states),
             },
         }
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write it to a file that `load` reads and ``certify --check`` proves again.
-
-        Parameters
-        ----------
-        path : str or path
-        """
-        registered("save_basin")(self, path)
 
     def plot(self, axes: Any = None) -> Any:
         """Draw what is proved.

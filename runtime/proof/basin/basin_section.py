@@ -58,7 +58,8 @@ def _forced(system: EnclosedSystem, motion: Trajectory, period: float) -> MetSec
     first = np.arctan2(motion.states[0, s], motion.states[0, c])
     found = []
     for phase in phases(_PHASES):
-        angle = np.arctan2(*(float(x.p) / float(x.q) for x in reversed(phase)))
+        cosine, sine = (float(x.p) / float(x.q) for x in phase)
+        angle = np.arctan2(sine, cosine)
         time = np.array([((angle - first) / speed) % turn])
         state, name = motion(time)[0], str(motion.configuration(time)[0])
         configuration = structure.configuration(name)

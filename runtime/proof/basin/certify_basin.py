@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import count
@@ -34,11 +35,13 @@ __all__ = ["certify_basin"]
 
 _BITS = 64  # of flows, before they are rounded to doubles
 _LONGEST = 16  # transitions from a tile to the section
+_EVERY = 10.0  # seconds between states that are kept
 _BATCH = 1024  # tiles, or boxes of the section, at once
 _FINEST_SECTION = 13  # powers of 1/2, in one dimension, of the section's range: its boxes
 _OF_CORE = 128  # part of the core's size that boxes of the section are to have
 _TILES = 128  # along the longest side of the box of starts
 _MOST_TILES = 50_000_000
+_SEED = 20  # of the order of tiles
 
 
 def certify_basin(
@@ -51,15 +54,16 @@ def certify_basin(
     most: int = 60,
     bits: int = 96,
     resume: BasinCertificate | None = None,
-    progress: Callable[[str, float], object] = lambda step, share: None,
+    progress: Callable[[float, int], object] = lambda share, tiles: None,
+    keep: Callable[[BasinCertificate], object] | None = None,
 ) -> BasinCertificate:
     """Prove that an orbit attracts every motion from a set of starts.
 
     Around the orbit a set is proved to be contracted by a power of the map of a section. Then
     boxes of the section are followed, and those whose images lie in what is proved already are
     proved too, as long as there are any. Without a forcing, tiles of a box of starts are
-    followed to the section as well, those that are next to the orbit first. With a forcing the
-    section holds all states at one of its phases, and there are no further tiles.
+    followed to the section as well, in a random order. With a forcing the section holds all
+    states at one of its phases, and there are no further tiles.
 
     Parameters
     ----------
@@ -82,7 +86,9 @@ def certify_basin(
     resume : BasinCertificate, optional
         What was proved before of the same question.
     progress : callable
-        Told the step, and which share of it is done.
+        Told which share is done, and how many tiles are attracted.
+    keep : function of a BasinCertificate, optional
+        Is given the state every ten seconds.
 
     Returns
     -------
@@ -134,23 +140,22 @@ def certify_basin(
         )
     at = enclosed_system(orbit.system, point.values)
     motion = orbit.trajectory()
-    limits = start_box(motion.system, box)
-    question = _BasinQuestion(orbit, at, limits, side, widest, most, bits, progress)
+    limits, whole = start_box(motion.system, box), start_box(motion.system)
+    question = _BasinQuestion(orbit, at, limits, whole, side, widest, most, bits, progress)
     with flint_precision(bits):
         enclosed = at(bits)
         if len(enclosed.structure.forcing) > 1:
             raise InputError(f"{enclosed.structure.name} has several forcings: a basin needs one")
         met = section_of(enclosed, motion, float(orbit.period))
-        scale = float(np.abs(limits[list(met.section.free)]).max())
-        progress("around the orbit", 0.0)
+        scale = float(np.abs(whole[list(met.section.free)]).max())
         try:
             core = attracting_core(enclosed, met.section, met.iterates, met.point, scale)
         except Undecided as reason:
             return question.undecided(met, reason.reason)
     if resume is not None:
         question.check_same(resume, met)
-        return question.tiled(met, resume, tiles)
-    return question.tiled(met, question.on_section(met, core), tiles)
+        return question.tiled(met, resume, tiles, keep)
+    return question.tiled(met, question.on_section(met, core), tiles, keep)
 
 
 class _BasinQuestion:
@@ -161,13 +166,15 @@ class _BasinQuestion:
         orbit: Orbit,
         at: Callable[[int], EnclosedSystem],
         limits: Floats,
+        whole: Floats,
         side: float | None,
         widest: float | None,
         most: int,
         bits: int,
-        progress: Callable[[str, float], object],
+        progress: Callable[[float, int], object],
     ) -> None:
-        self.orbit, self.limits, self.most, self.bits = orbit, limits, most, bits
+        self.orbit, self.limits, self.whole = orbit, limits, whole
+        self.most, self.bits = most, bits
         self.progress = progress
         with flint_precision(_BITS):
             self.system = at(_BITS)
@@ -182,26 +189,30 @@ class _BasinQuestion:
                 self.system, met.section, np.ones(count), self.widest, self.most, _LONGEST
             )
 
+    @property
+    def _tiles(self) -> BoxGrid:
+        low, high = self.limits.T
+        return BoxGrid.around(low, high, np.full(len(low), self.side))
+
     def on_section(self, met: MetSection, core: AttractingCore) -> BasinCertificate:
         """What is proved on the section."""
         free = list(met.section.free)
-        low, high = self.limits[free].T
         if met.section.phase is None:
+            low, high = self.whole[free].T
             # as fine as its dimension allows: a box next to the core has to be mapped into it
             power = _FINEST_SECTION // len(free)
             reach = np.abs(core.h_set.near[1]).sum(axis=1)
             finest = (high - low) / 2.0**power
             grid = BoxGrid.around(low, high, np.clip(reach / _OF_CORE, finest, 8 * finest))
         else:
+            low, high = self.limits[free].T
             grid = BoxGrid.around(low, high, np.full(len(free), self.side))
         mapped = self._mapped(met)
         with flint_precision(_BITS):
             ranks = _ranks(mapped, core.h_set, grid, self.progress)
         empty = self.undecided(met, "")
         if met.section.phase is None:
-            tiles: BoxGrid | None = BoxGrid.around(
-                *self.limits.T, np.full(len(self.limits), self.side)
-            )
+            tiles: BoxGrid | None = self._tiles
         else:
             tiles = None
         if tiles is not None and len(tiles) > _MOST_TILES:
@@ -224,26 +235,36 @@ class _BasinQuestion:
             declaration=self._declaration(),
         )
 
-    def tiled(self, met: MetSection, known: BasinCertificate, more: int) -> BasinCertificate:
+    def tiled(
+        self,
+        met: MetSection,
+        known: BasinCertificate,
+        more: int,
+        keep: Callable[[BasinCertificate], object] | None,
+    ) -> BasinCertificate:
         """The same with more tiles."""
         grid, tiles = known.grid, known.tiles
         if tiles is None or grid is None:
             return known
         looked, attracted = known.looked.copy(), known.attracted.copy()
         mapped = self._mapped(met)
-        order = _nearest(tiles, self.orbit.trajectory().states.mean(axis=0), self.limits)
+        # in a random order, so that the share among those that were looked at is that of all
+        order = np.random.default_rng(_SEED).permutation(len(tiles))
         order = order[~looked[order]][:more]
-        sums = grid.sums(known.ranks >= 0)
+        sums, kept = grid.sums(known.ranks >= 0), time.monotonic()
         configurations = [c for c, held in enumerate(self.system.structure.constraints) if not held]
 
         try:
             for begin in range(0, len(order), _BATCH):
                 numbers = order[begin : begin + _BATCH]
-                self.progress("tiles", begin / len(order))
+                self.progress(begin / len(order), int(attracted.sum()))
                 with flint_precision(_BITS):
                     good = _attracted(mapped, tiles.sets(numbers), configurations, grid, sums)
                 looked[numbers] = True
                 attracted[numbers] = good
+                if keep is not None and time.monotonic() - kept > _EVERY:
+                    keep(replace(known, looked=looked.copy(), attracted=attracted.copy()))
+                    kept = time.monotonic()
         except KeyboardInterrupt:
             raise Interrupted(replace(known, looked=looked, attracted=attracted)) from None
         return replace(known, looked=looked, attracted=attracted)
@@ -290,8 +311,7 @@ class _BasinQuestion:
             {name: getattr(known, name) for name in names},
         )
         if known.tiles is not None:
-            wanted = BoxGrid.around(*self.limits.T, np.full(len(self.limits), self.side))
-            check_same_question("basin", {"box or side": wanted}, {"box or side": known.tiles})
+            check_same_question("basin", {"box or side": self._tiles}, {"box or side": known.tiles})
 
     def _declaration(self) -> dict[str, Any]:
         """The system with all transitions that it lists."""
@@ -306,19 +326,20 @@ class _BasinQuestion:
 
 
 def _ranks(
-    mapped: BranchingMap, core: HSet, grid: BoxGrid, progress: Callable[[str, float], object]
+    mapped: BranchingMap, core: HSet, grid: BoxGrid, progress: Callable[[float, int], object]
 ) -> NDArray[np.int_]:
     """In how many steps boxes of the section are seen to lie in the core; -1 if they are not."""
     inward = Rounded.of(core.inward)
 
     def in_core(boxes: ManySets) -> NDArray[np.bool_]:
         low, high = boxes.ranges(inward)
-        return ((low > -1) & (high < 1)).all(axis=1)
+        inside: NDArray[np.bool_] = np.all((low > -1) & (high < 1), axis=1)
+        return inside
 
     ranks = np.where(in_core(grid.sets(np.arange(len(grid)))), 0, -1)
     parts = []
     for begin in range(0, len(grid), _BATCH):
-        progress("the section", begin / len(grid))
+        progress(0.0, 0)
         numbers = np.arange(begin, min(begin + _BATCH, len(grid)))
         found = mapped.leaves(grid.sets(numbers))
         parts.append(found._replace(origin=found.origin + begin))
@@ -359,15 +380,3 @@ def _timed(boxes: ManySets) -> ManySets:
     """States (y, 1) at the time 0: (y, 0, 1)."""
     parts = (np.insert(x, x.shape[1] - 1, 0.0, axis=1) for x in vars(boxes).values())
     return ManySets(*parts)
-
-
-def _nearest(tiles: BoxGrid, centre: Floats, limits: Floats) -> NDArray[np.int_]:
-    """All tiles, those next to a point first, in units of a box."""
-    half = (limits[:, 1] - limits[:, 0]) / 2
-    far = np.zeros(tiles.counts)
-    for k, (first, n) in enumerate(zip(tiles.first, tiles.counts, strict=True)):
-        middle = (first + np.arange(n) + 0.5) * tiles.sides[k]
-        shape = [1] * len(tiles.counts)
-        shape[k] = n
-        far = np.maximum(far, (np.abs(middle - centre[k]) / half[k]).reshape(shape))
-    return np.argsort(far.reshape(-1), kind="stable")
