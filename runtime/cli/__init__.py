@@ -4,6 +4,7 @@
 `program`               `main`; `list`, `equations`, `solve`, `verify`, `plot`, `reproduce`
 `application`           exit codes, errors in one line, JSON, values by name
 `options`               arguments and options that commands share
+`basin`                 `basin`
 `keeping`               what long commands keep when they are interrupted
 `certifying`            `certify` of one orbit, and its `--check`
 `certifying_boxes`      `certify` over ranges of parameters
@@ -16,6 +17,7 @@
 `deriving`              the commands' way into the derivation
 `display`               orbits for people, and progress
 `designing`             `design`
+`display_basins`        basins that are proved, for people
 `display_branches`      branches for people
 `display_census`        how many orbits there are, for people
 `display_certificates`  certificates, maps and events for people

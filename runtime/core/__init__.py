@@ -10,6 +10,8 @@
 `exponential_differences`  the same in doubles
 `expressions`              functions as data, in one small grammar, over any arithmetic
 `files`                    files that are written whole or not at all
+`float_sets`               many affine sets at once, in doubles with bounds of all roundings
+`float_flows`              linear flows of such sets, at many times at once
 `irrational_numbers`       irrational numbers by few of them, and their exact relations
 `jets`                     numbers with their derivatives along a direction, in balls
 `json_codec`               records to JSON and back

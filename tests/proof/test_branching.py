@@ -1,21 +1,21 @@
 """Images of sets that divide: no state goes where no leaf is, however its way differs."""
 
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
-from flint import arb, arb_mat, fmpq
+from flint import fmpq
 
 import nonsmooth as ns
+from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.proof.sets.affine_sets import affine_set
 from nonsmooth.runtime.proof.sets.branching import BranchingMap
 from nonsmooth.runtime.proof.sets.images import SectionMap
-from nonsmooth.runtime.proof.sets.parts import fewer_sides, halves, hull, kept, lifted, values_over
 from nonsmooth.runtime.proof.sets.sections import forcing_section, transition_section
 
 BITS = 64
@@ -30,7 +30,7 @@ DATA = {
     "ur1": "4.0195",
     "ur2": "1.4831",
 }
-SCALES = (1.0,) * 4
+SCALES = np.ones(4)
 NONE = Invariants((), ())
 
 
@@ -45,14 +45,26 @@ def mapped(system):
     return branching(system)
 
 
-def branching(system, most=60):
+def branching(system, most=400, widest=0.25):
     structure = system.structure
     source = structure.configuration("stick-stick")
     boundary = structure.boundary(source, "first-breaks-forward")
     target = structure.configuration("slip-stick")
     with flint_precision(BITS):
         section = transition_section(system, source, frozenset({boundary}), target)
-        return BranchingMap(system, section, 1e9, SCALES, most=most, longest=12)
+        return BranchingMap(system, section, SCALES, widest, most, longest=16)
+
+
+def anywhere(low, high):
+    """Boxes of states at the time 0."""
+    boxes = ManySets.of_boxes(np.atleast_2d(low), np.atleast_2d(high))
+    size = boxes.sides.shape[1]
+    order = [*range(size - 1), size, size - 1]
+
+    def timed(x):
+        return np.insert(x, size - 1, 0.0, axis=1)[:, : len(order)]
+
+    return ManySets(timed(boxes.centre), timed(boxes.sides), timed(boxes.box))
 
 
 def arrival(start, configuration):
@@ -65,45 +77,33 @@ def arrival(start, configuration):
     return None
 
 
-def tile(random, half):
-    """A box of starts inside one configuration, and its name."""
-    middle = random.uniform((-4, -8, -2, -2), (4, 8, 2, 2))
-    for k in (2, 3):
-        if abs(middle[k] - 1) < half:
-            middle[k] = 1 + half
-    name = "-".join("slip" if v < 1 else "overshoot" for v in middle[2:])
-    return [(x - half, x + half) for x in middle], name
+def corner(random, size):
+    """Where in a box: corners and faces are where states first go another way."""
+    share = random.uniform(-1, 1, size)
+    return np.where(random.random(size) < 0.4, np.sign(share) * (1 - 1e-9), share)
 
 
-def spans(leaves):
-    return [
-        (float(ball.lower()), float(ball.upper()))
-        for ball in (hull(leaf.states)[1, 0] for leaf in leaves)
-    ]
+def inside(leaves, number, point):
+    own = leaves.origin == number
+    return ((leaves.low[own] - 1e-9 <= point) & (point <= leaves.high[own] + 1e-9)).all(axis=1)
 
 
 def test_every_start_of_a_box_comes_to_a_leaf(system, mapped):
     random = np.random.default_rng(3)
     tested = several = 0
-    with flint_precision(BITS):
-        for half in (0.12, 0.25, 0.25) * 10:
-            box, name = tile(random, half)
-            start = lifted(box, NONE, 4)
-            try:
-                leaves = mapped.leaves(start, system.structure.configuration(name), NONE)
-            except Undecided:
-                continue
-            found = spans(leaves)
+    for name, sign in (("slip-slip", (-1, -1)), ("overshoot-slip", (1, -1))):
+        middles = random.uniform((-4, -8, 0.2, 0.2), (4, 8, 2, 2), (24, 4))
+        middles[:, 2:] = 1 + middles[:, 2:] * sign
+        half = random.choice([0.03, 0.06, 0.12], 24)[:, None]
+        with flint_precision(BITS):
+            configuration = system.structure.configuration(name)
+            starts = anywhere(middles - half, middles + half)
+            leaves = mapped.leaves_of(starts, configuration, NONE)
+        for k in np.flatnonzero(~leaves.lost)[:10]:
             ways = set()
-            for _ in range(20):
-                # corners and faces are where states first go another way
-                share = random.uniform(-1, 1, 4)
-                share = np.where(random.random(4) < 0.4, np.sign(share) * (1 - 1e-9), share)
-                state = [
-                    (a + b) / 2 + s * (b - a) / 2 for (a, b), s in zip(box, share, strict=True)
-                ]
-                x2 = arrival(state, name)
-                assert any(low - 1e-9 <= x2 <= high + 1e-9 for low, high in found), (box, state)
+            for _ in range(10):
+                state = middles[k] + half[k] * corner(random, 4)
+                assert inside(leaves, k, arrival(state, name)).any(), (name, state)
                 motion = ns.simulate("dry-friction", DATA, state, name, transitions=12)
                 ways.add(motion.configurations[:4])
                 tested += 1
@@ -114,64 +114,78 @@ def test_every_start_of_a_box_comes_to_a_leaf(system, mapped):
 
 def test_both_ways_are_taken_where_the_friction_force_is_about_the_static_limit(system, mapped):
     # the second mass comes to the belt and sticks, or slips on, as chi (x2 - x1) is below ur2
-    box = [(0.99, 1.01), (3.94, 3.99), (-0.01, 0.01), (1.02, 1.03)]
+    low, high = np.array([(0.99, 1.01), (3.94, 3.99), (-0.01, 0.01), (1.02, 1.03)]).T
     random = np.random.default_rng(2)
     ways = set()
     with flint_precision(BITS):
         configuration = system.structure.configuration("slip-overshoot")
-        found = spans(mapped.leaves(lifted(box, NONE, 4), configuration, NONE))
-        for _ in range(40):
-            state = [random.uniform(*bounds) for bounds in box]
-            motion = ns.simulate("dry-friction", DATA, state, "slip-overshoot", transitions=1)
-            ways.add(motion.configurations[1])
-            x2 = arrival(state, "slip-overshoot")
-            assert any(low - 1e-9 <= x2 <= high + 1e-9 for low, high in found)
+        leaves = mapped.leaves_of(anywhere(low, high), configuration, NONE)
+    assert not leaves.lost.any()
+    for _ in range(40):
+        state = random.uniform(low, high)
+        motion = ns.simulate("dry-friction", DATA, state, "slip-overshoot", transitions=1)
+        ways.add(motion.configurations[1])
+        assert inside(leaves, 0, arrival(state, "slip-overshoot")).any()
     assert ways == {"slip-stick", "slip-slip"}
 
 
-def test_a_set_that_goes_one_way_has_the_image_that_it_has_without_branches(system, mapped):
+def test_sets_that_go_one_way_have_the_image_that_they_have_without_branches(system, mapped):
     section = mapped.section
     single = SectionMap(system, section, 1)
+    places = np.array([4.3, 4.32, 4.35])
     with flint_precision(BITS):
-        for x2 in (4.3, 4.32, 4.35):
-            start = lifted([(x2 - 2**-9, x2 + 2**-9)], section.facts, 4)
-            (leaf,) = mapped.leaves(start, section.configuration, section.facts)
+        starts = ManySets.of_boxes(places[:, None] - 2**-9, places[:, None] + 2**-9)
+        leaves = mapped.leaves(starts)
+        assert leaves.origin.tolist() == [0, 1, 2]
+        lifted = starts.mapped(mapped.lift(section.facts))
+        for k in range(3):
+            columns = np.hstack([lifted.centre[k][:, None], lifted.sides[k]])
+            start = affine_set(matrix(columns), matrix(np.zeros((6, 1))))
             tight = single.image(start).states.ranges[1]
-            (low, high), radius = spans([leaf])[0], float(tight.rad())
+            low, high, radius = leaves.low[k, 0], leaves.high[k, 0], float(tight.rad())
             assert low <= float(tight.mid()) <= high
             assert 0.9 * radius <= (high - low) / 2 <= 1.1 * radius
 
 
-def test_passages_are_those_of_a_motion(system, mapped):
-    section = mapped.section
-    with flint_precision(BITS):
-        start = lifted([(4.3, 4.301)], section.facts, 4)
-        (leaf,) = mapped.leaves(start, section.configuration, section.facts)
+def matrix(rows):
+    from flint import arb_mat
+
+    return arb_mat(rows.tolist())
+
+
+def test_passages_are_those_of_a_motion(system):
+    mapped = branching(system)
     names = system.structure.configurations
-    way = ["slip-stick", "slip-slip", "stick-slip", "stick-stick"]
-    assert [names[p.source] for p in leaf.passages] == way
-    assert names[leaf.passages[-1].target] == "slip-stick"
-
-
-def test_too_many_parts_are_undecided(system):
-    few = branching(system, most=3)
     with flint_precision(BITS):
-        wide = lifted([(-2, -1), (5, 7), (-1, 0.5), (-1, 0.5)], NONE, 4)
-        with pytest.raises(Undecided, match="more than 3 parts"):
-            few.leaves(wide, system.structure.configuration("slip-slip"), NONE)
+        leaves = mapped.leaves(ManySets.of_boxes(np.array([[4.3]]), np.array([[4.301]])))
+    assert leaves.origin.tolist() == [0]
+    ways = {(names[p.source], names[p.target]) for p in mapped.passages}
+    way = ["slip-stick", "slip-slip", "stick-slip", "stick-stick", "slip-stick"]
+    assert ways == {*pairwise(way)}
 
 
-def test_wide_sets_are_divided(system, mapped):
-    section = mapped.section
-    narrow = BranchingMap(system, section, 2**-8, SCALES)
+def test_sets_with_too_many_parts_are_lost_alone(system):
+    few = branching(system, most=12)
     with flint_precision(BITS):
-        start = lifted([(4.3, 4.3 + 2**-5)], section.facts, 4)
-        whole = spans(mapped.leaves(start, section.configuration, section.facts))
-        parts = spans(narrow.leaves(start, section.configuration, section.facts))
-    assert len(whole) == 1
-    assert len(parts) > 1
-    assert min(low for low, _ in parts) >= whole[0][0]
-    assert max(high for _, high in parts) <= whole[0][1]
+        configuration = system.structure.configuration("slip-slip")
+        wide = anywhere([[-2, 5, -1, -1]], [[-1, 7, 0.5, 0.5]])
+        assert few.leaves_of(wide, configuration, NONE).lost.all()
+        both = anywhere(
+            [[-2, 5, -1, -1], [-2, 5, -1, -1]], [[-1, 7, 0.5, 0.5], [-1.99, 5.01, -0.99, -0.99]]
+        )
+        leaves = few.leaves_of(both, configuration, NONE)
+    assert leaves.lost.tolist() == [True, False]
+    assert set(leaves.origin) == {1}
+
+
+def test_wide_sets_are_divided(system):
+    with flint_precision(BITS):
+        start = ManySets.of_boxes(np.array([[4.3]]), np.array([[4.3 + 2**-5]]))
+        whole = branching(system, widest=np.inf).leaves(start)
+        parts = branching(system, widest=2**-8).leaves(start)
+    assert len(parts.origin) > len(whole.origin)
+    assert parts.low.min() >= whole.low.min()
+    assert parts.high.max() <= whole.high.max()
 
 
 @pytest.mark.compiled
@@ -179,112 +193,23 @@ def test_every_state_comes_to_a_leaf_at_the_phase_of_a_forcing():
     system = load_system(str(GALLERY / "impact_oscillator.py"))
     data = {"r": "0.65", "sigma": "0", "w": "2.8"}
     random = np.random.default_rng(5)
+    middles = random.uniform((-1.5, -1), (-0.06, 1), (160, 2))
     with flint_precision(BITS):
         enclosed = enclosed_system(system, data)(BITS)
         section = forcing_section(enclosed, 0, (fmpq(1), fmpq(0)))
-        stroboscopic = BranchingMap(enclosed, section, 1e9, (1.0,) * 4, most=40, longest=12)
-        tested = several = 0
-        for _ in range(30):
-            x, v = random.uniform((-1.5, -1), (-0.06, 1))
-            box = [(x - 0.06, x + 0.06), (v - 0.06, v + 0.06)]
-            try:
-                leaves = stroboscopic.leaves(lifted(box, section.facts, 4), 0, section.facts)
-            except Undecided:
-                continue
-            hulls = [hull(leaf.states).entries()[:2] for leaf in leaves]
-            counts = set()
-            for _ in range(12):
-                state = [*(random.uniform(*bounds) for bounds in box), 1.0, 0.0]
-                motion = ns.simulate(system, data, state, "free", until=2 * np.pi / 2.8)
-                end = motion(np.array([motion.end]))[0]
-                counts.add(len(motion.times))
-                assert any(
-                    all(y.overlaps(arb(z, 1e-9)) for y, z in zip(own, end, strict=False))
-                    for own in hulls
-                ), (box, state)
-                tested += 1
-            several += len(counts) > 1
+        stroboscopic = BranchingMap(enclosed, section, SCALES, 0.2, most=200, longest=12)
+        leaves = stroboscopic.leaves(ManySets.of_boxes(middles - 0.02, middles + 0.02))
+    tested = several = 0
+    divided = np.bincount(leaves.origin, minlength=160) > 1
+    for k in np.flatnonzero(~leaves.lost & (divided | (np.arange(160) % 16 == 0))):
+        counts = set()
+        for _ in range(12):
+            state = [*(middles[k] + 0.02 * corner(random, 2)), 1.0, 0.0]
+            motion = ns.simulate(system, data, state, "free", until=2 * np.pi / 2.8)
+            end = motion(np.array([motion.end]))[0]
+            counts.add(len(motion.times))
+            assert inside(leaves, k, end[:2]).any(), state
+            tested += 1
+        several += len(counts) > 1
     assert tested >= 120
     assert several >= 2
-
-
-# parts of sets
-
-
-def drawn(random, sides=5):
-    columns = random.normal(size=(6, 1 + sides))
-    columns[4], columns[5] = 0, [1] + [0] * sides
-    return affine_set(arb_mat(columns.tolist()), arb_mat(6, 1)), columns
-
-
-def test_what_is_kept_holds_every_state_that_meets_the_condition():
-    random = np.random.default_rng(11)
-    cut = 0
-    with flint_precision(BITS):
-        for _ in range(40):
-            states, columns = drawn(random)
-            row = random.normal(size=6)
-            row[5] += random.uniform(-4, 4)
-            zero = bool(random.integers(2))
-            left = kept(states, arb_mat([row.tolist()]), zero=zero)
-            e = random.uniform(-1, 1, (600, 5))
-            points = np.hstack([np.ones((600, 1)), e]) @ columns.T
-            values = points @ row
-            good = points[values >= 0]
-            if zero:  # two points on both sides, and where the function is zero between them
-                above, below = points[values > 0], points[values < 0]
-                count = min(len(above), len(below))
-                above, below = above[:count], below[:count]
-                part = (above @ row / ((above - below) @ row))[:, None]
-                good = above + part * (below - above)
-            if left is None:
-                assert not len(good)
-                continue
-            cut += left is not states
-            for direction in random.normal(size=(6, 6)):
-                most = float(values_over(arb_mat([direction.tolist()]), left)[0, 0].upper())
-                assert not len(good) or (good @ direction).max() <= most + 1e-9
-    assert cut > 20
-
-
-def test_a_condition_that_is_far_from_met_leaves_nothing():
-    with flint_precision(BITS):
-        states, _ = drawn(np.random.default_rng(1))
-        assert kept(states, arb_mat([[0, 0, 0, 0, 0, -1]])) is None
-        assert kept(states, arb_mat([[0, 0, 0, 0, 0, 1]])) is states
-
-
-def test_a_thin_oblique_part_is_thin():
-    with flint_precision(BITS):
-        square = lifted([(-1, 1), (-1, 1)], NONE, 2)
-        left = kept(square, arb_mat([[1, 1, 0, 0]]), zero=True)
-        ball = values_over(arb_mat([[1, 1, 0, 0]]), left)[0, 0]
-    assert float(abs(ball).upper()) < 1e-12
-
-
-def test_fewer_sides_hold_the_set_and_facts_hold_exactly():
-    random = np.random.default_rng(5)
-    facts = Invariants.of([(fmpq(1), fmpq(-1, 2), fmpq(0), fmpq(0), fmpq(-3))])
-    with flint_precision(BITS):
-        for _ in range(20):
-            _, columns = drawn(random, 7)
-            columns[0] = columns[1] / 2
-            columns[0, 0] += 3
-            states = affine_set(arb_mat(columns.tolist()), arb_mat(6, 1))
-            less = fewer_sides(states, facts, False, hull(states))
-            assert less.columns.ncols() == 1 + 3
-            points = np.hstack([np.ones((400, 1)), random.uniform(-1, 1, (400, 7))]) @ columns.T
-            for direction in random.normal(size=(8, 6)):
-                most = float(values_over(arb_mat([direction.tolist()]), less)[0, 0].upper())
-                assert (points @ direction).max() <= most + 1e-9
-            fact = values_over(arb_mat([[1, -0.5, 0, 0, 0, -3]]), less)[0, 0]
-            assert fact.overlaps(arb(0))
-            assert float(fact.rad()) < 1e-12
-
-
-def test_halves_are_the_set():
-    with flint_precision(BITS):
-        states = lifted([(0, 1), (2, 6)], NONE, 2)
-        first, second = halves(states, (1.0, 1.0))
-        bounds = [[float(hull(x)[k, 0].mid()) for k in (0, 1)] for x in (first, second)]
-    assert bounds == [[0.5, 3.0], [0.5, 5.0]]

@@ -1,11 +1,12 @@
-"""Sets of states carried through the phases of a motion, in ball arithmetic.
+"""Sets of states carried through the phases of a motion, with bounds of all roundings.
 
 ======================  =====================================================================
 `sections`              `MapSection`: where states are taken
 `affine_sets`           `AffineSet`: an affine image of a cube, carried along a motion
 `images`                `SectionMap`: images of sets on a section, and the transitions on the way
-`branching`             `BranchingMap`: images of sets whose states go different ways
-`parts`                 what affine conditions leave of sets, and sets of fewer sides
+`branching`             `BranchingMap`: images of many sets whose states go different ways
+`phase_ends`            where the sets of one phase reach boundaries
+`box_grid`              grids of boxes on a section, and which of them others meet
 `visited_declaration`   the system as far as the motions visit it, for a file
 ======================  =====================================================================
 """

@@ -1,684 +1,607 @@
-"""Images of sets that divide: each state of a set goes to one of the leaves.
+"""Images of sets that divide, many at once: each state of a set goes to one of its leaves.
 
-Where states of a set do not all go the same way, the set goes every way that one of them may go.
-Along a phase its functions are enclosed over windows of time. From the first window in which
-some state may reach a boundary, up to one behind which all have, the set's flow pipe is cut with
-each boundary that is reached: a branch. States that may miss it go on. Behind a boundary a
-condition that is not decided cuts the set in two. The leaves contain all images, and they may
-contain more, so they prove where motions lead and not where they do not (flow pipes: A. Girard,
-Reachability of uncertain linear systems using zonotopes, HSCC 2005).
+Where states of a set do not all go the same way, the set goes every way that one of them may go:
+at a boundary that some reach first, and behind it at each condition that is not decided for all.
+The leaves contain all images, and they may contain more, so they prove where motions lead and
+not where they do not.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from dataclasses import dataclass, field
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
+from nonsmooth.runtime.core.float_flows import FloatFlow
+from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, joined_sets, within
 from nonsmooth.runtime.events.leading_derivative import Undecided
-from nonsmooth.runtime.model.structure import TransitionShape
+from nonsmooth.runtime.model.structure import BoundaryShape, TransitionShape
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, product
 from nonsmooth.runtime.proof.motion.validate import BallJudge, transition_behind
-from nonsmooth.runtime.proof.sets.affine_sets import AffineSet, affine_set, with_time
+from nonsmooth.runtime.proof.sets.affine_sets import with_time
 from nonsmooth.runtime.proof.sets.images import PassedTransition
-from nonsmooth.runtime.proof.sets.parts import (
-    fewer_sides,
-    halves,
-    hull,
-    kept,
-    united,
-    values_over,
-    within,
-)
+from nonsmooth.runtime.proof.sets.phase_ends import CLOCK, EndedSets, PhaseEnds, WatchedFunction
 from nonsmooth.runtime.proof.sets.sections import MapSection
 
 if TYPE_CHECKING:
-    from flint import arb, arb_mat
+    from flint import arb_mat
 
-__all__ = ["BranchingMap", "Leaf"]
+__all__ = ["BranchingMap", "Leaves"]
 
-_DEEPEST = 5  # halvings of a window of time
-_PIPE = 256  # of the shortest windows in one branch, at most
-_LOOSE = 0.5  # part of a set's size by which a pipe may be larger, if it can be shorter
-_RISING = 2  # windows by which a pipe may be longer where functions rise: narrow sets need no more
-_LONGEST = 1500  # windows of one phase
-_SPARE = 2.0**-40  # of a time, for its rounding
-_CLOCK = -1  # stands for the boundary at which the forcing has the section's phase
+_AT_ONCE = 1024  # sets
+_STEP = 0.25  # of the time in which the fastest motion goes half a radian
 
 
-class Leaf(NamedTuple):
-    """Where a part of a set comes to, and through which transitions.
+class Leaves(NamedTuple):
+    """Where parts of sets come to on a section.
 
     Attributes
     ----------
-    states : AffineSet
-        On the section: contains the images of all states that come this way.
-    passages : tuple of PassedTransition
+    origin : array of int (L,)
+        Of which set each is a part.
+    low, high : array (L, d)
+        Bounds of the section's coordinates.
+    lost : array of bool (B,)
+        Sets of which not all leaves are known.
     """
 
-    states: AffineSet
-    passages: tuple[PassedTransition, ...]
+    origin: NDArray[np.int_]
+    low: Floats
+    high: Floats
+    lost: NDArray[np.bool_]
 
 
-class _StatesOnWay(NamedTuple):
-    """States of one configuration.
+class _StartKind(NamedTuple):
+    """What is true of parts where their phase begins.
 
-    `under` are functions, by number, that are not positive; `clock` counts passages of the
-    forcing's phase.
+    The functions of the boundaries in `under` are not positive, with their first derivative that
+    is not exactly zero; `clock` counts passages of the forcing's phase.
     """
 
-    states: AffineSet
     configuration: int
     facts: Invariants
     under: frozenset[int]
-    passages: tuple[PassedTransition, ...]
     clock: int
 
 
-class _End(NamedTuple):
-    """States that reach boundaries of their configuration, also inside a box (N + 2, 1)."""
+class _SetParts(NamedTuple):
+    """Parts of one kind: of which set, and behind how many transitions."""
 
-    states: AffineSet
-    box: arb_mat
-    boundaries: tuple[int, ...]
-    facts: Invariants
+    states: ManySets
+    origin: NDArray[np.int_]
+    depth: NDArray[np.int_]
 
+    def chosen(self, mask: Any) -> _SetParts:
+        return _SetParts(self.states[mask], self.origin[mask], self.depth[mask])
 
-class _Watched(NamedTuple):
-    """A boundary that may be reached: also exactly together with others of the same function."""
-
-    boundaries: tuple[int, ...]
-    row: Row
-    order: int  # of the first derivative that is not zero at the start
-    touching: bool  # whether that derivative may be zero too
+    def of(self, states: ManySets, origin: Any) -> _SetParts:
+        """Parts of these parts."""
+        return _SetParts(states, self.origin[origin], self.depth[origin])
 
 
+@dataclass
 class BranchingMap:
     """The map from sets of states to a section, whatever ways the states go.
 
-    Parameters
+    Attributes
     ----------
     system : EnclosedSystem
     section : MapSection
+    scales : array (N,)
+        Of the states.
     widest : float
         Sets that are wider, in units of the scales, are divided on the way.
-    scales : sequence of float, length N
-        Of the states.
     most : int
-        Sets on the way of one, at most.
+        Parts of one set, at most.
     longest : int
         Transitions on one way, at most.
+    passages : set of PassedTransition
+        All transitions that some set has passed.
     """
 
-    def __init__(
-        self,
-        system: EnclosedSystem,
-        section: MapSection,
-        widest: float,
-        scales: Sequence[float],
-        most: int = 400,
-        longest: int = 40,
-    ) -> None:
-        self.system, self.section = system, section
-        self.widest, self.scales, self.most, self.longest = widest, tuple(scales), most, longest
-        exact, count = system.exact, len(system.structure.configurations)
-        self._fields = [with_time(exact.fields[c], 1) for c in range(count)]
-        self._resets = [with_time(reset, 0) for reset in exact.resets]
-        self._timed = section.phase is not None
-        self._rates = lru_cache(50_000)(self._find_rates)
-        self._function = lru_cache(None)(self._find_function)
-        self._flow = lru_cache(20_000)(self._find_flow)
-        self._lasting = lru_cache(1000)(self._find_lasting)
+    system: EnclosedSystem
+    section: MapSection
+    scales: Floats
+    widest: float = np.inf
+    most: int = 400
+    longest: int = 40
+    passages: set[PassedTransition] = field(default_factory=set)
 
-    def leaves(self, start: AffineSet, configuration: int, facts: Invariants) -> list[Leaf]:
-        """Sets on the section that contain where each state of a set comes to it first.
+    def __post_init__(self) -> None:
+        exact, count = self.system.exact, len(self.system.structure.configurations)
+        self._fields = [with_time(exact.fields[c], 1) for c in range(count)]
+        self._flows = [
+            FloatFlow(own, float(flow.half) * _STEP)
+            for own, flow in zip(self._fields, self.system.flows, strict=True)
+        ]
+        self._resets = [Rounded.of(with_time(reset, 0)) for reset in exact.resets]
+        self._timed = self.section.phase is not None
+        self._phases: dict[_StartKind, _StartedPhase] = {}
+
+    def leaves(self, starts: ManySets) -> Leaves:
+        """Boxes that contain where each state of each set comes to the section first.
 
         Parameters
         ----------
-        start : AffineSet
-            Of a configuration, inside its boundaries, or on the section.
+        starts : ManySets
+            In coordinates of the section and 1.
+
+        Returns
+        -------
+        Leaves
+        """
+        facts = self.section.facts
+        return self.leaves_of(starts.mapped(self.lift(facts)), self.section.configuration, facts)
+
+    def leaves_of(self, starts: ManySets, configuration: int, facts: Invariants) -> Leaves:
+        """The same for states anywhere.
+
+        Parameters
+        ----------
+        starts : ManySets
+            Of (y, t, 1), inside of the boundaries of a configuration or on the section.
         configuration : int
         facts : Invariants
             What is exactly true of the states.
 
         Returns
         -------
-        list of Leaf
-
-        Raises
-        ------
-        Undecided
-            If balls do not tell where some of the states go, or the ways are too many.
+        Leaves
         """
-        found: list[Leaf] = []
-        inside = {shape.row for shape in self.system.structure.boundaries[configuration]}
-        left = [_StatesOnWay(start, configuration, facts, frozenset(inside), (), 0)]
-        looked = 0
-        while left:
-            part = left.pop()
-            looked += 1
-            if looked + len(left) > self.most:
-                raise Undecided(f"the set has more than {self.most} parts", digits=False)
-            if len(part.passages) >= self.longest:
-                raise Undecided(f"there are more than {self.longest} transitions", digits=False)
-            if self._wide(part.states):
-                both = halves(part.states, self.scales)
-                left += [part._replace(states=half) for half in both]
-                continue
-            behind = [
-                (next_part, end.boundaries == (_CLOCK,))
-                for end in self._ends(part)
-                for next_part in self._behind(part, end)
-            ]
-            for next_part, forced in self._merged(behind):
-                leaf = self._leaf(next_part, forced)
-                if leaf is None:
-                    left.append(next_part)
-                else:
-                    found.append(leaf)
-        return found
-
-    def _merged(
-        self, parts: Sequence[tuple[_StatesOnWay, bool]]
-    ) -> list[tuple[_StatesOnWay, bool]]:
-        """The same states in fewer sets: boxes about two that went one way and nearly fill it."""
-        found: list[tuple[_StatesOnWay, bool]] = []
-        for part, forced in parts:
-            for k, (other, also) in enumerate(found):
-                if also != forced or part[1:] != other[1:]:
-                    continue
-                both = united(part.states, other.states, part.facts, self._timed, self.scales)
-                if both is not None:
-                    found[k] = part._replace(states=both), forced
-                    break
-            else:
-                found.append((part, forced))
-        return found
-
-    def _wide(self, states: AffineSet) -> bool:
-        from flint import arb
-
-        return any(
-            sum((abs(x) for x in row[1:]), arb(0)) > self.widest * scale
-            for row, scale in zip(states.columns.tolist(), self.scales, strict=False)
+        rows = [self.system.exact.rows[s.row] for s in self._shapes(configuration)]
+        inside = frozenset(b for b, row in enumerate(rows) if any(facts.reduce(row)))
+        work = _PartsLeft(len(starts), self.most)
+        none = np.zeros(len(starts), dtype=int)
+        work.add(
+            _StartKind(configuration, facts, inside, 0),
+            _SetParts(starts, np.arange(len(starts)), none),
         )
+        found: list[tuple[Any, Floats, Floats]] = []
+        while (taken := work.take()) is not None:
+            kind, parts = taken
+            if (far := parts.depth >= self.longest).any():
+                work.lose(parts.origin[far])
+                parts = parts.chosen(~far)
+            parts = self._divided(parts, work)
+            if not len(parts.origin):
+                continue
+            for next_kind, next_parts, forced in self._behind_phase(kind, parts, work):
+                if self._is_leaf(next_kind, forced, kind):
+                    low, high = next_parts.states.hull
+                    free = list(self.section.free)
+                    found.append((next_parts.origin, low[:, free], high[:, free]))
+                else:
+                    work.add(next_kind, next_parts)
+        size = len(self.section.free)
+        origin, low, high = (
+            (np.concatenate(x) for x in zip(*found, strict=True))
+            if found
+            else (np.zeros(0, dtype=int), np.zeros((0, size)), np.zeros((0, size)))
+        )
+        known = ~work.lost[origin]
+        return Leaves(origin[known], low[known], high[known], work.lost)
 
-    def _leaf(self, part: _StatesOnWay, forced: bool) -> Leaf | None:
-        """A leaf if the section is reached."""
-        section, last = self.section, part.passages[-1] if part.passages else None
+    def _divided(self, parts: _SetParts, work: _PartsLeft) -> _SetParts:
+        """Those that are wide in two, as often as it takes."""
+        if not np.isfinite(self.widest):
+            return parts
+        while True:
+            count = len(self.scales)
+            lengths = np.abs(parts.states.sides[:, :count, :]) / self.scales[None, :, None]
+            wide = lengths.sum(axis=2).max(axis=1) > self.widest
+            if not wide.any():
+                return parts
+            side = np.argmax(lengths[wide].max(axis=1), axis=1)
+            halves = parts.states[wide].halves(side)
+            again = np.tile(np.flatnonzero(wide), 2)
+            origin = np.concatenate([np.flatnonzero(~wide), again])
+            states = joined_sets([parts.states[~wide], halves])
+            parts = parts.of(states, origin)
+            work.count(parts.origin[-len(again) // 2 :])
+            parts = parts.chosen(~work.lost[parts.origin])
+
+    def _is_leaf(
+        self, kind: _StartKind, forced: PassedTransition | None, before: _StartKind
+    ) -> bool:
+        section = self.section
         if section.phase is not None:
-            if not forced or part.configuration != section.configuration:
-                return None
-        elif last is None or (last.source, frozenset(last.boundaries), last.target) != (
+            if forced is not None or kind.configuration != section.configuration:
+                return False
+        elif forced is None or (forced.source, frozenset(forced.boundaries), forced.target) != (
             section.source,
             section.boundaries,
             section.configuration,
         ):
-            return None
-        if not all(not any(part.facts.reduce(row)) for row in section.facts.rows):
-            return None
-        return Leaf(part.states, part.passages)
+            return False
+        return all(not any(kind.facts.reduce(row)) for row in section.facts.rows)
 
-    # along a phase
+    # along a phase and behind it
 
-    def _ends(self, part: _StatesOnWay) -> Iterator[_End]:
-        """The ways in which a phase may end."""
-        here, states = part.configuration, part.states
-        lasting = self._lasting(part.facts, here)
-        watched: list[_Watched] = []
-        passed: list[tuple[tuple[int, ...], arb_mat, bool]] = []
-        for boundaries, row in self._functions(part, lasting):
-            reduced, order = self._start(part, row)
-            if order < 0:
+    def _behind_phase(
+        self, kind: _StartKind, parts: _SetParts, work: _PartsLeft
+    ) -> Iterator[tuple[_StartKind, _SetParts, PassedTransition | None]]:
+        phase = self._phases.get(kind)
+        if phase is None:
+            phase = self._phases[kind] = _StartedPhase(self, kind)
+        for end in phase.ends(parts, work):
+            own = parts.of(end.states, end.origin)
+            if end.boundaries == (CLOCK,):
+                states = own.states.fewer_sides(
+                    self._free(end.facts), self.lift(end.facts, self._timed)
+                )
+                next_kind = kind._replace(facts=end.facts, under=frozenset(), clock=kind.clock + 1)
+                yield next_kind, own._replace(states=states), None
                 continue
-            function = _timed(reduced)
-            (value,) = values_over(function, states).entries()
-            shapes = self.system.structure.boundaries[here]
-            under = not order and any(shapes[b].row in part.under for b in boundaries)
-            if under and value > 0:
-                return
-            if under and not value <= 0:
-                inside = kept(states, -function)
-                if inside is None:
-                    return
-                states = inside
-            elif not value < 0:
-                passed.append((boundaries, function, bool(value > 0)))
-            watched.append(_Watched(boundaries, row, order, not value < 0))
-        if passed:
-            surely = any(sure for *_, sure in passed)
-            touched = [
-                (w.boundaries, _timed(self._start(part, w.row)[0]), False)
-                for w in watched
-                if w.touching and all(w.boundaries != own for own, *_ in passed)
-            ]
-            yield from _passed_at_start(part._replace(states=states), passed, touched)
-            for _, function, _ in passed:
-                inside = None if surely else kept(states, -function)
-                if inside is None:
-                    return
-                states = inside
-        yield from self._march(part._replace(states=states), lasting, watched)
+            yield from self._passed(kind, end, own, work)
 
-    def _functions(
-        self, part: _StatesOnWay, lasting: Invariants
-    ) -> list[tuple[tuple[int, ...], Row]]:
-        """Functions of the boundaries that are not constant, each with those that have it."""
-        exact, here = self.system.exact, part.configuration
-        together: dict[Any, tuple[list[int], Row]] = {}
-        for b, boundary in enumerate(self.system.structure.boundaries[here]):
-            row = exact.rows[boundary.row]
-            reduced = lasting.reduce(row)
-            if not any(reduced[:-1]):
-                if reduced[-1] > 0:
-                    raise Undecided(f"{boundary.name} is passed all along", digits=False)
-                continue
-            size = next(abs(x) for x in reduced if x)
-            together.setdefault(tuple(x / size for x in reduced), ([], row))[0].append(b)
-        return [(tuple(own), row) for own, row in together.values()]
-
-    def _start(self, part: _StatesOnWay, row: Row) -> tuple[Row, int]:
-        """The first derivative that is not exactly zero at the start, and its order; -1: none."""
-        field = self.system.exact.fields[part.configuration]
-        for order in range(len(row) + 1):
-            reduced = part.facts.reduce(row)
-            if any(reduced):
-                return reduced, order
-            row = product(row, field)
-        return row, -1
-
-    def _march(
-        self, part: _StatesOnWay, lasting: Invariants, watched: Sequence[_Watched]
-    ) -> Iterator[_End]:
-        """Along the phase, window by window."""
-        here, states = part.configuration, part.states
-        step = float(self.system.flows[here].half)  # a power of 2, as all times are
-        depth, index, looked = 0, 0, 0
-        first, pipe = None, 0  # where a pipe begins, in the shortest windows, and how many
-        most = self._pipe_length(here, states, step / 2**_DEEPEST)
-        reached: list[_Watched] = []
-        clock = self._timed
-        while True:
-            looked += 1
-            if looked > _LONGEST:
-                raise Undecided("a phase does not end", digits=False)
-            if first is not None and depth < _DEEPEST:
-                index, depth = index << (_DEEPEST - depth), _DEEPEST
-            window = step / 2 ** (depth + 1), index  # half of its length, and its number
-            may, all_passed, rising = [], False, True
-            for boundary in watched:
-                inside, passed, rises = self._over(here, boundary, states, window)
-                if not inside:
-                    may.append(boundary)
-                    rising = rising and rises
-                all_passed = all_passed or passed
-            ticks = clock and self._ticks(part, states, window)
-            if not may and not ticks and first is None:
-                depth, index = _next(depth, index)
-                continue
-            if depth < _DEEPEST:
-                depth, index = depth + 1, 2 * index
-                continue
-            if first is None:
-                first, pipe, reached = index, 0, []
-            reached += [boundary for boundary in may if boundary not in reached]
-            pipe += 1
-            all_passed = all_passed or ticks == 2
-            index += 1
-            # what rises is reached in a part of the pipe alone, however long the pipe is
-            longest = most + _RISING if rising else most
-            if (may or ticks == 1) and not all_passed and pipe < longest:
-                continue
-            ends = 2 * window[0] * first, 2 * window[0] * index
-            yield from self._pipe(part._replace(states=states), lasting, reached, ends, clock)
-            if all_passed:
-                return
-            flow = self._flow(here, ends[1])
-            rows = [_timed(boundary.row) * flow for boundary in reached]
-            if clock and ticks:
-                rows.append(self._tick_row(part) * flow)
-            for row in rows:
-                left = kept(states, -row)
-                if left is None:
-                    return
-                states = left
-            first = None
-            depth, index = _next(depth, index - 1)
-
-    def _pipe_length(self, here: int, states: AffineSet, window: float) -> int:
-        """In how many windows a flow pipe becomes little wider than the set is."""
-        field, box = self._fields[here], hull(states)
-        rates = field * (box - box.mid())
-        curves = field * field * box
-        sizes = [
-            [
-                float(x.abs_upper() if k else x.rad()) / scale
-                for x, scale in zip(e, self.scales, strict=False)
-            ]
-            for k, e in enumerate((box.entries(), rates.entries(), curves.entries()))
-        ]
-        room = _LOOSE * max(sizes[0])
-        count = 1
-        while count < _PIPE:
-            half = window * count  # of twice as many
-            wide = (half * a + half * half / 2 * b for a, b in zip(*sizes[1:], strict=True))
-            if max(wide) > room:
-                break
-            count *= 2
-        return count
-
-    def _over(
-        self, here: int, boundary: _Watched, states: AffineSet, window: tuple[float, int]
-    ) -> tuple[bool, bool, bool]:
-        """Whether a boundary is not reached in a window, all are beyond it behind, and it rises."""
-        half, index = window
-        order = 0 if index else boundary.order
-        rates, around, bulge = self._rates(here, boundary.boundaries[0], half, index, order)
-        value, rate, curve = values_over(rates, states).entries()
-        over = value + around * rate + bulge * curve
-        at_end = value + half * rate + half * half / 2 * curve
-        slope = rate + around * curve
-        if over < 0 or slope <= 0:  # what is zero where a window begins belongs to the one before
-            return True, False, False
-        rises = slope > 0
-        inside = bool(rises and at_end < 0 and (index or not order))
-        return inside, bool(order == 0 and at_end > 0), bool(rises)
-
-    def _find_rates(
-        self, here: int, boundary: int, half: float, index: int, order: int
-    ) -> tuple[arb_mat, arb, arb]:
-        """Rows for a function, its rate and its curvature over a window; the times t, t^2/2."""
-        from flint import arb, arb_mat
-
-        field, around = self._fields[here], arb(0, half)
-        flow = self._flow(here, half * (2 * index + 1))
-        own = self._function(here, boundary)
-        for _ in range(order):
-            own = own * field
-        over = (field * around).exp()
-        rows = [own * flow, own * field * flow, own * field * field * over * flow]
-        return arb_mat([x.entries() for x in rows]), around, (around * around / 2).union(arb(0))
-
-    def _find_function(self, here: int, boundary: int) -> arb_mat:
-        shape = self.system.structure.boundaries[here][boundary]
-        return _timed(self.system.exact.rows[shape.row])
-
-    def _find_flow(self, here: int, time: float) -> arb_mat:
-        from flint import arb
-
-        return (self._fields[here] * arb(time)).exp()
-
-    def _find_lasting(self, facts: Invariants, here: int) -> Invariants:
-        return facts.lasting(self.system.exact.fields[here])
-
-    def _tick_row(self, part: _StatesOnWay) -> arb_mat:
-        """The time since the forcing has come back as often as it will, as a row."""
-        from flint import arb
-
-        whole = (part.clock + 1) * self.section.period(self.system)
-        size = part.states.columns.nrows()
-        return _row([*(arb(0),) * (size - 2), arb(1), -whole])
-
-    def _ticks(self, part: _StatesOnWay, states: AffineSet, window: tuple[float, int]) -> int:
-        """Whether the forcing comes back in a window: 0 no, 1 for some states, 2 by its end."""
-        half, index = window
-        (time,) = values_over(self._tick_row(part), states).entries()
-        if time + 2 * half * (index + 1) < 0:
-            return 0
-        return 2 if time + 2 * half * (index + 1) > 0 else 1
-
-    def _pipe(
-        self,
-        part: _StatesOnWay,
-        lasting: Invariants,
-        reached: Sequence[_Watched],
-        ends: tuple[float, float],
-        clock: bool,
-    ) -> Iterator[_End]:
-        """Where states reach boundaries between two times."""
-        here = part.configuration
-        rows = {boundary.boundaries: _timed(boundary.row) for boundary in reached}
-        exact = {boundary.boundaries: boundary.row for boundary in reached}
-        tick = self._tick_row(part) if clock else None
-        for own, row in rows.items():
-            between = self._between(here, part.states, row, ends)
-            if between is None:
-                continue
-            whole = self._flowed(here, part.states, *between)
-            states, box = kept(whole, row, zero=True), hull(whole)
-            states = states and kept(states, row * self._fields[here])
-            for other, more in rows.items():
-                if other != own:
-                    states = states and kept(states, -more)
-            if tick is not None:
-                states = states and kept(states, -tick)
-            if not states:
-                continue
-            yield _End(states, box, own, Invariants.of([*lasting.rows, exact[own]]))
-            for other, more in rows.items():
-                if other > own:
-                    both = kept(states, more, zero=True)
-                    for third, last in rows.items():
-                        if both and third > other and kept(both, last, zero=True):
-                            raise Undecided("three boundaries may be reached together")
-                    if both is not None:
-                        facts = Invariants.of([*lasting.rows, exact[own], exact[other]])
-                        if facts.consistent:
-                            yield _End(both, box, (*own, *other), facts)
-        between = None if tick is None else self._between(here, part.states, tick, ends)
-        if tick is not None and between is not None:
-            whole = self._flowed(here, part.states, *between)
-            states, box = kept(whole, tick, zero=True), hull(whole)
-            for more in rows.values():
-                states = states and kept(states, -more)
-            if states:
-                forced = self._forcing_facts()
-                yield _End(states, box, (_CLOCK,), Invariants.of([*lasting.rows, *forced]))
-
-    def _between(
-        self, here: int, states: AffineSet, row: arb_mat, ends: tuple[float, float]
-    ) -> tuple[float, float] | None:
-        """Times between two others at which a function may be zero, by Newton's method."""
-        from flint import arb
-
-        begin, end = ends
-        for _ in range(2):
-            half, field = (end - begin) / 2, self._fields[here]
-            flow = self._flow(here, begin + half)
-            rates = row * field * (field * arb(0, half)).exp() * flow
-            (slope,) = values_over(rates, states).entries()
-            if not (slope > 0 or slope < 0):
-                break
-            (value,) = values_over(row * flow, states).entries()
-            late = -value / slope
-            first, last = (begin + half + float(x) for x in (late.lower(), late.upper()))
-            spare = _SPARE * (abs(first) + abs(last) + half)
-            first, last = max(begin, first - spare), min(end, last + spare)
-            if first > last:
-                return None
-            shorter = last - first < 0.8 * (end - begin)
-            begin, end = first, last
-            if not shorter:
-                break
-        return begin, end
-
-    def _forcing_facts(self) -> list[Row]:
-        c, s = self.system.structure.forcing[0]
-        return [self.section.facts.rows[self.section.facts.pivots.index(k)] for k in (c, s)]
-
-    def _flowed(self, here: int, states: AffineSet, begin: float, end: float) -> AffineSet:
-        """All states between two times: the time is a further side."""
-        from flint import arb, arb_mat
-
-        field, half = self._fields[here], (end - begin) / 2
-        moved = states.mapped(self._flow(here, begin + half))
-        size = moved.columns.nrows()
-        centre = arb_mat([[row[0]] for row in moved.columns.tolist()])
-        box = hull(moved)
-        rates, around = field * centre, arb(0, half)
-        over = (field * around).exp()
-        loose = (field * (box - centre)) * around
-        loose += field * field * over * box * (around * around / 2)
-        wide = [x.abs_upper() for x in loose.entries()]
-        added = [k for k in range(size) if not wide[k].is_zero()]
-        columns = [
-            [*own, rates[k, 0] * half, *(wide[k] if k == place else arb(0) for place in added)]
-            for k, own in enumerate(moved.columns.tolist())
-        ]
-        return affine_set(arb_mat(columns), moved.rest)
-
-    # behind a boundary
-
-    def _behind(self, part: _StatesOnWay, end: _End) -> Iterator[_StatesOnWay]:
+    def _passed(
+        self, kind: _StartKind, end: EndedSets, parts: _SetParts, work: _PartsLeft
+    ) -> Iterator[tuple[_StartKind, _SetParts, PassedTransition]]:
         """The ways in which states go on behind what they reach."""
-        here = part.configuration
-        if end.boundaries == (_CLOCK,):
-            states = fewer_sides(end.states, end.facts, self._timed, end.box)
-            yield part._replace(
-                states=states, facts=end.facts, under=frozenset(), clock=part.clock + 1
-            )
-            return
-        structure, exact = self.system.structure, self.system.exact
-        reached = frozenset(end.boundaries)
-        shapes = structure.boundaries[here]
-        inside = frozenset(shape.row for b, shape in enumerate(shapes) if b not in reached)
-        for target, reset, states, less in self._followed(here, reached, end):
-            under = less | inside
+        here, reached = kind.configuration, frozenset(end.boundaries)
+        exact = self.system.exact
+        inside = [exact.rows[s.row] for b, s in enumerate(self._shapes(here)) if b not in reached]
+        known = frozenset(
+            _direction(end.facts.reduce(row))
+            for row in (*inside, *(tuple(-x for x in own) for own in end.rising))
+        )
+        for target, reset, own, under in self._followed(
+            here, reached, end.facts, parts, known, work
+        ):
             facts = end.facts.reset(exact.resets[reset])
             if not facts.consistent:
                 continue
-            matrix = self._resets[reset]
-            box = matrix * end.box
-            for row in sorted(inside):
-                box = within(box, exact.rows[row]) if self._kept_by(row, reset) else box
-            moved = fewer_sides(states.mapped(matrix), facts, self._timed, box)
-            kept_rows = {r for r in under if self._kept_by(r, reset)}
+            states = own.states.mapped(self._resets[reset])
+            box = self._reset_box(own.states, under, reset)
+            states = states.fewer_sides(self._free(facts), self.lift(facts, self._timed), box)
             passage = PassedTransition(here, tuple(sorted(reached)), target)
-            watched = {shape.row for shape in structure.boundaries[target]}
-            yield _StatesOnWay(
-                moved,
-                target,
-                facts,
-                frozenset(kept_rows & watched),
-                (*part.passages, passage),
-                part.clock,
+            self.passages.add(passage)
+            below = frozenset(
+                b
+                for b, shape in enumerate(self._shapes(target))
+                if self._below(target, shape.row, facts, reset, end.facts, under)
             )
+            next_kind = _StartKind(target, facts, below, kind.clock)
+            yield next_kind, _SetParts(states, own.origin, own.depth + 1), passage
 
-    def _kept_by(self, row: int, reset: int) -> bool:
+    def _reset_box(
+        self, states: ManySets, under: frozenset[Row], reset: int
+    ) -> tuple[Floats, Floats]:
+        """Boxes behind a reset, of states for which functions are not positive."""
+        box = states.hull
+        for row in under:
+            if any(row[:-1]):
+                box = within(box, _rounded(row))
+        for k in (k for pair in self.system.structure.forcing for k in pair):
+            box[0][:, k], box[1][:, k] = np.maximum(box[0][:, k], -1), np.minimum(box[1][:, k], 1)
+        low, high = box
+        middle = (low + high) / 2
+        half = np.maximum(high - middle, middle - low)[:, :, None] * np.eye(low.shape[1])
+        return ManySets(middle, half, np.zeros_like(middle)).mapped(self._resets[reset]).hull
+
+    def _below(
+        self,
+        target: int,
+        number: int,
+        facts: Invariants,
+        reset: int,
+        before: Invariants,
+        known: frozenset[Row],
+    ) -> bool:
+        """Whether the first derivative that is not zero behind a reset is known not to be positive.
+
+        So it is where, as a function of the state before, it is one of those.
+        """
         exact = self.system.exact
-        return product(exact.rows[row], exact.resets[reset]) == tuple(exact.rows[row])
+        row, order = _leading(exact.rows[number], exact.fields[target], facts)
+        if order < 0:
+            return False
+        pulled = before.reduce(product(row, exact.resets[reset]))
+        if not any(pulled[:-1]):
+            return pulled[-1] <= 0
+        return _direction(pulled) in known
+
+    def _shapes(self, configuration: int) -> Sequence[BoundaryShape]:
+        return self.system.structure.boundaries[configuration]
 
     def _followed(
-        self, here: int, reached: frozenset[int], end: _End
-    ) -> Iterator[tuple[int, int, AffineSet, frozenset[int]]]:
-        """Targets and resets that may follow, with the states for which they may."""
+        self,
+        here: int,
+        reached: frozenset[int],
+        facts: Invariants,
+        parts: _SetParts,
+        known: frozenset[Row],
+        work: _PartsLeft,
+    ) -> Iterator[tuple[int, int, _SetParts, frozenset[Row]]]:
+        """Targets and resets that may follow, with the parts for which they may.
+
+        And with functions that are known not to be positive.
+        """
         structure = self.system.structure
         listed = [t for t in structure.listed(here, reached) if t.path is None]
-        if len(structure.orders(here, reached)) > 1 or not listed:
-            facts, box = end.facts, hull(end.states).entries()
-            judge = BallJudge(self.system, here, facts, facts.tighten(box[:-2]))
-            target, reset = transition_behind(self.system, here, tuple(sorted(reached)), judge)
-            yield target, reset, end.states, frozenset()
+        if len(structure.orders(here, reached)) == 1 and listed:
+            yield from self._tried(listed, 0, facts, parts, known, work)
             return
-        yield from self._tried(listed, 0, end.facts, end.states, frozenset())
+        for k in range(len(parts.origin)):
+            one = parts.chosen([k])
+            try:
+                target, reset = self._judged(here, reached, facts, one.states)
+            except Undecided:
+                work.lose(one.origin)
+                continue
+            yield target, reset, one, known
+
+    def _judged(
+        self, here: int, reached: frozenset[int], facts: Invariants, states: ManySets
+    ) -> tuple[int, int]:
+        from flint import arb
+
+        low, high = states.hull
+        size = len(self.system.structure.states)
+        balls = [arb(a).union(arb(b)) for a, b in zip(low[0, :size], high[0, :size], strict=True)]
+        judge = BallJudge(self.system, here, facts, facts.tighten(balls))
+        return transition_behind(self.system, here, tuple(sorted(reached)), judge)
 
     def _tried(
         self,
         listed: Sequence[TransitionShape],
         place: int,
         facts: Invariants,
-        states: AffineSet,
-        under: frozenset[int],
-    ) -> Iterator[tuple[int, int, AffineSet, frozenset[int]]]:
+        parts: _SetParts,
+        known: frozenset[Row],
+        work: _PartsLeft,
+    ) -> Iterator[tuple[int, int, _SetParts, frozenset[Row]]]:
         """What may follow of the transitions from the first on, from one of its conditions on."""
-        from flint import arb
-
+        if not len(parts.origin):
+            return
         if not listed:
-            raise Undecided("no transition may follow", digits=False)
+            work.lose(parts.origin)
+            return
         shape = listed[0]
         if place == len(shape.conditions):
-            yield shape.target, shape.reset, states, under
+            yield shape.target, shape.reset, parts, known
             return
         number, along, holds = shape.conditions[place]
-        reduced, order = self._leading(number, along, facts)
-        if order < 0:
-            positive, value = None, arb(-1)
-        else:
-            positive = _timed(reduced)
-            (value,) = values_over(positive, states).entries()
-        above: AffineSet | None = states
-        below: AffineSet | None = states
-        if positive is not None and not (value > 0 or value < 0):
-            above, below = kept(states, positive), kept(states, -positive)
-        elif value > 0:
-            below = None
-        else:
-            above = None
-        less = under | {number} if not order else under
-        for part, met, now in ((above, holds, under), (below, not holds, less)):
-            if part is None:
-                continue
+        row, order = _leading(
+            self.system.exact.rows[number], self.system.exact.fields[along], facts
+        )
+        above, below, more, less = parts.chosen(slice(0, 0)), parts, known, known
+        if order >= 0:
+            positive = _rounded(row)
+            above, below = _kept(parts, positive), _kept(parts, _negative(positive))
+            more = known | {_direction(tuple(-x for x in row))}
+            less = known | {_direction(row)}
+        for part, met, now in ((above, holds, more), (below, not holds, less)):
             if met:
-                yield from self._tried(listed, place + 1, facts, part, now)
+                yield from self._tried(listed, place + 1, facts, part, now, work)
             else:
-                yield from self._tried(listed[1:], 0, facts, part, now)
+                yield from self._tried(listed[1:], 0, facts, part, now, work)
 
-    def _leading(self, number: int, along: int, facts: Invariants) -> tuple[Row, int]:
-        row = self.system.exact.rows[number]
-        field = self.system.exact.fields[along]
-        for order in range(len(row) + 1):
-            reduced = facts.reduce(row)
-            if any(reduced):
-                return reduced, order
-            row = product(row, field)
-        return row, -1
+    # what the states of some facts are
+
+    def _free(self, facts: Invariants) -> list[int]:
+        size = len(self.system.structure.states)
+        free = [k for k in range(size) if k not in facts.pivots]
+        return [*free, size] if self._timed else free
+
+    def lift(self, facts: Invariants, timed: bool = False) -> Rounded:
+        """All coordinates of states for which facts are true, by those that are left free.
+
+        Parameters
+        ----------
+        facts : Invariants
+        timed : bool
+            Whether the time is one of them; else it is 0.
+
+        Returns
+        -------
+        Rounded
+            (y, t, 1) from (free coordinates, t, 1) or, without time, (free coordinates, 1).
+        """
+        from flint import arb, arb_mat
+
+        size = len(self.system.structure.states)
+        free = [k for k in range(size) if k not in facts.pivots]
+        given = dict(zip(facts.pivots, facts.rows, strict=True))
+        count = len(free) + timed
+        found = arb_mat(size + 2, count + 1)
+        for k in range(size):
+            if k in given:
+                for i, j in enumerate(free):
+                    found[k, i] = arb(-given[k][j])
+                found[k, count] = arb(-given[k][size])
+            else:
+                found[k, free.index(k)] = arb(1)
+        if timed:
+            found[size, len(free)] = arb(1)
+        found[size + 1, count] = arb(1)
+        return Rounded.of(found)
 
 
-def _passed_at_start(
-    part: _StatesOnWay,
-    passed: Sequence[tuple[tuple[int, ...], arb_mat, bool]],
-    touched: Sequence[tuple[tuple[int, ...], arb_mat, bool]],
-) -> Iterator[_End]:
-    """The sets of boundaries beyond which states may be at the start of a phase.
+class _PartsLeft:
+    """Parts that are to be followed, by their kinds."""
 
-    Those of `touched` are at most reached.
-    """
-    every = [*passed, *touched]
-    for count in range(1, len(every) + 1):
-        for chosen in combinations(range(len(every)), count):
-            left: AffineSet | None = part.states
-            for k, (_, function, sure) in enumerate(every):
-                if k in chosen:
-                    left = left and kept(left, function)
-                elif sure:
-                    left = None
-                elif k < len(passed):
-                    left = left and kept(left, -function)
-            if left is None or chosen[0] >= len(passed):
+    def __init__(self, count: int, most: int) -> None:
+        self.most = most
+        self.lost = np.zeros(count, dtype=bool)
+        self._seen = np.zeros(count, dtype=int)
+        self._left: dict[_StartKind, list[_SetParts]] = {}
+
+    def add(self, kind: _StartKind, parts: _SetParts) -> None:
+        self.count(parts.origin)
+        self._left.setdefault(kind, []).append(parts)
+
+    def count(self, origin: NDArray[np.int_]) -> None:
+        """Count parts of sets; those with too many are lost."""
+        np.add.at(self._seen, origin, 1)
+        self.lost |= self._seen > self.most
+
+    def lose(self, origin: NDArray[np.int_]) -> None:
+        self.lost[origin] = True
+
+    def take(self) -> tuple[_StartKind, _SetParts] | None:
+        """The most parts of one kind, as many as are followed at once."""
+        if not self._left:
+            return None
+        kind = max(self._left, key=lambda own: sum(len(p.origin) for p in self._left[own]))
+        listed = self._left.pop(kind)
+        parts = _SetParts(
+            joined_sets([part.states for part in listed]),
+            np.concatenate([part.origin for part in listed]),
+            np.concatenate([part.depth for part in listed]),
+        )
+        parts = parts.chosen(~self.lost[parts.origin])
+        if len(parts.origin) > _AT_ONCE:
+            self._left[kind] = [parts.chosen(slice(_AT_ONCE, None))]
+            parts = parts.chosen(slice(0, _AT_ONCE))
+        return kind, parts
+
+
+class _StartedPhase:
+    """The phase that begins with states of one kind."""
+
+    def __init__(self, mapped: BranchingMap, kind: _StartKind) -> None:
+        self.kind = kind
+        system, here = mapped.system, kind.configuration
+        exact, structure = system.exact, system.structure
+        lasting = kind.facts.lasting(exact.fields[here])
+        self.stuck = False  # beyond a boundary all along
+        self.functions: list[WatchedFunction] = []
+        self.under: list[bool] = []
+        self.starts: list[Row] = []
+        together: dict[Any, tuple[list[int], Row]] = {}
+        for b, boundary in enumerate(structure.boundaries[here]):
+            row = exact.rows[boundary.row]
+            reduced = lasting.reduce(row)
+            if not any(reduced[:-1]):
+                self.stuck = self.stuck or reduced[-1] > 0
                 continue
-            if count > 2:
-                raise Undecided("three boundaries may be passed at the start of a phase")
-            boundaries = tuple(b for k in chosen for b in every[k][0])
-            yield _End(left, hull(part.states), boundaries, part.facts)
+            size = next(abs(x) for x in reduced if x)
+            together.setdefault(tuple(x / size for x in reduced), ([], row))[0].append(b)
+        for own, row in together.values():
+            leading, order = _leading(row, exact.fields[here], kind.facts)
+            if order < 0:
+                continue
+            self.under.append(any(b in kind.under for b in own))
+            facts = Invariants.of([*lasting.rows, row])
+            rate = facts.reduce(product(row, exact.fields[here]))
+            self.functions.append(
+                WatchedFunction(tuple(own), _timed(row), _timed(leading), order, facts, rate)
+            )
+            self.starts.append(leading)
+        if mapped.section.phase is not None:
+            section, (c, s) = mapped.section, structure.forcing[0]
+            pivots = section.facts.pivots
+            forced = [section.facts.rows[pivots.index(k)] for k in (c, s)]
+            clock = _clock(section.period(system) * (kind.clock + 1), len(structure.states))
+            facts = Invariants.of([*lasting.rows, *forced])
+            self.functions.append(WatchedFunction((CLOCK,), clock, clock, 0, facts, ()))
+            # states that reach a boundary just then are both on the section and beyond it
+            self.under.append(True)
+        self.begins = [Rounded.of(f.leading) for f in self.functions]
+        self.phase = PhaseEnds(mapped._flows[here], self.functions)
+
+    def ends(self, parts: _SetParts, work: _PartsLeft) -> Iterator[EndedSets]:
+        """The ways in which it may end; origins are numbers of the parts."""
+        if self.stuck:
+            work.lose(parts.origin)
+            return
+        states, origin = parts.states, np.arange(len(parts.origin))
+        values = [tuple(x[:, 0] for x in states.ranges(row)) for row in self.begins]
+        passed = [
+            k
+            for k, ((_, high), under) in enumerate(zip(values, self.under, strict=True))
+            if not under and not (high < 0).all()
+        ]
+        if passed:
+            yield from self._passed_at_start(parts, values, passed, work)
+        for k, row in enumerate(self.begins):
+            states, alive = states.cut(_negative(row))
+            sure = values[k][0][origin] > 0
+            states, origin = states[alive & ~sure], origin[alive & ~sure]
+        if not len(origin):
+            return
+        found, lost = self.phase.ends(states)
+        work.lose(parts.origin[origin[lost]])
+        for end in found:
+            yield end._replace(origin=origin[end.origin])
+
+    def _passed_at_start(
+        self, parts: _SetParts, values: Sequence[Any], passed: Sequence[int], work: _PartsLeft
+    ) -> Iterator[EndedSets]:
+        """States beyond boundaries at the start of the phase, which they leave at once."""
+        touched = [
+            k
+            for k, (_, high) in enumerate(values)
+            if k not in passed and not (high < 0).all() and self.functions[k].boundaries != (CLOCK,)
+        ]
+        every = [*passed, *touched]
+        for count in range(1, len(every) + 1):
+            for chosen in combinations(every, count):
+                if chosen[0] not in passed:
+                    continue
+                states, origin = parts.states, np.arange(len(parts.origin))
+                for k in every:
+                    row = self.begins[k] if k in chosen else _negative(self.begins[k])
+                    states, alive = states.cut(row)
+                    if k not in chosen:
+                        alive &= ~(values[k][0][origin] > 0)
+                    else:
+                        alive &= ~(values[k][1][origin] < 0)
+                    states, origin = states[alive], origin[alive]
+                if not len(origin):
+                    continue
+                if count > 2:
+                    work.lose(parts.origin[origin])
+                    continue
+                boundaries = tuple(b for k in chosen for b in self.functions[k].boundaries)
+                rising = tuple(self.starts[k] for k in chosen)
+                yield EndedSets(states, origin, boundaries, self.kind.facts, rising)
 
 
-def _next(depth: int, index: int) -> tuple[int, int]:
-    """The next window, as long as the binary digits of its place allow."""
-    index += 1
-    while depth and index % 2 == 0:
-        index, depth = index // 2, depth - 1
-    return depth, index
+def _kept(parts: _SetParts, row: Rounded) -> _SetParts:
+    """The parts of parts for which a function is not negative."""
+    states, alive = parts.states.cut(row)
+    return parts.chosen(alive)._replace(states=states[alive])
+
+
+def _leading(row: Row, along: Sequence[Row], facts: Invariants) -> tuple[Row, int]:
+    """The first derivative that is not exactly zero, and its order; -1 if all are."""
+    for order in range(len(row) + 1):
+        reduced = facts.reduce(row)
+        if any(reduced):
+            return reduced, order
+        row = product(row, along)
+    return row, -1
+
+
+def _direction(row: Row) -> Row:
+    """A row up to a positive factor."""
+    size = next((abs(x) for x in row if x), 1)
+    return tuple(x / size for x in row)
+
+
+def _clock(time: Any, size: int) -> arb_mat:
+    """The time since another one, as a row."""
+    from flint import arb, arb_mat
+
+    return arb_mat([[*(arb(0),) * size, arb(1), -time]])
 
 
 def _timed(row: Sequence[Any]) -> arb_mat:
-    from flint import arb
+    from flint import arb, arb_mat
 
-    return _row([*(arb(x) for x in row[:-1]), arb(0), arb(row[-1])])
+    return arb_mat([[*(arb(x) for x in row[:-1]), arb(0), arb(row[-1])]])
 
 
-def _row(entries: Sequence[arb]) -> arb_mat:
-    from flint import arb_mat
+def _rounded(row: Sequence[Any]) -> Rounded:
+    return Rounded.of(_timed(row))
 
-    return arb_mat([list(entries)])
+
+def _negative(row: Rounded) -> Rounded:
+    return Rounded(-row.middle, row.radius)

@@ -1,0 +1,177 @@
+"""Grids of boxes, exact in binary: which of them a box meets, and whether given ones cover it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import product
+from math import prod
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonsmooth.runtime.core.float_sets import Floats, ManySets
+
+__all__ = ["BoxGrid"]
+
+
+@dataclass(frozen=True)
+class BoxGrid:
+    """Boxes k h <= x <= (k + 1) h with h a power of 2 for each coordinate.
+
+    Attributes
+    ----------
+    exponents : tuple of int
+        Of 2, of the sides.
+    first, counts : tuple of int
+        The numbers k of the first boxes, and how many there are.
+    """
+
+    exponents: tuple[int, ...]
+    first: tuple[int, ...]
+    counts: tuple[int, ...]
+
+    @staticmethod
+    def around(low: Floats, high: Floats, sides: Floats) -> BoxGrid:
+        """The grid that covers a box, with sides that are no longer than some.
+
+        Parameters
+        ----------
+        low, high, sides : array (d,)
+
+        Returns
+        -------
+        BoxGrid
+        """
+        exponents = tuple(int(x) for x in np.floor(np.log2(sides)))
+        unit = 2.0 ** np.array(exponents)
+        first = np.floor(low / unit).astype(int)
+        last = np.ceil(high / unit).astype(int)
+        return BoxGrid(
+            exponents, tuple(map(int, first)), tuple(map(int, np.maximum(last - first, 1)))
+        )
+
+    def __len__(self) -> int:
+        return prod(self.counts)
+
+    @cached_property
+    def sides(self) -> Floats:
+        """Lengths of the sides."""
+        found: Floats = 2.0 ** np.array(self.exponents)
+        return found
+
+    def bounds(self, numbers: NDArray[np.int_]) -> tuple[Floats, Floats]:
+        """Least and largest coordinates (B, d) of boxes, exactly.
+
+        Parameters
+        ----------
+        numbers : array of int (B,)
+            In C order.
+
+        Returns
+        -------
+        tuple of arrays
+        """
+        places = np.stack(np.unravel_index(numbers, self.counts), axis=1) + np.array(self.first)
+        return places * self.sides, (places + 1) * self.sides
+
+    def sets(self, numbers: NDArray[np.int_]) -> ManySets:
+        """Boxes as sets.
+
+        Parameters
+        ----------
+        numbers : array of int (B,)
+
+        Returns
+        -------
+        ManySets
+            In R^(d + 1).
+        """
+        return ManySets.of_boxes(*self.bounds(numbers))
+
+    def met(
+        self, low: Floats, high: Floats
+    ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
+        """Which boxes of the grid other boxes meet.
+
+        Parameters
+        ----------
+        low, high : array (B, d)
+
+        Returns
+        -------
+        tuple of arrays
+            From which place and up to behind which, (B, d) each; and whether all of each is
+            inside of the grid, (B,).
+        """
+        size, counts = self.sides, np.array(self.counts)
+        begin = np.floor(low / size).astype(int) - np.array(self.first)
+        end = np.floor(high / size).astype(int) + 1 - np.array(self.first)
+        inside = ((begin >= 0) & (end <= counts)).all(axis=1)
+        begin, end = np.clip(begin, 0, counts), np.clip(end, 0, counts)
+        return begin, end, inside
+
+    def numbers_met(
+        self, low: Floats, high: Floats
+    ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
+        """Pairs: the number of one of the boxes given, and of one of the grid that it meets.
+
+        Parameters
+        ----------
+        low, high : array (B, d)
+
+        Returns
+        -------
+        tuple of arrays
+            (P,), (P,), and whether all of each is inside of the grid, (B,).
+        """
+        begin, end, inside = self.met(low, high)
+        spans = np.maximum(end - begin, 0)
+        each = spans.prod(axis=1)
+        owner = np.repeat(np.arange(len(low)), each)
+        left = np.arange(len(owner)) - np.repeat(np.cumsum(each) - each, each)
+        number = np.zeros(len(owner), dtype=int)
+        scale = 1
+        for k in reversed(range(len(self.counts))):
+            width = spans[owner, k]
+            number += scale * (begin[owner, k] + left % np.maximum(width, 1))
+            left = left // np.maximum(width, 1)
+            scale *= self.counts[k]
+        return owner, number, inside
+
+    def sums(self, good: NDArray[np.bool_]) -> NDArray[np.int64]:
+        """How many of the boxes up to each place are among some.
+
+        Parameters
+        ----------
+        good : array of bool (len(self),)
+
+        Returns
+        -------
+        array of int, with one more place than boxes along each coordinate
+        """
+        found = good.reshape(self.counts).astype(np.int64)
+        for axis in range(len(self.counts)):
+            found = np.cumsum(found, axis=axis)
+        return np.pad(found, [(1, 0)] * len(self.counts))
+
+    def covered(self, sums: NDArray[np.int64], low: Floats, high: Floats) -> NDArray[np.bool_]:
+        """Whether boxes lie in the union of some of the grid.
+
+        Parameters
+        ----------
+        sums : array of int
+            Of those, as `sums` gives them.
+        low, high : array (B, d)
+
+        Returns
+        -------
+        array of bool (B,)
+        """
+        begin, end, inside = self.met(low, high)
+        total = np.zeros(len(low), dtype=np.int64)
+        for lower in product((False, True), repeat=len(self.counts)):
+            places = zip(begin.T, end.T, lower, strict=True)
+            total += (-1) ** sum(lower) * sums[tuple(b if own else e for b, e, own in places)]
+        covered: NDArray[np.bool_] = inside & (total == np.maximum(end - begin, 0).prod(axis=1))
+        return covered

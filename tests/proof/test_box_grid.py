@@ -1,0 +1,45 @@
+"""Grids of boxes: what they meet and cover, by looking at every box."""
+
+import numpy as np
+import pytest
+
+from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
+
+GRID = BoxGrid((-2, -1), (-3, 2), (7, 5))
+
+
+def test_a_grid_covers_its_box_with_sides_that_are_short_enough():
+    grid = BoxGrid.around(np.array([-1.0, 0.3]), np.array([2.0, 0.9]), np.array([0.3, 0.1]))
+    low, high = grid.bounds(np.arange(len(grid)))
+    assert grid.exponents == (-2, -4)
+    assert (low.min(axis=0) <= [-1, 0.3]).all()
+    assert (high.max(axis=0) >= [2, 0.9]).all()
+    assert len(grid) == 12 * 11
+
+
+@pytest.fixture
+def boxes():
+    random = np.random.default_rng(1)
+    low = random.uniform((-1, 0.8), (1, 3.6), (300, 2))
+    return low, low + random.uniform(0, 1.2, (300, 2))
+
+
+def test_the_boxes_that_are_met_are_those_that_overlap(boxes):
+    low, high = boxes
+    owner, number, inside = GRID.numbers_met(low, high)
+    least, most = GRID.bounds(np.arange(len(GRID)))
+    for k in range(len(low)):
+        overlap = ((least <= high[k]) & (low[k] < most)).all(axis=1)
+        assert set(number[owner == k]) == set(np.flatnonzero(overlap))
+        assert inside[k] == bool((low[k] >= least[0]).all() and (high[k] < most[-1]).all())
+    assert 0 < inside.sum() < len(low)
+
+
+def test_boxes_are_covered_where_all_that_they_meet_are_good(boxes):
+    low, high = boxes
+    good = np.random.default_rng(2).random(len(GRID)) < 0.9
+    owner, number, inside = GRID.numbers_met(low, high)
+    covered = GRID.covered(GRID.sums(good), low, high)
+    for k in range(len(low)):
+        assert covered[k] == bool(inside[k] and good[number[owner == k]].all())
+    assert 0 < covered.sum() < len(low)
