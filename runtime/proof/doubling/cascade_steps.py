@@ -146,7 +146,7 @@ class CascadeSteps:
             self._tell(number, 0.5)
             state = self._branch(state, doubled)
         except (_Stopped, NotCovered) as reason:
-            ended = getattr(reason, "ended", "not covered")
+            ended: Ended = getattr(reason, "ended", "not covered")
             if ended == "unfinished":
                 return state
             return replace(state, ended=ended, end=f"doubling {number}: {reason}")
