@@ -359,8 +359,13 @@ def test_two_boundaries_that_are_reached_at_one_time_are_followed():
     assert set(np.round(leaves.low[leaves.origin == 2].ravel(), 6)) == {7.0}
 
 
-def test_three_boundaries_together_are_lost():
-    both = transition("middle", ["side", "top"], [["0", "0", "-1"], ["0", "0", "5"]], "last")
-    declared = handmade(both, side=["0", "1", "0"])
-    declared["configurations"]["middle"]["boundaries"]["third"] = ["1", "3", "0"]
+@pytest.mark.parametrize("count", [3, 4])
+def test_more_boundaries_together_are_lost(count):
+    names = [f"side {number}" for number in range(count)]
+    told = [["0", "0", "-1"], ["0", "0", "5"]]
+    both = [transition("middle", names[:many], told, "last") for many in range(1, count + 1)]
+    declared = handmade(*both)
+    rows = {name: ["1", str(number), "0"] for number, name in enumerate(names)}
+    declared["configurations"]["middle"]["boundaries"] = rows
+    # y > 0 is beyond all of them; from y < 0 on the first one is reached before the others
     assert carried(declared, [-0.2, 0.1], [-0.1, 0.2]).lost.tolist() == [False, True]
