@@ -31,6 +31,7 @@ _LARGEST, _SMALLEST = 2, 24  # powers of 1/2: sizes of sets that are tried, of t
 _POWERS = (1, 2, 4, 8)
 _FINEST, _MOST = 2.0**-7, 2000  # of a set: narrower parts are not divided; parts
 _UP = 2**20
+_SKEW = 1e6  # condition of a frame, at most
 
 
 class AttractingCore(NamedTuple):
@@ -79,6 +80,10 @@ def attracting_core(
             trouble = reason
             continue
         frame = _frame(slope)
+        turned = np.linalg.inv(frame) @ slope @ frame
+        if np.abs(turned).sum(axis=1).max() >= 1:
+            trouble = Undecided("the map does not contract about the orbit", digits=False)
+            continue
         for size in range(_LARGEST, _SMALLEST):
             h_set = decimal_set("core", centre.tolist(), frame * scale * 2.0**-size)
             try:
@@ -111,7 +116,10 @@ def _image(mapped: SectionMap, h_set: HSet) -> tuple[AffineSet, Floats]:
 
 
 def _frame(slope: Floats) -> Floats:
-    """Real and imaginary parts of eigenvectors, as columns of length 1."""
+    """Eigenvectors as columns; of two that are conjugate the real and the imaginary part.
+
+    So a rotation looks like one.
+    """
     values, vectors = np.linalg.eig(slope)
     columns = []
     for value, vector in zip(values, vectors.T, strict=True):
@@ -120,8 +128,7 @@ def _frame(slope: Floats) -> Floats:
         if value.imag > 0:
             columns.append(vector.imag)
     frame = np.array(columns).T
-    frame = frame / np.linalg.norm(frame, axis=0)
-    return frame if np.linalg.cond(frame) < 1e6 else np.eye(len(slope))
+    return frame if np.linalg.cond(frame) < _SKEW else np.eye(len(slope))
 
 
 def _contraction(mapped: SectionMap, h_set: HSet) -> tuple[Fraction, tuple[PassedTransition, ...]]:

@@ -18,7 +18,6 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.explore.finding.find import start_box
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
 from nonsmooth.runtime.proof.basin.attracting_core import AttractingCore, attracting_core
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.basin.basin_section import MetSection, section_of
@@ -36,8 +35,9 @@ _BITS = 64  # of flows, before they are rounded to doubles
 _LONGEST = 16  # transitions from a tile to the section
 _EVERY = 10.0  # seconds between states that are kept
 _BATCH = 1024  # tiles, or boxes of the section, at once
-_FINEST_SECTION = 13  # powers of 1/2, in one dimension, of the section's range: its boxes
-_OF_CORE = 128  # part of the core's size that boxes of the section are to have
+_ALONG, _OF_LENGTH = 8192, 128  # boxes along a section, and in the core
+_AROUND, _OF_AREA = 256, 8  # the same along each of two coordinates
+_STRETCHED = 64  # sides of boxes of the section: wider images are divided
 _TILES = 128  # along the longest side of the box of starts
 _MOST_TILES = 50_000_000
 _SEED = 20  # of the order of tiles
@@ -73,7 +73,7 @@ def certify_basin(
         a forcing it bounds the boxes of the section.
     side : float, optional
         Tiles are no longer than this: a power of 2 at most so large is taken. By default a 128th
-        of the longest side of the box.
+        of the longest side of the box. Boxes of the section have sides that suit the core.
     tiles : int
         How many tiles are looked at, beyond those that were looked at before.
     widest : float, optional
@@ -131,7 +131,7 @@ def certify_basin(
         if length is not None and not (np.isfinite(length) and length > 0):
             raise InputError(f"{name} = {length!r} is not a positive number")
     check_converged(orbit)
-    point = physical_parameters(orbit)
+    point = orbit.problem.physical(orbit)
     if point.chosen:
         raise InputError(
             f"{orbit.name} leaves {', '.join(point.chosen)} open, on which its basin depends: give"
@@ -146,14 +146,14 @@ def certify_basin(
         if len(enclosed.structure.forcing) > 1:
             raise InputError(f"{enclosed.structure.name} has several forcings: a basin needs one")
         met = section_of(enclosed, motion, float(orbit.period))
+        if resume is not None:
+            question.check_same(resume, met)
+            return question.tiled(met, resume, tiles, keep)
         scale = float(np.abs(whole[list(met.section.free)]).max())
         try:
             core = attracting_core(enclosed, met.section, met.iterates, met.point, scale)
         except Undecided as reason:
             return question.undecided(met, reason.reason)
-    if resume is not None:
-        question.check_same(resume, met)
-        return question.tiled(met, resume, tiles, keep)
     return question.tiled(met, question.on_section(met, core), tiles, keep)
 
 
@@ -179,6 +179,7 @@ class _BasinQuestion:
             self.system = at(_BITS)
         lengths = limits[:, 1] - limits[:, 0]
         self.side = float(lengths.max() / _TILES if side is None else side)
+        self.wide_given = widest is not None
         self.widest = 2 * self.side if widest is None else widest
 
     def _mapped(self, met: MetSection) -> BranchingMap:
@@ -193,19 +194,22 @@ class _BasinQuestion:
         low, high = self.limits.T
         return BoxGrid.around(low, high, np.full(len(low), self.side))
 
+    def _section_grid(self, met: MetSection, core: AttractingCore) -> BoxGrid:
+        """Boxes around the core that are small against it: those next to it have to lead into it."""
+        free = list(met.section.free)
+        low, high = (self.whole if met.section.phase is None else self.limits)[free].T
+        centre, sides = core.h_set.near
+        reach = np.abs(sides).sum(axis=1)
+        count, share = (_ALONG, _OF_LENGTH) if len(free) == 1 else (_AROUND, _OF_AREA)
+        side = reach / share
+        far = side * count ** (2 / len(free)) / 2 if len(free) > 1 else side * count / 2
+        return BoxGrid.around(np.maximum(low, centre - far), np.minimum(high, centre + far), side)
+
     def on_section(self, met: MetSection, core: AttractingCore) -> BasinCertificate:
         """What is proved on the section."""
-        free = list(met.section.free)
-        if met.section.phase is None:
-            low, high = self.whole[free].T
-            # as fine as its dimension allows: a box next to the core has to be mapped into it
-            power = _FINEST_SECTION // len(free)
-            reach = np.abs(core.h_set.near[1]).sum(axis=1)
-            finest = (high - low) / 2.0**power
-            grid = BoxGrid.around(low, high, np.clip(reach / _OF_CORE, finest, 8 * finest))
-        else:
-            low, high = self.limits[free].T
-            grid = BoxGrid.around(low, high, np.full(len(free), self.side))
+        grid = self._section_grid(met, core)
+        if met.section.phase is not None and not self.wide_given:
+            self.widest = _STRETCHED * float(grid.sides.max())
         mapped = self._mapped(met)
         with flint_precision(_BITS):
             ranks = _ranks(mapped, core.h_set, grid, self.progress)
@@ -305,14 +309,14 @@ class _BasinQuestion:
     def check_same(self, known: BasinCertificate, met: MetSection) -> None:
         """Refuse a state of another question."""
         asked = self.undecided(met, "")
+        if known.tiles is not None:
+            check_same_question("basin", {"box or side": self._tiles}, {"box or side": known.tiles})
         names = ("system", "orbit", "parameters", "configuration", "source", "boundary", "widest")
         check_same_question(
             "basin",
             {name: getattr(asked, name) for name in names},
             {name: getattr(known, name) for name in names},
         )
-        if known.tiles is not None:
-            check_same_question("basin", {"box or side": self._tiles}, {"box or side": known.tiles})
 
     def _told(self, passages: Sequence[PassedTransition]) -> tuple[tuple[str, str, str], ...]:
         """Transitions by names."""

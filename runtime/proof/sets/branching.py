@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 __all__ = ["BranchingMap", "Leaves"]
 
 _AT_ONCE = 1024  # sets
-_STEP = 0.25  # of the time in which the fastest motion goes half a radian
+_STEP = 0.125  # of the time in which the fastest motion goes half a radian
 
 
 class Leaves(NamedTuple):

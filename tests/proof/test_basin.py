@@ -1,0 +1,177 @@
+"""Basins that are proved: exact motions go where the proof says, and nothing false is said."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+
+GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
+DATA = {
+    "chi": "0.5",
+    "eta": "1",
+    "V": "1",
+    "us1": "1",
+    "us2": "1",
+    "ur1": "4.0195",
+    "ur2": "1.4831",
+}
+BOX = {"x1": (2, 3), "x2": (6, 7), "v1": (-1, 0.5), "v2": (-1, 0.5)}
+
+
+@pytest.fixture(scope="module")
+def orbit():
+    return ns.solve("dry-friction/global-stick", DATA)
+
+
+@pytest.fixture(scope="module")
+def found(orbit):
+    return ns.certify_basin(orbit, box=BOX, side=0.125, tiles=60)
+
+
+@pytest.fixture(scope="module")
+def impact():
+    orbit = ns.solve(
+        f"{GALLERY / 'impact_oscillator.py'}:one-period", {"r": "0.8", "sigma": "0.1", "w": "2.4"}
+    )
+    assert orbit.stability.verdict == "stable"
+    return orbit
+
+
+def returns(start, count):
+    """x2 where a motion comes to the section, so many times."""
+    motion = ns.simulate("dry-friction", DATA, start, "slip-stick", transitions=30 * count)
+    names = motion.configurations
+    at = [k for k in range(1, len(names)) if names[k - 1 : k + 1] == ("stick-stick", "slip-stick")]
+    return motion.states[at[:count], 1]
+
+
+def on_section(x2):
+    return [4.0195 + x2 / 2, x2, 1.0, 1.0]
+
+
+def test_the_core_is_around_the_orbit_and_contracted(orbit, found):
+    assert found.proved
+    assert found.coordinates == ("x2",)
+    centre, side = float(found.core.centre[0]), abs(float(found.core.sides[0][0]))
+    exact = orbit.trajectory().states[1, 1]
+    assert abs(centre - exact) < 1e-5
+    ends = np.array([centre - 0.99 * side, exact, centre + 0.99 * side])
+    images = np.array([returns(on_section(x), 1)[0] for x in ends])
+    rates = np.abs(np.diff(images) / np.diff(ends))
+    assert (rates < float(eval_fraction(found.contraction))).all()
+    assert ((centre - side < images) & (images < centre + side)).all()
+
+
+def eval_fraction(text):
+    above, below = text.split("/")
+    return int(above) / int(below)
+
+
+def test_motions_from_boxes_come_to_smaller_ranks(found):
+    random = np.random.default_rng(1)
+    good = np.flatnonzero(found.ranks > 0)
+    for number in random.choice(good, 40, replace=False):
+        low, high = found.grid.bounds(np.array([number]))
+        place = random.uniform(low[0, 0], high[0, 0])
+        try:
+            (image,) = returns(on_section(place), 1)
+        except ns.InputError:
+            continue  # no state of the section: beyond a boundary
+        (place_of,) = np.floor(image / found.grid.sides).astype(int) - found.grid.first
+        assert 0 <= found.ranks[place_of] < found.ranks[number]
+
+
+def test_motions_from_tiles_come_to_the_orbit(orbit, found):
+    random = np.random.default_rng(2)
+    good = np.flatnonzero(found.attracted)
+    assert len(good) > 20
+    x2 = orbit.trajectory().states[1, 1]
+    for number in random.choice(good, 8, replace=False):
+        low, high = found.tiles.bounds(np.array([number]))
+        start = random.uniform(low[0], high[0])
+        motion = ns.simulate("dry-friction", DATA, start, transitions=2500)
+        names = motion.configurations
+        at = [k for k, n in enumerate(names) if n == "slip-stick" and names[k - 1] == "stick-stick"]
+        # it contracts by 0.98 in each period
+        assert abs(motion.states[at[-1], 1] - x2) < 0.02
+
+
+def test_more_tiles_are_added_to_those_that_were_looked_at(orbit, found):
+    more = ns.certify_basin(orbit, box=BOX, side=0.125, tiles=20, resume=found)
+    assert more.looked.sum() == found.looked.sum() + 20
+    assert more.attracted[found.attracted].all()
+    whole = ns.certify_basin(orbit, box=BOX, side=0.125, tiles=80)
+    assert np.array_equal(whole.attracted, more.attracted)
+    with pytest.raises(ns.InputError, match="another box or side"):
+        ns.certify_basin(orbit, box=BOX, side=0.25, tiles=20, resume=more)
+
+
+def test_files_are_read_as_they_were(found, tmp_path):
+    found.save(tmp_path / "basin.json")
+    again = ns.load(tmp_path / "basin.json")
+    assert again.to_json() == found.to_json()
+    for name in ("ranks", "looked", "attracted"):
+        assert np.array_equal(getattr(again, name), getattr(found, name))
+
+
+@pytest.mark.compiled
+def test_with_a_forcing_the_section_holds_all_states(impact):
+    found = ns.certify_basin(impact, box={"x": (-2, 0), "v": (-1, 1)}, side=0.0625)
+    assert found.proved, found.reason
+    assert found.phase
+    assert found.tiles is None
+    assert found.coordinates == ("x", "v")
+    good = np.flatnonzero(found.ranks >= 0)
+    assert len(good) > 50
+    random = np.random.default_rng(3)
+    cosine, sine = (eval_fraction(x) if "/" in x else float(x) for x in found.phase)
+    centre = np.array([float(x) for x in found.core.centre])
+    period = 2 * np.pi / 2.4
+    values = {name: str(value) for name, value in impact.parameters.items()}
+    for number in random.choice(good, 12, replace=False):
+        low, high = found.grid.bounds(np.array([number]))
+        x, v = random.uniform(low[0], high[0])
+        if x >= 0:
+            continue
+        motion = ns.simulate(
+            impact.system, values, [x, v, cosine, sine], found.configuration, until=80 * period
+        )
+        end = motion(np.array([80 * period]))[0, :2]
+        assert np.abs(end - centre).max() < 1e-2
+
+
+def test_an_orbit_that_is_not_stable_has_no_basin():
+    orbit = ns.solve(
+        f"{GALLERY / 'impact_oscillator.py'}:one-period", {"r": "0.8", "sigma": "0.2", "w": "2.4"}
+    )
+    assert orbit.stability.verdict == "unstable"
+    found = ns.certify_basin(orbit)
+    assert found.claim == "undecided"
+    assert found.reason
+    assert found.statement.startswith("nothing is proved")
+    with pytest.raises(ns.InputError, match="nothing to draw"):
+        found.plot()
+
+
+@pytest.mark.parametrize(
+    ("wrong", "told"),
+    [
+        ({"tiles": -1}, "tiles = -1"),
+        ({"most": 0}, "most = 0"),
+        ({"bits": 10}, "bits = 10"),
+        ({"side": 0}, "side = 0"),
+        ({"widest": float("nan")}, "widest = nan"),
+        ({"box": {"x9": (0, 1)}}, "x9"),
+        ({"box": {"x1": (1, 0)}}, "no interval"),
+    ],
+)
+def test_wrong_numbers_are_refused(orbit, wrong, told):
+    with pytest.raises(ns.InputError, match=told):
+        ns.certify_basin(orbit, **wrong)
+
+
+def test_parameters_that_an_orbit_leaves_open_are_asked_for():
+    with pytest.raises(ns.InputError, match="open"):
+        ns.certify_basin(ns.solve("dry-friction/global-stick"))
