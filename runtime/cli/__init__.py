@@ -22,11 +22,13 @@
 `display_certificates`  certificates, maps and events for people
 `display_checks`        checks of certificates for people
 `display_fits`          fits for people
+`display_graphs`        graphs of boxes for people
 `display_motions`       motions and found orbits for people
 `display_regions`       regions and curves of a map of two parameters
 `doctor`                `doctor`
 `fitting`               `fit`
 `generating`            `generate`
+`graphs`                `graph`
 `motions`               `simulate`, `find`, `sweep`
 `report_motions`        motions as JSON
 `tables`                consoles and tables that are as wide as they need to be
