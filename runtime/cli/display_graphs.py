@@ -38,7 +38,7 @@ def show_graph(found: GraphCertificate) -> None:
         within = ", ".join(f"{name} = {a:g}:{b:g}" for name, a, b in ends)
         kind = Text("attracting", style="green") if own.attracting else Text("")
         ahead = [str(j) for i, j in found.arrows if i == number]
-        ahead += ["not known"] if own.leaves else []
+        ahead += ["outside or not known"] if own.leaves else []
         table.add_row(str(number), str(len(own.boxes)), within, kind, ", ".join(ahead))
     show_table(table, out)
     if (rest := len(found.components) - _MOST) > 0:
