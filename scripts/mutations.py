@@ -339,7 +339,7 @@ PROOFS = (
              "False", BRANCHES),
     Mutation("runtime/proof/branch/crossing.py", "crossing_of", "not (below < 0 and above > 0)",
              "False", BRANCHES),
-    Mutation("runtime/checker/branch.py", "CheckedTile.holds", "abs(x - c) < r", "True",
+    Mutation("runtime/checker/branch_tile.py", "CheckedTile.holds", "abs(x - c) < r", "True",
              CHECKED_BRANCHES),
     Mutation("runtime/checker/branch.py", "_claimed", "same or tile[\"event\"]", "True",
              CHECKED_BRANCHES),

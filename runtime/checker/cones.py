@@ -117,18 +117,19 @@ def _check_set(
         parts = [part for part in parts if _spread(part) <= spread]
         while waiting:
             box = waiting.pop()
-            cut = _cut(box, strips.values())
-            if cut is None:
-                looked += 1
-                demand(looked <= _MOST, f"{name} has too many parts for its cones")
-                found, part = _looked_at(mapped, box, strips)
-                if found and _spread(part) <= spread:
-                    parts.append(part)
-                    continue
-                cut = _longest(mapped, part)
+            border = _border(box, strips.values())
+            if border is not None:
+                waiting += _divided(box, *border)
+                continue
+            looked += 1
+            demand(looked <= _MOST, f"{name} has too many parts for its cones")
+            found, part = _looked_at(mapped, box, strips)
+            if found and _spread(part) <= spread:
+                parts.append(part)
+                continue
             wide = max(b - a for a, b in box)
             demand(wide > _FINEST, f"what {name} is stretched by is not proved")
-            waiting += _halves(box, cut)
+            waiting += _halves(box, _longest(mapped, part))
         hulls = {
             other: _hull([part.slopes[other] for part in parts if other in part.slopes])
             for other in strips
@@ -159,21 +160,26 @@ def _looked_at(mapped: MappedSet, box: Box, strips: dict[str, Box]) -> tuple[boo
     return away, _MappedPart(box, image, slopes)
 
 
-def _cut(box: Box, strips: Any) -> int | None:
-    """A coordinate across which a box is cut by the border of a strip that it meets."""
+def _border(box: Box, strips: Any) -> tuple[int, Any] | None:
+    """A coordinate, and there the border of a strip, across which a box is cut."""
     for strip in strips:
         if any(b <= c or d <= a for (a, b), (c, d) in zip(box, strip, strict=True)):
             continue
-        for k, ((a, b), (c, d)) in enumerate(zip(box, strip, strict=True)):
-            if a < c < b or a < d < b:
-                return k
+        for k, ((a, b), ends) in enumerate(zip(box, strip, strict=True)):
+            for end in ends:
+                if a < end < b:
+                    return k, end
     return None
 
 
 def _halves(box: Box, k: int) -> list[Box]:
     low, high = box[k]
-    middle = (low + high) / 2
-    return [(*box[:k], half, *box[k + 1 :]) for half in ((middle, high), (low, middle))]
+    return _divided(box, k, (low + high) / 2)
+
+
+def _divided(box: Box, k: int, place: Any) -> list[Box]:
+    low, high = box[k]
+    return [(*box[:k], part, *box[k + 1 :]) for part in ((place, high), (low, place))]
 
 
 def _longest(mapped: MappedSet, part: _MappedPart) -> int:

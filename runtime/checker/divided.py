@@ -12,7 +12,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from nonsmooth.runtime.checker.branch import solution
+from nonsmooth.runtime.checker.branch_curve import solution
 from nonsmooth.runtime.checker.exact import demand, exact
 from nonsmooth.runtime.checker.motion import Border, admissibility, time_of_touch
 from nonsmooth.runtime.checker.orbit import CheckedOrbit

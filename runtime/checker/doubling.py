@@ -16,12 +16,9 @@ from typing import Any
 
 from flint import arb, arb_mat, ctx
 
-from nonsmooth.runtime.checker.branch import (
-    CheckedCurve,
-    CheckedTile,
-    checked_tiles,
-    solution,
-)
+from nonsmooth.runtime.checker.branch import checked_tiles
+from nonsmooth.runtime.checker.branch_curve import CheckedCurve, solution
+from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.checker.exact import Failure, check_sum, demand, exact, inside
 from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
@@ -30,11 +27,11 @@ from nonsmooth.runtime.checker.shape import CASCADE, check_shape
 from nonsmooth.runtime.checker.stability import characteristic, passing, stability
 from nonsmooth.runtime.core.jets import jet, part_of
 from nonsmooth.runtime.core.taylor_averages import (
-    at_both_ends,
+    AT_BOTH_ENDS,
+    BENT_MEAN,
+    MEAN,
     averaged,
-    bent_mean,
     lifted,
-    mean,
 )
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of, space_of
 
@@ -70,7 +67,11 @@ def check_cascade(content: dict[str, Any]) -> None:
     decided = all(doubling["verdict"] != "undecided" for doubling in doublings)
     whole = len(doublings) == content["asked"] and decided
     demand((content["claims"]["doublings"] == "proved") == whole, "the claim is another one")
-    demand(not (whole and content["end"]), "a reason why it goes no further, though it is whole")
+    complete = content["ended"] == "complete"
+    demand(
+        not complete or len(doublings) == content["asked"], "fewer doublings than were asked for"
+    )
+    demand(not (complete and content["end"]), "a reason why it goes no further, though it is whole")
     tiles = []
     for number, branch in enumerate(branches, 1):
         try:
@@ -122,11 +123,10 @@ class _CheckedDoubling:
         self.tile = tiles[doubling["tile"] - 1]
         self.first = others[0] if beyond["start"] == 0 else others[-1]
         self.begin = self.first.begin if beyond["start"] == 0 else self.first.end
-        self.curve, self.twice = self.tile.curve, self.first.curve
+        self.curve, self.twice = self.tile.curve, self.first.curve.undivided()
         event = self.tile.event
         demand(event is not None and event["kind"] == "flip", "there is no flip")
-        undivided = self.curve.short is None and self.twice.short is None
-        demand(undivided, "its equations are divided by a dwell time")
+        demand(self.curve.short is None, "its equations are divided by a dwell time")
         demand(doubling["scaled"] in self.curve.declared.unknowns, "there is no such unknown")
         self.scaled = self.curve.declared.unknowns.index(doubling["scaled"])
         self.size = self.curve.last
@@ -200,7 +200,10 @@ class _CheckedDoubling:
         demand(inside(rate, self.doubling["rate"]), "the rate is not in its enclosure")
 
     def _goes_on(self) -> list[Any]:
-        """The doubled branch begins with an orbit of the tube."""
+        """The doubled branch begins with an orbit of the tube.
+
+        Solutions of equations divided by a dwell time solve those that are not.
+        """
         twice = self.twice
         demand(self.first.place == twice.last, "the doubled branch begins by another coordinate")
         orbit = self.first.at(arb(self.begin))
@@ -273,14 +276,14 @@ class _CheckedDoubling:
         column, wide = matrix([[w] for w in away]), matrix([[w] for w in direction])
         slopes, along = part_of(first.slopes, 0), part_of(first.slopes, 1)
         start = self._start_rows()
-        ends, second = averaged(slopes, at_both_ends), averaged(part_of(bend.slopes, 1), mean)
+        ends, second = averaged(slopes, AT_BOTH_ENDS), averaged(part_of(bend.slopes, 1), MEAN)
         values = (
-            averaged(part_of(first.values, 0), at_both_ends),
-            averaged(slopes * wide, mean) + 2 * start * column,
+            averaged(part_of(first.values, 0), AT_BOTH_ENDS),
+            averaged(slopes * wide, MEAN) + 2 * start * column,
         )
         by_value = (
-            averaged(part_of(first.values, 1), at_both_ends),
-            averaged(along * wide, mean),
+            averaged(part_of(first.values, 1), AT_BOTH_ENDS),
+            averaged(along * wide, MEAN),
         )
         closed = ends + 2 * start
         n = self.size
@@ -305,8 +308,8 @@ class _CheckedDoubling:
         pairs = zip(point, direction, strict=True)
         bend = self._passage([jet(u, w, None) for u, w in pairs], value)
         wide = matrix([[w] for w in direction])
-        second = averaged(part_of(bend.slopes, 1) * wide, mean)
-        third = averaged(2 * part_of(bend.slopes, 2) * wide, bent_mean)
+        second = averaged(part_of(bend.slopes, 1) * wide, MEAN)
+        third = averaged(2 * part_of(bend.slopes, 2) * wide, BENT_MEAN)
         _, slopes = self.equations(a, unknowns)
         try:
             y = slopes.mid().inv().mid()

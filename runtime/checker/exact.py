@@ -82,7 +82,8 @@ def check_sum(content: dict[str, Any]) -> None:
 def agreed_claims(claims: dict[str, str], reasons: dict[str, str]) -> tuple[str, str, str]:
     """Verdicts on existence, admissibility and stability that may go together.
 
-    There is a reason for each that is not proved, and for no other.
+    There is a reason for each that is not proved, and for no other; where no orbit is proved that
+    reason may stand for all.
 
     Parameters
     ----------
@@ -105,7 +106,8 @@ def agreed_claims(claims: dict[str, str], reasons: dict[str, str]) -> tuple[str,
     if exists != "proved":
         demand({*others} == {"undecided"}, "a claim about no orbit")
     missed = {name for name, verdict in claims.items() if verdict != "proved"}
-    demand(reasons.keys() == missed, "there are reasons for other claims")
+    alone = exists != "proved" and reasons.keys() == {"existence"}
+    demand(alone or reasons.keys() == missed, "there are reasons for other claims")
     return exists, others[0], others[1]
 
 

@@ -88,6 +88,27 @@ class Border(NamedTuple):
 
     def _condition(self, orbit: CheckedOrbit) -> Any:
         """A number that is negative where a condition is as the itinerary asks."""
+        row, falls = self.condition(orbit)
+        value = orbit.value(row, orbit.now.ends[self.phase].entries())
+        return -value if falls else value
+
+    def condition(self, orbit: CheckedOrbit) -> tuple[Any, bool]:
+        """Its condition.
+
+        Parameters
+        ----------
+        orbit : CheckedOrbit
+
+        Returns
+        -------
+        tuple of (row, bool)
+            The function behind the end, and whether it is positive where the inequality holds.
+
+        Raises
+        ------
+        Failure
+            If there is no such condition.
+        """
         phase = orbit.declared.phases([])[self.phase]
         number, place = self.listed
         demand(len(phase.orders) == 1 and not phase.lawful, "this is no such event")
@@ -96,8 +117,7 @@ class Border(NamedTuple):
         demand(place < len(way.conditions), "there is no such condition")
         row, expected = way.conditions[place]
         demand(row is not None and any(row), "this is no such event")
-        value = orbit.value(row, orbit.now.ends[self.phase].entries())
-        return -value if expected == way.wanted else value
+        return row, expected == way.wanted
 
     def watched(self, orbit: CheckedOrbit) -> StatedBoundary:
         """Its boundary.

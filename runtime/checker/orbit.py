@@ -7,7 +7,7 @@ Existence is one root of the equations in a box, by Krawczyk's theorem (1969).
 """
 
 from collections.abc import Callable, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 from flint import arb, arb_mat
@@ -15,6 +15,7 @@ from flint import arb, arb_mat
 from nonsmooth.runtime.checker.declared import StatedSystem, gauge_of
 from nonsmooth.runtime.checker.exact import Failure, demand
 from nonsmooth.runtime.checker.short import Short, quotient, quotients
+from nonsmooth.runtime.core.matrix_chains import along_chain, framed_phases
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 
 __all__ = ["CheckedOrbit", "Cut", "Passage", "PhaseNumbers", "lower", "trace_of"]
@@ -128,9 +129,14 @@ class CheckedOrbit:
         y, dy = matrix(first), matrix(slope)
         starts, ends, values, rows = [y], [], [], []
         begin, before = y, dy
+        seen = None
+        if self.short is None:  # from frames that turn with the states, where there are many
+            seen = framed_phases(*chain[:3], flows)
+            chain = PhaseNumbers(seen.fields, seen.rows, seen.resets, chain.period)
+            flows = seen.flows
         for place, (b, n, r) in enumerate(zip(*chain[:3], strict=True)):
             own = arb_mat([[int(j == self.first + place) for j in range(self.count)]])
-            divided = self.short is not None and place == self.short.place
+            divided = self.short is not None and self.short[::2] == (place, True)
             if divided:
                 time, rate = unknowns[self.first + place], b * y
                 mean = n * quotient(b, time)
@@ -149,6 +155,9 @@ class CheckedOrbit:
                 dy = r * dy
             y = r * y
             starts.append(y)
+        if seen is not None:
+            starts = [frame * y for frame, y in zip(seen.starts, starts, strict=True)]
+            ends = [frame * y for frame, y in zip(seen.ends, ends, strict=True)]
         change, closure = y - begin, dy - before
         for k in free:
             if k != self.declared.dropped:
@@ -348,27 +357,30 @@ class CheckedOrbit:
         matrix (n, n)
             Of the coordinates.
         """
-        chain, now, count = self.chain, self.now, len(self.chain.fields)
-        found = self.numbers(basis)
-        for place in (k % count for k in range(begin, begin + count)):
-            known = None if self.short is None else self.short.jumps[place]
-            if known is not None:
-                found = self.flows[place] * found
-                ahead = self.numbers([[x] for x in known]) * (chain.rows[place] * found)
-                found = chain.resets[place] * found + ahead
-                continue
-            rate = chain.fields[place] * now.ends[place]
-            jump = chain.resets[place] * rate
-            if self.declared.forcing:
-                behind = chain.fields[(place + 1) % count] * now.starts[place + 1]
-                for along in self.declared.translations if place + 1 == count else ():
-                    gauge, column = gauge_of(along), [[x] for x in (*along, 0 * along[0])]
-                    share = behind[gauge, 0] / self.number(along[gauge])
-                    behind = behind - self.numbers(column) * share
-                jump = jump - behind
-            moved, n = self.flows[place] * found, chain.rows[place]
-            found = chain.resets[place] * moved - jump * ((n * moved) / (n * rate)[0, 0])
+        count = len(self.chain.fields)
+        steps = [partial(self._moved, k % count) for k in range(begin, begin + count)]
+        found = along_chain(steps, self.numbers(basis))
         return matrix([[found[i, j] for j in range(len(free))] for i in free])
+
+    def _moved(self, place: int, found: Any) -> Any:
+        """Changes where a phase begins, moved to where the next one does."""
+        chain, now, count = self.chain, self.now, len(self.chain.fields)
+        known = None if self.short is None else self.short.jumps[place]
+        if known is not None:
+            found = self.flows[place] * found
+            ahead = self.numbers([[x] for x in known]) * (chain.rows[place] * found)
+            return chain.resets[place] * found + ahead
+        rate = chain.fields[place] * now.ends[place]
+        jump = chain.resets[place] * rate
+        if self.declared.forcing:
+            behind = chain.fields[(place + 1) % count] * now.starts[place + 1]
+            for along in self.declared.translations if place + 1 == count else ():
+                gauge, column = gauge_of(along), [[x] for x in (*along, 0 * along[0])]
+                share = behind[gauge, 0] / self.number(along[gauge])
+                behind = behind - self.numbers(column) * share
+            jump = jump - behind
+        moved, n = self.flows[place] * found, chain.rows[place]
+        return chain.resets[place] * moved - jump * ((n * moved) / (n * rate)[0, 0])
 
     def enclosures(self, section: Any = None) -> dict[str, Any]:
         """Of all that is stated by name.

@@ -224,52 +224,62 @@ EVENTS = {
     ],
 }
 _VERDICTS = re.compile("stable|neutral|unstable|not admissible|undecided")
-BRANCH = {
-    **_FILE,
-    **_STATEMENT,
-    "stability": re.compile("stable|neutral"),
-    "parameter": str,
-    "interval": (NUMBER, NUMBER),
-    "unknown_names": [str],
-    "claims": {"branch": re.compile("proved|undecided")},
-    "start": int,
-    "ends": (str, str),
-    "tiles": [
-        {
-            "coordinate": str,
-            "lower": NUMBER,
-            "upper": NUMBER,
-            "forwards": bool,
-            "before": _VERDICTS,
-            "after": _VERDICTS,
-            "reason": str,
-            "centre": [[float]],
-            "radii": [float],
-            "divided": Either((int, type(None))),
-            "event": Either(
-                (
-                    type(None),
-                    {
-                        "kind": str,
-                        "phase": Either((int, type(None))),
-                        "configuration": str,
-                        "boundary": str,
-                        "instant": str,
-                        "lower": NUMBER,
-                        "upper": NUMBER,
-                        "window": [NUMBER],
-                        "also": [(str, int, str, str)],
-                        "enclosures": _BALLS,
-                    },
-                )
-            ),
-        }
-    ],
+_EVENT = {
+    "kind": str,
+    "phase": Either((int, type(None))),
+    "configuration": str,
+    "boundary": str,
+    "instant": str,
+    "lower": NUMBER,
+    "upper": NUMBER,
+    "window": [NUMBER],
+    "also": [(str, int, str, str)],
+    "enclosures": _BALLS,
 }
+
+
+def _branch(event: Any) -> dict[str, Any]:
+    """Entries of a branch with such events."""
+    return {
+        **_STATEMENT,
+        "stability": re.compile("stable|neutral"),
+        "parameter": str,
+        "interval": (NUMBER, NUMBER),
+        "unknown_names": [str],
+        "claims": {"branch": re.compile("proved|undecided")},
+        "start": int,
+        "ends": (str, str),
+        "tiles": [
+            {
+                "coordinate": str,
+                "lower": NUMBER,
+                "upper": NUMBER,
+                "forwards": bool,
+                "before": _VERDICTS,
+                "after": _VERDICTS,
+                "reason": str,
+                "centre": [[float]],
+                "radii": [float],
+                "divided": Either((int, type(None))),
+                "event": Either((type(None), event)),
+            }
+        ],
+    }
+
+
+_BEYOND = {
+    "side": re.compile("above|below"),
+    "own": re.compile("above|below"),
+    "verdict": re.compile("stable|neutral|unstable"),
+    "branch": _branch(_EVENT),
+}
+BRANCH = {**_FILE, **_branch({**_EVENT, "beyond": Maybe([_BEYOND])})}
 CASCADE = {
     **_FILE,
+    "orbit": str,
     "claims": {"doublings": re.compile("proved|undecided")},
     "asked": int,
+    "ended": re.compile("complete|unfinished|no flip|not covered|not proved"),
     "end": str,
     "doublings": [
         {
@@ -284,7 +294,7 @@ CASCADE = {
             "radii": [float],
         }
     ],
-    "branches": [{name: shape for name, shape in BRANCH.items() if name not in _FILE}],
+    "branches": [_branch(_EVENT)],
 }
 CHAOS = {
     **_FILE,

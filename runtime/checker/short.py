@@ -1,8 +1,13 @@
-"""Phases that begin and end on one boundary and may vanish: equations divided by a dwell time.
+"""Phases that may vanish: equations and section maps that are regular there.
 
+A phase may begin and end on one boundary: its equation is divided by the dwell time.
 Where the dwell time t is zero the switching condition n y(t) = 0 holds whatever the speed is. As
 n y(0) = 0 follows from the phase before, (n y(t) - n y(0)) / t = 0 has the same solutions for
 all other t, and is regular at zero.
+
+Of an orbit that is no function of time the equations stay as they are. If all lasts in the phase
+that is known where it begins, as what sticks does, its changes at a fixed time are the section's,
+up to the flow, which the next section removes: that map needs no speed of the boundary function.
 """
 
 from collections.abc import Sequence
@@ -16,7 +21,7 @@ __all__ = ["Short", "quotient", "quotients", "short_phase"]
 
 
 class Short(NamedTuple):
-    """A phase whose condition is divided, and jumps of the velocity over speeds.
+    """A phase that may vanish, jumps of the velocity over speeds, whether it is divided.
 
     For each phase the column c with F+ R - R F- = c (n F-) where n y = 0: exact entries; None
     where there is none.
@@ -24,10 +29,11 @@ class Short(NamedTuple):
 
     place: int
     jumps: list[Any]
+    divided: bool
 
 
 def short_phase(declared: StatedSystem, place: int) -> Short:
-    """A phase that can be divided by its dwell time.
+    """A phase that may vanish: by equations that are regular there.
 
     Parameters
     ----------
@@ -42,18 +48,31 @@ def short_phase(declared: StatedSystem, place: int) -> Short:
     Raises
     ------
     Failure
-        If the phase before it does not end on the boundary that ends it.
+        If it is none that can be divided by its dwell time, or whose start is regular.
     """
     steps = declared.steps
     demand(0 <= place < len(steps) and len(steps) > 1, "there is no such phase to divide")
-    timed = declared.closing["kind"] == "forcing"
-    demand(timed and declared.rational and not declared.translations, "no phase can be divided")
+    kind = declared.closing["kind"]
+    covered = declared.rational and not declared.translations and kind in ("forcing", "state")
+    demand(covered, "no phase can be divided")
+    if kind == "state":
+        return _sticking(declared, place)
     before = steps[place - 1]
     start, last = product(steps[place].exit, before.reset), before.exit
     together = all(a * y == b * x for a, x in zip(start, last, strict=True)
                    for b, y in zip(start, last, strict=True))  # fmt: skip
     demand(together and any(last), "a phase that is divided does not begin where it may end")
-    return Short(place, [_jump(declared, k) for k in range(len(steps))])
+    return Short(place, [_jump(declared, k) for k in range(len(steps))], True)
+
+
+def _sticking(declared: StatedSystem, place: int) -> Short:
+    """A phase in which all lasts that is known where it begins."""
+    begins, lasts, _ = declared.known[place]
+    demand(begins and len(begins) == len(lasts), "what is known of a short phase does not last")
+    before = (place - 1) % len(declared.steps)
+    jump = _jump(declared, before)
+    demand(jump is not None, "a short phase does not begin regularly")
+    return Short(place, [jump if k == before else None for k in range(len(declared.steps))], False)
 
 
 def _jump(declared: StatedSystem, place: int) -> list[Any] | None:

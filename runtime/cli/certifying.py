@@ -20,13 +20,14 @@ from nonsmooth.runtime.cli.application import (
     print_json,
     split,
 )
-from nonsmooth.runtime.cli.certifying_boxes import certify_over, is_box
-from nonsmooth.runtime.cli.certifying_branches import certify_whole_branch
-from nonsmooth.runtime.cli.certifying_cascades import certify_flips
+from nonsmooth.runtime.cli.certifying_boxes import certify_over
+from nonsmooth.runtime.cli.certifying_branches import certify_flips, certify_whole_branch
 from nonsmooth.runtime.cli.certifying_events import certify_events
 from nonsmooth.runtime.cli.counting import Every, count_orbits
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new, say
+from nonsmooth.runtime.cli.long_proofs import LongProof
 from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess, SaveResult, Yes
+from nonsmooth.runtime.cli.ranges import is_box
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
@@ -138,6 +139,14 @@ def certify(
             help="Prove all of the branch over one range, V=0.6:1.3: every interval and event.",
         ),
     ] = False,
+    beyond: Annotated[
+        bool,
+        typer.Option(
+            "--beyond",
+            help="With --branch: prove which other itineraries begin where it meets a border,"
+            " and on which side.",
+        ),
+    ] = False,
     doublings: Annotated[
         int | None,
         typer.Option(
@@ -145,6 +154,14 @@ def certify(
             metavar="N",
             help="Prove the orbits of twice the period beside the first flip over one range,"
             " V=1:1.2, their side and stability; then beside the flip of these: N times.",
+        ),
+    ] = None,
+    seconds: Annotated[
+        float | None,
+        typer.Option(
+            "--seconds",
+            min=0,
+            help="With --doublings: after so long nothing more is begun; --resume goes on.",
         ),
     ] = None,
     yes: Yes = False,
@@ -164,8 +181,9 @@ def certify(
     if check is not None:
         options = (
             parameters, guess, digits, bits, save, resume, plot, tiles, derivatives, doublings,
+            seconds,
         )  # fmt: skip
-        chosen = (every, events, branch, overwrite, yes)
+        chosen = (every, events, branch, beyond, overwrite, yes)
         if any(chosen) or any(option is not None and option != [] for option in options):
             raise InputError("--check takes a file, and perhaps its orbit, and nothing else")
         return _check(check, orbit, require, as_json=as_json)
@@ -175,44 +193,44 @@ def certify(
         raise InputError(
             "--all, --events, --branch and --doublings are questions of their own: ask one of them"
         )
+    if seconds is not None and doublings is None:
+        raise InputError("--seconds is for --doublings")
     if derivatives and (every or events or branch or is_box(parameters)):
         raise InputError("--derivatives are for one orbit, at one point")
+    if beyond and not branch:
+        raise InputError("--beyond goes with --branch")
     near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
+    save = resume if save is None else save
+    given = parameters or []
+    proof = LongProof(
+        name=orbit, parameters=given, near=near, resume=resume, save=save, plot=plot,
+        overwrite=overwrite, as_json=as_json,
+    )  # fmt: skip
     if branch:
         if digits is not None or bits is not None:
             raise InputError("--digits and --bits are not for --branch: --events takes them")
         looked_at = _BRANCH_TILES if tiles is None else tiles
         check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
-        told, code = certify_whole_branch(
-            orbit, parameters or [], near, looked_at, resume, save, plot,
-            overwrite=overwrite, as_json=as_json,
-        )  # fmt: skip
-        return code if code == INTERRUPTED else _judged(told, require, code)
+        told, code = certify_whole_branch(proof, looked_at, beyond=beyond)
+        return _judged(told, require, code)
     if doublings is not None:
         if digits is not None or bits is not None:
             raise InputError("--digits and --bits are not for --doublings")
         looked_at = _BRANCH_TILES if tiles is None else tiles
         check_hours(f"{doublings} doublings", doublings * looked_at * SECONDS["tile"], yes=yes)
-        told, code = certify_flips(
-            orbit, parameters or [], near, doublings, looked_at, resume, save, plot,
-            overwrite=overwrite, as_json=as_json,
-        )  # fmt: skip
-        return code if code == INTERRUPTED else _judged(told, require, code)
+        told, code = certify_flips(proof, doublings, looked_at, seconds)
+        return _judged(told, require, code)
     if is_box(parameters) and not (every or events):
         if digits is not None or bits is not None:
             raise InputError("--digits and --bits are for one point: a box's enclosures are wide")
         looked_at = _TILES if tiles is None else tiles
         check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
-        found, code = certify_over(
-            orbit, parameters or [], near, looked_at, resume, save, plot,
-            overwrite=overwrite, as_json=as_json,
-        )  # fmt: skip
-        return code if code == INTERRUPTED else _judged(found.claims, require, code)
+        told, code = certify_over(proof, looked_at)
+        return _judged(told, require, code)
     if tiles is not None:
         raise InputError("--tiles is for a box of parameters, as in V=0.99:1.01")
     if plot is not None or (resume is not None and not events):
         raise InputError("--resume and --plot are for a box of parameters, as in V=0.99:1.01")
-    save = resume if save is None else save
     check_new(save, overwrite, resume, resumes=events)
     if digits is not None and bits is not None:
         raise InputError("--digits and --bits say the same: give one of them")
@@ -224,10 +242,8 @@ def certify(
     if every:
         return count_orbits(orbit, parameters, guess, wanted, require, save, as_json=as_json)
     if events:
-        told, code = certify_events(
-            orbit, parameters or [], near, wanted, resume, save, as_json=as_json
-        )
-        return code if code == INTERRUPTED else _judged(told, require, code)
+        told, code = certify_events(orbit, given, near, wanted, resume, save, as_json=as_json)
+        return _judged(told, require, code)
     by = split(derivatives) if derivatives else None
     return _certify(orbit, parameters, near, wanted, by, require, save, as_json)
 
@@ -287,6 +303,8 @@ def _check(path: Path, declared: str | None, require: Proven | None, *, as_json:
 
 def _judged(claims: Mapping[str, str], require: Proven | None, code: int) -> int:
     """The exit code, or another if claims that are not proved are required to be: told."""
+    if code == INTERRUPTED:
+        return code
     missed = [f"{name} {verdict}" for name, verdict in claims.items() if verdict != "proved"]
     if require is not None and missed:
         say(f"required: proved; found: {', '.join(missed)}")

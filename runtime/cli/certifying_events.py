@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from nonsmooth.runtime.cli.application import ANSWERED, UNANSWERED
-from nonsmooth.runtime.cli.certifying_boxes import box_and_values, solved_in
 from nonsmooth.runtime.cli.keeping import kept_of, worked
+from nonsmooth.runtime.cli.ranges import followed_over
 from nonsmooth.runtime.cli.written import Written
 
 __all__ = ["certify_events"]
@@ -55,10 +55,8 @@ def certify_events(
     InputError
         If there is not exactly one range.
     """
-    from nonsmooth.runtime.cli.display import counted, steps
+    from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.cli.display_certificates import show_events
-    from nonsmooth.runtime.core.errors import InputError
-    from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
     from nonsmooth.runtime.model.naming import shown_name
     from nonsmooth.runtime.present.files.event_certificates import (
         load_event_certificates,
@@ -68,14 +66,7 @@ def certify_events(
     from nonsmooth.runtime.proof.events.event_certificate import events_claim
 
     known = () if resume is None else load_event_certificates(resume)
-    box, fixed = box_and_values(parameters)
-    if len(box) != 1:
-        raise InputError("--events takes one range, as in V=0.6:1.3")
-    ((parameter, (lower, upper)),) = box.items()
-    with steps(f"solving {name}") as begin:
-        orbit = solved_in(name, fixed, box, near)
-        begin(f"following {name}")
-        branch = continue_orbit(orbit, parameter, (float(lower), float(upper)))
+    branch, (lower, upper) = followed_over(name, parameters, near, "--events V=0.6:1.3")
     with counted("enclosing events", len(branch.events)) as progress:
         found, stopped = worked(lambda: enclose(branch, bits, known, progress))
     written = Written()
@@ -84,7 +75,7 @@ def certify_events(
     def told() -> dict[str, Any]:
         return {
             "orbit": branch.name,
-            "parameter": parameter,
+            "parameter": branch.parameter,
             "interval": [str(lower), str(upper)],
             "ends": list(branch.ends),
             "events": [certificate.to_json() for certificate in found],
@@ -92,7 +83,7 @@ def certify_events(
 
     def show() -> None:
         values = branch.parameter_values
-        span = f"{parameter} = {values.min():.6g} ... {values.max():.6g}"
+        span = f"{branch.parameter} = {values.min():.6g} ... {values.max():.6g}"
         show_events(f"{shown_name(branch.name)}, {span}", found)
 
     code = written.show_one(told, show, save, as_json=as_json)

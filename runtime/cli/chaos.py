@@ -17,7 +17,7 @@ from nonsmooth.runtime.cli.application import (
     split,
 )
 from nonsmooth.runtime.cli.certifying import Proven
-from nonsmooth.runtime.cli.keeping import Overwrite, check_new, say
+from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, say, worked
 from nonsmooth.runtime.cli.options import (
     AsJson,
     Physical,
@@ -87,22 +87,28 @@ def chaos(
     check_new(save, overwrite)
     values, state = assignments("parameter", parameters or []), assignments("state", split(start))
     with counted("enclosing images") as progress:
-        found = certify_chaos(
-            system,
-            values,
-            state,
-            configuration,
-            iterates=iterates,
-            attempts=attempts,
-            parts=parts,
-            exponents=exponents,
-            progress=progress,
+        found, stopped = worked(
+            lambda: certify_chaos(
+                system,
+                values,
+                state,
+                configuration,
+                iterates=iterates,
+                attempts=attempts,
+                parts=parts,
+                exponents=exponents,
+                progress=progress,
+            )
         )
     written = Written()
     written.save(found.save, save)
     if plot is not None and found.proved:
         written.draw(lambda: chaos_figure(found), plot)
     code = written.show(found.to_json, lambda: show_chaos(found), as_json=as_json)
+    if plot is not None and not found.proved:
+        say("no picture: nothing is proved")
+    if stopped:
+        return kept_of("chaos is proved, no exponents", written.kept(save), resumes=False)
     if require is not None and not found.proved:
         say(f"required: proved; found: chaos {found.claim}")
         return NOT_MET

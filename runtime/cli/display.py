@@ -237,7 +237,7 @@ def counted(what: str, total: int | None = None) -> Iterator[Callable[..., None]
 
 
 @contextmanager
-def shared(what: str) -> Iterator[Callable[[float, int], None]]:
+def shared(what: str, counts: str = "tiles") -> Iterator[Callable[[float, int], None]]:
     """Give a function that shows a share that is done and a count, on stderr if a terminal.
 
     The time that is left is told from the share and the time that it took.
@@ -246,6 +246,8 @@ def shared(what: str) -> Iterator[Callable[[float, int], None]]:
     ----------
     what : str
         Said before the bar.
+    counts : str, default "tiles"
+        What is counted.
 
     Yields
     ------
@@ -259,7 +261,7 @@ def shared(what: str) -> Iterator[Callable[[float, int], None]]:
     from rich.progress import TimeElapsedColumn as Elapsed
     from rich.progress import TimeRemainingColumn as Remaining
 
-    tiles = TextColumn("{task.fields[count]} tiles")
+    tiles = TextColumn("{task.fields[count]} " + counts)
     left = (TextColumn("left"), Remaining())
     columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), tiles)
     shown = Progress(

@@ -41,6 +41,13 @@ __all__ = [
     "show_events",
 ]
 
+_ENDS = {
+    "unfinished": "the work was stopped, and --resume goes on with it",
+    "no flip": "no further flip is proved",
+    "not covered": "such orbits are not covered",
+    "not proved": "a step is not proved",
+}
+
 UNIFORM = {
     "existence": "one orbit next to the one that was followed",
     "admissibility": "a motion of the real system",
@@ -276,6 +283,10 @@ def branch_table(found: CertifiedBranch) -> Table:
                 where = f"phase {event.phase + 1} {where}: {event.boundary}"
             value = str(event.enclosures[found.parameter])
             table.add_row(Text(event.kind, style="bold"), value, where, "")
+            for beyond in event.beyond:
+                ends = f"{float(event.enclosures[found.parameter]):.10g} ... {beyond.reach:.10g}"
+                way = " -> ".join(configuration for configuration, _ in beyond.itinerary)
+                table.add_row(f"beyond: {beyond.verdict}", ends, f"{beyond.scenario}: {way}", "1")
         told = f"{part.begin:.10g} ... {part.end:.10g}"
         why = part.reason
         if part.verdict == UNDECIDED:
@@ -301,8 +312,12 @@ def show_cascade(found: CertifiedCascade) -> None:
         out.print(f"ratio of distances between flips: {ratio}")
     values = found.parameters
     out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
-    if found.end:
-        out.print(Text(found.end, style="yellow"))
+    far = f"{len(found.doublings)} of {found.asked} doublings are proved"
+    if found.ended == "complete":
+        out.print(Text(far))
+        return
+    told = f"{far}; ended because {_ENDS[found.ended]}"
+    out.print(Text(f"{told}: {found.end}" if found.end else told, style="yellow"))
 
 
 def cascade_table(found: CertifiedCascade) -> Table:

@@ -52,7 +52,7 @@ def show_regions(out: Console, found: BoxCertificate) -> None:
                 f"{name} = {float(low):.6g} ... {float(high):.6g}"
                 for name, (low, high) in box.where.items()
             )
-            share = f"{float(100 * box.share):.2g} %"
+            share = f"{float(100 * box.share):.3g} %"
             table.add_row(where, share, str(box.tiles), "; ".join(box.events))
         show_table(table, out)
     hidden = max(len(found.curves), len(found.open)) - _MOST

@@ -16,6 +16,7 @@ from typing import Annotated, Any
 import typer
 
 from nonsmooth.runtime.cli import (  # noqa: F401 - their commands join the application
+    basin,
     certifying,
     chaos,
     charting,

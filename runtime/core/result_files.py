@@ -11,7 +11,7 @@ import hashlib
 import json
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.metadata import version
@@ -38,6 +38,7 @@ _MOST = 500_000_000  # bytes; a larger file is not read
 WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
 _HEAD = ("format", "version", "package", "sha256")
 Entries = TypeVar("Entries")
+Result = TypeVar("Result")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -114,6 +115,45 @@ class FileFormat(Generic[Entries]):
             If the file cannot be read, or is cut, edited or foreign.
         """
         return self.check(parsed(read_file(path, self.most, self.what)))
+
+    def writer(
+        self, entries: Callable[[Any], Entries]
+    ) -> Callable[[Any, str | os.PathLike[str]], None]:
+        """Give the function that writes a result to a file.
+
+        Parameters
+        ----------
+        entries : callable
+            Gives what a file states of a result.
+
+        Returns
+        -------
+        callable
+            Takes a result and a path.
+        """
+        return lambda found, path: self.write(path, entries(found))
+
+    def reader(
+        self, result: Callable[[Entries], Result]
+    ) -> Callable[[str | os.PathLike[str]], Result]:
+        """Give the function that reads a result from a file, which it names if it is wrong.
+
+        Parameters
+        ----------
+        result : callable
+            Gives the result that entries describe.
+
+        Returns
+        -------
+        callable
+            Takes a path.
+        """
+
+        def read(path: str | os.PathLike[str]) -> Result:
+            with naming(path) as file:
+                return result(self.read(file))
+
+        return read
 
     def check(self, content: Any) -> Entries:
         """Give the entries of content; refuse another format, version, entries or checksum.

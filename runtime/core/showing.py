@@ -1,8 +1,11 @@
-"""How results show themselves: a few lines in a console, a table in a notebook."""
+"""How results show themselves, a few lines in a console, a table in a notebook, and are kept."""
+
+import os
+from typing import ClassVar
 
 from nonsmooth.runtime.core.registry import registered
 
-__all__ = ["Shown"]
+__all__ = ["Kept", "Shown"]
 
 
 class Shown:
@@ -15,3 +18,24 @@ class Shown:
     def _repr_html_(self) -> str:
         text: str = registered("summary_html")(self)
         return text
+
+
+class Kept(Shown):
+    """A result that a file keeps; `_kept_by` names the function that writes it."""
+
+    _kept_by: ClassVar[str]
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the result to a file; `nonsmooth.load` reads it.
+
+        Parameters
+        ----------
+        path : str or path
+            File to write.
+
+        Raises
+        ------
+        InputError
+            If the file cannot be written.
+        """
+        registered(self._kept_by)(self, path)

@@ -8,63 +8,18 @@ odd powers the middle falls out by symmetry, the radius stays.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from fractions import Fraction
+from math import prod
 from typing import Any
 
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, space_of
 
-__all__ = ["at_both_ends", "averaged", "bent_mean", "lifted", "mean"]
-
-Weight = Callable[[int], Fraction]
+__all__ = ["AT_BOTH_ENDS", "BENT_MEAN", "MEAN", "averaged", "lifted"]
 
 
-def at_both_ends(power: int) -> Fraction:
-    """The average of the values at s = 1 and s = -1.
-
-    Parameters
-    ----------
-    power : int
-        Of s.
-
-    Returns
-    -------
-    Fraction
-        The average of abs(s)**power.
-    """
-    return Fraction(1)
-
-
-def mean(power: int) -> Fraction:
-    """The mean over s in [-1, 1].
-
-    Parameters
-    ----------
-    power : int
-        Of s.
-
-    Returns
-    -------
-    Fraction
-        The average of abs(s)**power.
-    """
-    return Fraction(1, power + 1)
-
-
-def bent_mean(power: int) -> Fraction:
-    """The mean over s in [-1, 1] of the function times (1 - s^2) / 2.
-
-    Parameters
-    ----------
-    power : int
-        Of s.
-
-    Returns
-    -------
-    Fraction
-        The average of abs(s)**power times that.
-    """
-    return Fraction(1, (power + 1) * (power + 3))
+Weight = tuple[int, ...]  # the average of abs(s)**p is one over the product of p + these
+AT_BOTH_ENDS: Weight = ()  # of the values at s = 1 and s = -1
+MEAN: Weight = (1,)  # over s in [-1, 1]
+BENT_MEAN: Weight = (1, 3)  # of the function times (1 - s^2) / 2
 
 
 def lifted(number: Any, space: Space) -> Any:
@@ -96,8 +51,8 @@ def averaged(number: Any, weight: Weight) -> Any:
     ----------
     number : TaylorModel, arb or a matrix of them
         Balls depend on no variable.
-    weight : function of an int
-        The average of an absolute power of s.
+    weight : tuple of int
+        One of those above.
 
     Returns
     -------
@@ -107,8 +62,7 @@ def averaged(number: Any, weight: Weight) -> Any:
     from flint import arb
 
     def share(power: int) -> arb:
-        found = weight(power)
-        return arb(found.numerator) / found.denominator
+        return arb(1) / prod(power + term for term in weight)
 
     if not isinstance(number, TaylorModel):
         return number * share(0)

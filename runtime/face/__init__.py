@@ -40,6 +40,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.solve import solve
     from nonsmooth.runtime.present.checking.check_file import Check, check_certificate
     from nonsmooth.runtime.present.files.loading import load
+    from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
+    from nonsmooth.runtime.proof.basin.certify_basin import certify_basin
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
     from nonsmooth.runtime.proof.boxes.certify_box import certify_box
     from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
@@ -69,6 +71,7 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = [
+    "BasinCertificate",
     "BoxCertificate",
     "Branch",
     "Census",
@@ -103,6 +106,7 @@ __all__ = [
     "__version__",
     "certify",
     "certify_all",
+    "certify_basin",
     "certify_box",
     "certify_branch",
     "certify_cascade",
@@ -139,6 +143,7 @@ _HOMES = {
     "Certificate": "proof.certificate",
     "CertifiedBranch": "proof.branch.certified_branch",
     "CertifiedCascade": "proof.doubling.certified_cascade",
+    "BasinCertificate": "proof.basin.basin_certificate",
     "ChaosCertificate": "proof.chaos.chaos_certificate",
     "DifferentiableFunction": "core.differentiable",
     "Branch": "explore.continuation.branch",
@@ -168,6 +173,7 @@ _HOMES = {
     "certify_box": "proof.boxes.certify_box",
     "certify_branch": "proof.branch.certify_branch",
     "certify_cascade": "proof.doubling.certify_cascade",
+    "certify_basin": "proof.basin.certify_basin",
     "certify_chaos": "proof.chaos.certify_chaos",
     "certify_event": "proof.events.certify_event",
     "certify_graph": "proof.graphs.certify_graph",
@@ -200,6 +206,7 @@ register(
     "nonsmooth.runtime",
     {
         "design_json": "present.files.designs",
+        "draw_basin": "present.pictures.certified_basins",
         "draw_box": "present.pictures.proven_maps",
         "draw_chaos": "present.pictures.horseshoes",
         "draw_graph": "present.pictures.box_graphs",
@@ -220,6 +227,7 @@ register(
         "plot_fit": "present.pictures.fits",
         "plot_orbit": "present.pictures.plot",
         "plot_trajectory": "present.pictures.scenes",
+        "save_basin": "present.files.basin_certificates",
         "save_box": "present.files.box_certificates",
         "save_branch": "present.files.branches",
         "save_chaos": "present.files.chaos_certificates",

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.orbit import Orbit
     from nonsmooth.runtime.orbits.orbit_arrays import Orbits
     from nonsmooth.runtime.present.checking.check_file import Check
+    from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
     from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
     from nonsmooth.runtime.proof.certificate import Certificate
@@ -418,6 +419,19 @@ def _event_certificate(proof: EventCertificate) -> Summary:
     ]
 
 
+def _basin(found: BasinCertificate) -> Summary:
+    verdict = f"{found.claim}: {found.reason}" if found.reason else found.claim
+    rows = [("claim", [verdict])]
+    if found.proved:
+        good = int((found.ranks >= 0).sum())
+        rows.append(("section", [f"{good} of {found.ranks.size} boxes", *found.coordinates]))
+        if found.tiles is not None:
+            tiles = f"{int(found.attracted.sum())} attracted of {int(found.looked.sum())} looked at"
+            rows.append(("tiles", [tiles, f"of {found.looked.size}"]))
+    rows.append(("given", _given(found.parameters)))
+    return f"certificate of the basin of {shown_name(found.orbit)}", rows
+
+
 def _chaos(found: ChaosCertificate) -> Summary:
     verdict = f"{found.claim}: {found.reason}" if found.reason else found.claim
     rows = [("claim", [verdict])]
@@ -474,6 +488,7 @@ _KINDS: Mapping[str, Callable[[Any], Summary]] = {
     "CertifiedCascade": _certified_cascade,
     "Check": _check,
     "Design": _design,
+    "BasinCertificate": _basin,
     "ChaosCertificate": _chaos,
     "DifferentiableFunction": _differentiable_function,
     "Event": _event,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from fractions import Fraction
@@ -10,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
 from nonsmooth.runtime.proof.statement import decimals, rational
@@ -104,7 +102,7 @@ class Stated(Enclosure):
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Certificate(Shown):
+class Certificate(Kept):
     """What ball arithmetic proves of one orbit at one parameter point.
 
     Attributes
@@ -150,6 +148,8 @@ class Certificate(Shown):
     no_derivatives : dict of str to str
         By which of those that were asked for there is no derivative, and why.
     """
+
+    _kept_by = "save_certificate"
 
     orbit: str
     system: str
@@ -232,21 +232,6 @@ class Certificate(Shown):
             "box": [asdict(x) for x in self.box],
             **told,
         }
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the certificate to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
-        """
-        registered("save_certificate")(self, path)
 
 
 def orbit_json(found: Any) -> dict[str, Any]:

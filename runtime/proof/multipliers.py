@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.core.matrix_chains import along_chain
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
 from nonsmooth.runtime.proof.exact_closure import ClosureConditions
 from nonsmooth.runtime.proof.exact_tables import Number, numbers
@@ -68,9 +69,8 @@ def reduced_map(
     tangents = [_tangent(f, still, size) for f, still in zip(places, fixed, strict=False)]
     first = min(range(len(maps)), key=lambda k: len(tangents[k][0]))
     free, basis = tangents[first]
-    found = numbers(basis, number)
-    for place in range(first, first + len(maps)):
-        found = maps[place % len(maps)] * found
+    ordered = [*maps[first:], *maps[:first]]
+    found = along_chain([mapping.__mul__ for mapping in ordered], numbers(basis, number))
     return matrix([[found[i, j] for j in range(len(free))] for i in free])
 
 

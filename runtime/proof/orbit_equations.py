@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
+from nonsmooth.runtime.core.matrix_chains import framed_phases
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of
 from nonsmooth.runtime.proof.exact_closure import ClosureConditions, projected, projection
 from nonsmooth.runtime.proof.exact_tables import Number, Tables, numbers
@@ -94,10 +95,10 @@ class Linearised(NamedTuple):
 
 
 class ShortPhase(NamedTuple):
-    """A phase that begins and ends on one boundary, and may vanish.
+    """A phase that may vanish.
 
-    Its switching condition is divided by its dwell time: what is left is regular where the
-    dwell time is zero, and elsewhere it has the same solutions.
+    If it begins and ends on one boundary its switching condition is divided by its dwell time:
+    what is left is regular where the dwell time is zero, and elsewhere it has the same solutions.
 
     Attributes
     ----------
@@ -106,10 +107,13 @@ class ShortPhase(NamedTuple):
     saltations : tuple
         For each phase a column (N + 1, 1): the jump of the velocity at its end over the rate of
         the boundary function, where that is a number though both may be zero; else None.
+    divided : bool
+        Whether its switching condition is divided.
     """
 
     place: int
     saltations: tuple[Any, ...]
+    divided: bool
 
     def at(self, number: Number) -> ShortPhase:
         """The same with numbers in place of exact entries.
@@ -127,7 +131,7 @@ class ShortPhase(NamedTuple):
             None if column is None else numbers([[entry] for entry in column], number)
             for column in self.saltations
         ]
-        return ShortPhase(self.place, tuple(columns))
+        return ShortPhase(self.place, tuple(columns), self.divided)
 
 
 class Equations:
@@ -263,9 +267,12 @@ class Equations:
             Residual (n, 1), Jacobian (n, n), and the passage.
         """
         start, slope = self.start(unknowns)
-        passed = (flows(place, time) for place, time in enumerate(self.dwell(unknowns)))
-        ahead = self._divided(unknowns)
-        now = shooting_map(MATRICES, self.phases, passed, start, slope, self._marks, ahead)
+        passed = [flows(place, time) for place, time in enumerate(self.dwell(unknowns))]
+        if self.short is None:
+            now = self._from_frames(passed, start, slope)
+        else:
+            ahead = self._divided(unknowns)
+            now = shooting_map(MATRICES, self.phases, passed, start, slope, self._marks, ahead)
         values = [value[0, 0] for value in now.residual]
         rows = [slope.entries() for slope in now.slopes]
         change, closure = now.starts[-1] - start, now.variational - slope
@@ -278,6 +285,20 @@ class Equations:
             rows.append([int(j >= self.first) for j in range(self.count)])
         return Linearised(matrix([[v] for v in values]), matrix(rows), now)
 
+    def _from_frames(self, flows: Sequence[Any], start: Any, slope: Any) -> Shooting:
+        """The passage, computed in frames that turn with the states of a long cycle."""
+        fields, rows, resets = (list(x) for x in zip(*self.phases, strict=True))
+        seen = framed_phases(fields, rows, resets, list(flows))
+        phases = [Phase(*parts) for parts in zip(*seen[:3], strict=True)]
+        now = shooting_map(MATRICES, phases, seen.flows, start, slope, self._marks)
+        starts, ends, velocities = (
+            [frame * column for frame, column in zip(frames, columns, strict=True)]
+            for frames, columns in (
+                (seen.starts, now.starts), (seen.ends, now.ends), (seen.ends, now.velocities),
+            )
+        )  # fmt: skip
+        return now._replace(flows=flows, starts=starts, ends=ends, velocities=velocities)
+
     def _divided(self, unknowns: Sequence[Any]) -> list[Ahead | None] | None:
         """The short phase's condition over its dwell time t, by the phase's start.
 
@@ -285,7 +306,7 @@ class Equations:
         n (phi1 - phi2)(B t) B B, where phi1(z) = (e^z - 1) / z and phi2(z) = (phi1(z) - 1) / z
         (N. Higham, Functions of Matrices, 2008, 10.7.4).
         """
-        if self.short is None:
+        if self.short is None or not self.short.divided:
             return None
         place, size = self.short.place, self.size + 1
         phase, time = self.phases[place], self.dwell(unknowns)[place]

@@ -191,7 +191,11 @@ class EventFunctions:
         Undecided
             If its sign cannot be told elsewhere.
         """
-        left = self._decided(function, zeros, touching=True)
+        left = [
+            (number, begin, end)
+            for number, begin, end in self._decided(function, zeros, touching=True)
+            if not _stays_below(function[number], begin, end)
+        ]
         if not left or len({number for number, *_ in left}) > 1:
             return None
         number, begin, end = left[0]
@@ -268,6 +272,13 @@ class EventFunctions:
                 raise Undecided(_CLOSE)
             windows += [(middle, end, depth + 1), (begin, middle, depth + 1)]
         return left
+
+
+def _stays_below(function: Expansion, begin: arb, end: arb) -> bool:
+    """Whether a function that is concave in a window is negative and moves away from zero."""
+    if function.at(0, begin) < 0 and function.at(1, begin) < 0:
+        return True
+    return bool(function.at(0, end) < 0 and function.at(1, end) > 0)
 
 
 def _diagonal(entries: Sequence[float]) -> arb_mat:

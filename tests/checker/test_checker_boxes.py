@@ -465,3 +465,15 @@ def test_files_that_are_no_maps(change: Callable[[str], str], match: str, tmp_pa
     path.write_text(change(written("irrational")))
     with pytest.raises(InputError, match=match):
         ns.check_certificate(path)
+
+
+def test_a_map_with_tiles_of_no_orbit_passes(tmp_path: Path) -> None:
+    orbit = ns.solve("dry-friction/symmetric")
+    found = ns.certify_box(orbit, {"V": ("0.6", "1.3"), "eta": ("3.8", "4.2")}, tiles=2)
+    assert {"existence"} in [set(tile.reasons) for tile in found.tiles]
+    found.save(tmp_path / "map.json")
+    content = json.loads((tmp_path / "map.json").read_text())
+    check_tiles(content)
+    tile = next(t for t in content["tiles"] if t["claims"]["existence"] == "undecided")
+    tile["reasons"] = {"stability": "so"}
+    refused(content, "reasons for other claims")

@@ -8,9 +8,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import sympy as sp
+from flint import ctx
 
 import nonsmooth as ns
+from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
+from nonsmooth.runtime.checker.branch import checked_tiles
+from nonsmooth.runtime.core.taylor_models import range_of
 
 Content = dict[str, Any]
 
@@ -23,6 +28,25 @@ def content(tmp_path_factory: pytest.TempPathFactory) -> Content:
     assert ns.check_certificate(path).claims == {"branch": "proved"}
     found: Content = json.loads(path.read_text())
     return found
+
+
+@pytest.fixture(scope="module")
+def preloaded(tmp_path_factory: pytest.TempPathFactory) -> Content:
+    """A tile of which only narrow parts are proved to be stable: a multiplier is near 1."""
+    rate = sp.symbols("Omega")
+    system = oscillator(
+        "preloaded", ["x"], mass=[[1]], damping=[["3/10"]], stiffness=[[1]],
+        forcing=[Harmonic(rate, cosine=["11/50"])],
+        elements=[SoftStop("x", at="-1/50", stiffness="71/25", damping="2/25", name="pad")],
+    )  # fmt: skip
+    orbit = ns.find_orbits(system, {"Omega": "0.7"}, 2, transitions=100).orbits[0].orbit
+    branch = ns.continue_orbit(orbit, "Omega", (0.7, 0.7185))
+    found = ns.certify_branch(branch, interval=("0.7", "0.7185"), tiles=1)
+    assert [tile.before for tile in found.tiles] == ["stable"]
+    path = tmp_path_factory.mktemp("preloaded") / "branch.json"
+    found.save(path)
+    content: Content = json.loads(path.read_text())
+    return content
 
 
 def signed(content: Content) -> Content:
@@ -176,3 +200,28 @@ def test_other_parameters_are_another_branch(content: Content, tmp_path: Path) -
     path = tmp_path / "edited.json"
     path.write_text(json.dumps(signed(edited)))
     assert ns.check_certificate(path).difference is not None
+
+
+def width(number: Any) -> float:
+    return float(abs(range_of(number - number.mid())).upper())
+
+
+def test_a_tile_is_proved_on_parts(content: Content, preloaded: Content) -> None:
+    """On each half of a tile the orbits are at least as narrowly enclosed, and are there."""
+    for tile in [*checked_tiles(content), *checked_tiles(preloaded)]:
+        seen: list[Any] = []
+
+        def prove(point: Any, seen: list[Any] = seen) -> None:
+            seen.append(point)
+            if len(seen) == 1:
+                raise Failure("halve it")
+
+        tile.parts(prove)
+        whole, *halves = seen
+        for side, half in zip((-1, 1), halves, strict=True):
+            with ctx.workprec(192):
+                orbit = tile.at(half[tile.place].at([0]).mid())
+            e = tile.space.variable(0, side / 2, 1 / 2)
+            for before, after, exact in zip(whole, half, orbit, strict=True):
+                assert width(after) <= width(before.at([e]))
+                assert abs(after.at([0]) - exact) <= width(after) + 2**-40

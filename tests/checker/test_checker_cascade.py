@@ -4,6 +4,7 @@ import copy
 import hashlib
 import json
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -95,6 +96,14 @@ def more_asked(content: Content) -> None:
     content["asked"] = 2
 
 
+def complete_with_less(content: Content) -> None:
+    content.update(asked=2, end="", claims={"doublings": "undecided"})
+
+
+def complete_with_a_reason(content: Content) -> None:
+    content["end"] = "the time is over"
+
+
 def claimed_without_a_doubling(content: Content) -> None:
     content["doublings"] = []
     content["branches"] = content["branches"][:1]
@@ -123,6 +132,7 @@ EDITS: tuple[Callable[[Content], None], ...] = (
     proved_without_a_verdict, wider_amplitude, negative_amplitude, moved_tube, narrow_tube,
     wide_tube, another_rate, another_tile,
     another_unknown, more_than_asked, more_asked, claimed_without_a_doubling,
+    complete_with_less, complete_with_a_reason,
     the_orbit_itself_as_doubled, other_parameters, another_declaration, doubled_from_elsewhere,
 )  # fmt: skip
 
@@ -133,6 +143,13 @@ def test_what_is_false_is_refused(content: Content, edit: Callable[[Content], No
     edit(edited)
     with pytest.raises(Failure):
         check_cascade(signed(edited))
+
+
+@pytest.mark.parametrize("name", ["dry-friction/global-stick", "rigid-stop/one-impact", "mine"])
+def test_the_name_of_another_orbit_is_refused(content: Content, name: str, tmp_path: Path) -> None:
+    path = tmp_path / "edited.json"
+    path.write_text(json.dumps(signed({**content, "orbit": name})))
+    assert name in str(ns.check_certificate(path).difference)
 
 
 def test_a_file_that_was_edited_is_refused(content: Content) -> None:

@@ -3,43 +3,46 @@
 import json
 import subprocess
 import sys
+from contextlib import nullcontext
+from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
+from flint import arb, arb_mat
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth.runtime.checker import Failure
+from nonsmooth.runtime.checker.cones import check_cones
+from nonsmooth.runtime.checker.sets import StateSet
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.proof.chaos.certify_chaos import _ChaosQuestion
-from nonsmooth.runtime.proof.chaos.h_sets import HSet
-from nonsmooth.runtime.proof.chaos.search import Horseshoe
-from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
-from nonsmooth.runtime.proof.sets.sections import forcing_section
-from tests.places import GALLERY
-
-DATA = {
-    "chi": "0.34",
-    "eta": "2.88",
-    "V": "1.23",
-    "us1": "0.75",
-    "us2": "1.19",
-    "ur1": "2.04",
-    "ur2": "1.83",
-}
-START = (1.93, 7.18, 1.18, 1.18)
+from tests.horseshoes import (
+    FRICTION_DATA,
+    INVERTED,
+    INVERTED_DATA,
+    friction_horseshoe,
+    inverted_horseshoe,
+)
 
 
 @pytest.fixture(scope="module")
 def written(tmp_path_factory):
+    """Chaos of friction, on a section of one coordinate, without cones."""
     path = tmp_path_factory.mktemp("chaos") / "chaos.json"
-    found = ns.certify_chaos("dry-friction", DATA, START, iterates=3, exponents=True)
-    assert found.proved
-    found.save(path)
+    friction_horseshoe(exponents=False).save(path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def coned(tmp_path_factory):
+    """Chaos of a forced oscillator between stops, with cones whose rates are proved at once."""
+    path = tmp_path_factory.mktemp("chaos") / "cones.json"
+    found = inverted_horseshoe(exponents=True)
+    assert found.cones is not None, found.tried
+    cones = replace(found.cones, expansion="10", contraction="2/3", exponent="1.15")
+    replace(found, cones=cones).save(path)
     return path
 
 
@@ -53,17 +56,17 @@ def changed(written, tmp_path, change):
     return ns.check_certificate(path)
 
 
-def test_a_file_is_proved_again(written):
-    found = ns.check_certificate(written)
+def test_a_file_is_proved_again(coned):
+    found = ns.check_certificate(coned)
     assert found.difference is None
     assert found.claims == {"chaos": "proved"}
-    loaded = ns.load(written)
+    loaded = ns.load(coned)
     assert loaded.to_json() == found.certificate.to_json()
     assert loaded.periodic_points(5) == found.certificate.periodic_points(5) > 0
 
 
-def test_the_checker_alone_proves_it(written):
-    command = [sys.executable, "-m", "nonsmooth.runtime.checker", str(written)]
+def test_the_checker_alone_proves_it(coned):
+    command = [sys.executable, "-m", "nonsmooth.runtime.checker", str(coned)]
     told = subprocess.run(command, capture_output=True, text=True, check=True)
     assert told.stdout == "every claim is proved\n"
 
@@ -130,36 +133,119 @@ def test_a_growth_of_too_many_digits_and_a_boundary_that_is_gone_are_refused(wri
     assert "has no boundary" in changed(written, tmp_path, gone).difference
 
 
-def test_cones_that_say_too_much_are_refused(written, tmp_path, monkeypatch):
-    def faster(content):
-        content["cones"]["expansion"] = "7"
+class Stretched:
+    """The set [-1, 1], mapped by x -> 3 x + bend x^2."""
 
+    def __init__(self, bend=0.0):
+        self.bend = bend
+
+    def image(self, box):
+        ((low, high),) = box
+        x = arb((low + high) / 2, float(high - low) / 2)
+        none = arb_mat(2, 0), arb_mat(2, 1)
+        slope = StateSet.of(arb_mat([[3 + 2 * self.bend * x], [0]]), *none)
+        image = StateSet.of(arb_mat([[3 * x + self.bend * x * x], [1]]), *none)
+        return image._replace(sides=arb_mat(2, 1), tangents=(slope,))
+
+    def seen(self, target, image):
+        return image.through(arb_mat([[1, 0]]))
+
+    def lengths(self, box):
+        return [float(b - a) for a, b in box]
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ({}, None),
+        ({"expansion": "91/10"}, "cone condition"),
+        ({"exponent": "1.04"}, "larger"),
+        ({"contraction": "1/2"}, "do not shrink"),
+        ({"strips": [["A", "A", [["-1/4", "1/2"]]]]}, "stretched by"),
+    ],
+)
+def test_cones_on_a_section_of_one_coordinate(change, told):
+    # what comes to the set is within -1/3 and 1/3; log(8) / 2 = 1.0397...
+    stated = {"forms": {"A": ["1"]}, "strips": [["A", "A", [["-3/8", "1/2"]]]]}
+    stated |= {"expansion": "8", "contraction": "0", "exponent": "1.0397", **change}
+    with pytest.raises(Failure, match=told) if told else nullcontext():
+        check_cones(stated, {"A": ["A"]}, lambda name: Stretched(), 1, 1)
+
+
+@pytest.mark.parametrize("bend", [0.4, -0.4])
+def test_all_parts_of_a_strip_count(bend):
+    # the derivative over the strip is from 2.7 to 3.4, or from 2.6 to 3.3
+    stated = {"forms": {"A": ["1"]}, "strips": [["A", "A", [["-3/8", "1/2"]]]]}
+    stated |= {"expansion": "13/2", "contraction": "0", "exponent": "0.9"}
+    check_cones(stated, {"A": ["A"]}, lambda name: Stretched(bend), 1, 1)
+    faster = {**stated, "expansion": "8"}
+    with pytest.raises(Failure, match="cone condition"):
+        check_cones(faster, {"A": ["A"]}, lambda name: Stretched(bend), 1, 1)
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (lambda cones: None, None),
+        (lambda cones: cones.update(expansion="50"), "cone condition"),
+        (lambda cones: cones.update(contraction="1/50"), "cone condition"),
+        (lambda cones: cones["forms"].update(A=["1/100", "1"]), "cone condition"),
+        (lambda cones: cones["forms"].update(A=["1", "-1"]), "positive number"),
+        (lambda cones: cones["forms"].update(A=["1"]), "positive number"),
+        (lambda cones: cones["forms"].update(C=["1", "1"]), "cones of other sets"),
+        (lambda cones: cones["strips"].pop(), "strips of other"),
+        (lambda cones: cones["strips"].append(cones["strips"][0]), "twice"),
+        (lambda cones: cones["strips"][0][2][0].reverse(), "no box"),
+        (lambda cones: cones["strips"][0][2][1].__setitem__(1, "9/8"), "no box"),
+        (lambda cones: cones.update(expansion="1"), "do not grow"),
+        (lambda cones: cones.update(contraction="0"), "do not shrink"),
+        (lambda cones: cones.update(contraction="1"), "do not shrink"),
+    ],
+)
+def test_cones_that_say_too_much_are_refused(coned, tmp_path, monkeypatch, change, told):
+    # fewer rounds before it gives up
+    monkeypatch.setattr("nonsmooth.runtime.checker.cones._SPREADS", (1.0, 0.4))
+    found = changed(coned, tmp_path, lambda content: change(content["cones"]))
+    assert found.difference is None if told is None else told in found.difference
+
+
+@pytest.mark.parametrize(("text", "told"), [("1.152", "larger"), ("0", "no positive")])
+def test_an_exponent_that_does_not_follow_is_refused(coned, tmp_path, text, told):
     def larger(content):
-        content["cones"]["exponent"] = "0.3"
+        content["cones"]["exponent"] = text  # log(10) / 2 = 1.15129...
 
+    assert told in changed(coned, tmp_path, larger).difference
+
+
+@pytest.mark.parametrize(("place", "side"), [(0, 0), (1, 1)])
+def test_strips_that_leave_something_out_are_refused(coned, tmp_path, place, side):
+    # half of a strip: what is mapped into the target from the rest is found
     def narrower(content):
-        entries = content["cones"]["strips"][0][2][0]
-        entries[0] = str(Fraction(entries[1]) - Fraction(1, 8))
+        entries = content["cones"]["strips"][place][2][side]
+        entries[0] = str(sum(map(Fraction, entries)) / 2)
 
-    def fewer(content):
-        content["cones"]["strips"].pop()
-
-    def shrinking(content):
-        content["cones"]["contraction"] = "1/2"
-
-    with monkeypatch.context() as patch:  # fewer rounds before it gives up
-        patch.setattr("nonsmooth.runtime.checker.cones._SPREADS", (1.0, 0.4))
-        assert "cone condition" in changed(written, tmp_path, faster).difference
-    assert "exponent" in changed(written, tmp_path, larger).difference
-    assert "stretched by" in changed(written, tmp_path, narrower).difference
-    assert "strips of other" in changed(written, tmp_path, fewer).difference
-    assert "shrink" in changed(written, tmp_path, shrinking).difference
+    told = changed(coned, tmp_path, narrower).difference
+    assert "stretched by is not proved" in told
 
 
-def test_a_file_without_cones_is_proved(written, tmp_path):
-    found = changed(written, tmp_path, lambda content: content.pop("cones"))
+def test_strips_may_end_anywhere(coned, tmp_path):
+    def wider(content):
+        for *_, (along, _) in content["cones"]["strips"]:
+            low, high = map(Fraction, along)
+            along[:] = [str(max(low - Fraction(1, 7), -1)), str(min(high + Fraction(1, 7), 1))]
+
+    assert changed(coned, tmp_path, wider).difference is None
+
+
+def test_a_file_without_cones_is_proved(coned, tmp_path):
+    found = changed(coned, tmp_path, lambda content: content.pop("cones"))
     assert found.difference is None
     assert found.certificate.exponent == "0"
+
+
+def test_another_phase_is_refused(coned, tmp_path):
+    for phase in (["1", "0"], ["-4/5", "3/5"], ["-1", "1"]):
+        assert changed(coned, tmp_path, lambda content, p=phase: content.update(phase=p)).difference
 
 
 def test_another_way_is_refused(written, tmp_path):
@@ -182,62 +268,62 @@ def test_parameters_without_chaos_are_refused(written, tmp_path):
     assert changed(written, tmp_path, stable).difference
 
 
-def test_a_forced_oscillator_with_given_sets(tmp_path):
-    system = load_system(str(GALLERY / "impact_oscillator.py"))
-    sets = (
-        HSet("A", ("-0.42770417", "-0.43881741"),
-             (("0.01740887", "0.01040848"), ("0.03548872", "0.00121854"))),
-        HSet("B", ("-0.16885321", "-0.26165579"),
-             (("0.00894038", "0.01421056"), ("-0.02533881", "0.01613918"))),
-    )  # fmt: skip
-    values = {"r": "0.65", "sigma": "0", "w": "2.8"}
-    with flint_precision(80):
-        from flint import fmpq
-
-        enclosed = enclosed_system(system, values)(80)
-        section = forcing_section(enclosed, 0, (fmpq(160, 281), fmpq(-231, 281)))
-        question = _ChaosQuestion(system, enclosed, 3, 3000, False, lambda done: None)
-        guess = Horseshoe(3, sets, ((0, 0), (0, 1), (1, 0)), 0.0)
-        found = question.prove(section, guess)
-        assert found is not None, question.tried
-        too_much = Horseshoe(3, sets, ((0, 0), (1, 1)), 0.0)
-        assert question.prove(section, too_much) is None
-    path = tmp_path / "forced.json"
-    found.save(path)
-    assert ns.check_certificate(path).difference is None
-    content = json.loads(path.read_text())
-    content["phase"] = ["1", "0"]
-    content["sha256"] = checksum_of(content)
-    path.write_text(json.dumps(content))
-    assert ns.check_certificate(path).difference
-
-
-def test_the_command(written, tmp_path):
+def test_the_command(coned, tmp_path, monkeypatch):
+    monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos._BASES", 100)
     runner = CliRunner()
-    arguments = [f"{name}={text}" for name, text in DATA.items()]
+    arguments = [f"{name}={text}" for name, text in FRICTION_DATA.items()]
     begin = "x1=1.93,x2=7.18,v1=1.18,v2=1.18"
-    target = Path(tmp_path / "command.json")
-    told = runner.invoke(
-        app,
-        [
-            *("chaos", "dry-friction", *arguments, "--from", begin),
-            *("--exponents", "--save", str(target), "--json"),
-        ],
-    )
+    target = tmp_path / "command.json"
+    words = [*("chaos", "dry-friction", *arguments, "--from", begin, "--iterates", "2")]
+    told = runner.invoke(app, [*words, "--save", str(target), "--json"])
     assert told.exit_code == 0, told.output
     answer = json.loads(told.stdout)
     assert answer["claim"] == "proved"
-    assert answer["entropy"] == json.loads(written.read_text())["entropy"]
-    told = runner.invoke(app, ["certify", "--check", str(target), "--require", "proved"])
+    assert answer["cones"] is None
+    assert ns.load(target).entropy == answer["entropy"]
+    stated = json.loads(coned.read_text())
+    told = runner.invoke(app, ["certify", "--check", str(coned), "--require", "proved"])
     assert told.exit_code == 0
-    assert f"entropy of P at least {answer['entropy']}" in told.stdout
-    assert f"exponents of these motions at least {answer['cones']['exponent']}" in told.stdout
-    calm = {**DATA, "V": "0.3", "ur1": "1.5", "ur2": "1.5", "eta": "1"}
-    stable = [*(f"{name}={text}" for name, text in calm.items()), "--iterates", "1"]
-    stable += ["--from", "x1=1,x2=1.2,v1=0.1,v2=0.1"]
-    told = runner.invoke(app, ["chaos", "dry-friction", *stable, "--require", "proved"])
-    assert told.exit_code == 3
-    assert "tried:" in told.stdout
+    assert f"entropy of P at least {stated['entropy']}" in told.stdout
+    assert f"exponents of these motions at least {stated['cones']['exponent']}" in told.stdout
     told = runner.invoke(app, ["chaos", "dry-friction", *arguments])
     assert told.exit_code == 2
     assert "start is missing" in told.output
+
+
+def test_the_command_where_there_is_no_chaos(tmp_path):
+    calm = {**FRICTION_DATA, "V": "0.3", "ur1": "1.5", "ur2": "1.5", "eta": "1"}
+    words = ["chaos", "dry-friction", *(f"{name}={text}" for name, text in calm.items())]
+    words += ["--iterates", "1", "--from", "x1=1,x2=1.2,v1=0.1,v2=0.1"]
+    picture = tmp_path / "no.png"
+    words += ["--exponents", "--plot", str(picture)]
+    told = CliRunner().invoke(app, words)
+    assert told.exit_code == 1
+    assert "tried:" in told.stdout
+    assert "no picture: nothing is proved" in told.stderr
+    assert not picture.exists()
+    assert CliRunner().invoke(app, [*words, "--require", "proved"]).exit_code == 3
+
+
+def test_what_is_proved_when_exponents_are_interrupted_is_kept(tmp_path, monkeypatch):
+    def stopped(*arguments):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos.cone_condition", stopped)
+    with pytest.raises(Interrupted) as caught:
+        inverted_horseshoe(exponents=True)
+    partial = caught.value.partial
+    assert partial.proved
+    assert partial.tried[-1] == "no cone condition: interrupted"
+
+    def ended(*arguments, **options):
+        raise Interrupted(partial)
+
+    monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos.certify_chaos", ended)
+    target = tmp_path / "part.json"
+    words = ["chaos", str(INVERTED), *(f"{n}={text}" for n, text in INVERTED_DATA.items())]
+    words += ["--from", "x=-0.3,v=0.1", "--exponents", "--save", str(target)]
+    told = CliRunner().invoke(app, words)
+    assert told.exit_code == 130
+    assert f"chaos is proved, no exponents, kept in {target}" in told.stderr
+    assert ns.check_certificate(target).difference is None

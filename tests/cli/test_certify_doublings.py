@@ -16,6 +16,7 @@ def test_a_flip_is_gone_beyond_saved_drawn_checked_and_resumed(tmp_path: Path) -
     file, picture = tmp_path / "cascade.json", tmp_path / "cascade.svg"
     found = run(*ASKED, "--save", str(file), "--plot", str(picture), "--require", "proved")
     assert found.code == 0
+    assert "dry-friction/symmetric, along V" in found.out
     assert "subcritical" in found.out
     assert "above the flip: unstable" in found.out
     assert picture.stat().st_size > 1000
@@ -27,9 +28,20 @@ def test_a_flip_is_gone_beyond_saved_drawn_checked_and_resumed(tmp_path: Path) -
     more = run(*words)
     assert more.code == 1
     told = json.loads(more.out)
+    assert told["orbit"] == "dry-friction/symmetric"
     assert told["claims"] == {"doublings": "undecided"}
     assert told["flips"][0]["kind"] == "subcritical"
+    assert told["ended"] == "no flip"
     assert "no flip is proved" in told["end"]
+
+
+def test_a_time_ends_it_and_says_so(tmp_path: Path) -> None:
+    file = tmp_path / "short.json"
+    found = run(*ASKED, "--seconds", "1e-6", "--save", str(file))
+    assert found.code == 1
+    assert "0 of 1 doublings are proved; ended because the work was stopped" in found.out
+    assert "1e-06 s that were given are over" in found.out
+    assert run("certify", "--check", str(file)).code == 0
 
 
 @pytest.mark.parametrize(
@@ -38,8 +50,9 @@ def test_a_flip_is_gone_beyond_saved_drawn_checked_and_resumed(tmp_path: Path) -
         (("certify", "dry-friction/symmetric", "--doublings", "1"), "--doublings takes one range"),
         ((*ASKED, "--events"), "ask one of them"),
         ((*ASKED, "--digits", "30"), "are not for --doublings"),
+        ((*ASKED[:2], "V=1.08", "--seconds", "2"), "--seconds is for --doublings"),
         ((*ASKED[:4], "0"), "not a positive integer"),
-        (("certify", "dry-friction/symmetric", "V=1.2:1.3", "--doublings", "1"), "has 0 flips"),
+        (("certify", "dry-friction/symmetric", "V=1.2:1.3", "--doublings", "1"), "has no flips"),
     ],
 )
 def test_what_is_wrong_is_told_in_a_line(words: tuple[str, ...], told: str) -> None:

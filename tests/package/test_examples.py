@@ -14,8 +14,8 @@ from nonsmooth.runtime.model.kernels import compiled_engine
 COMPILED = {
     *("basins", "find_orbits", "load_found", "load_sweep"),
     *("lyapunov", "simulate_many", "sweep"),
-    *("certify_cascade", "load_certified_cascade"),
-    *("certify_chaos", "load_chaos_certificate"),
+    "certify_cascade",
+    "certify_chaos",
 }
 
 

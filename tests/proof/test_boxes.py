@@ -329,10 +329,10 @@ def test_places_are_exact() -> None:
 
 def test_maps_are_drawn(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
-    from nonsmooth.runtime.present.pictures.proven_maps import box_figure
+    from nonsmooth.runtime.present.pictures.proven_maps import draw_box
 
     for found, labels in ((paper(), {"stable, proved (100 %)"}), (line(), {"unstable, proved"})):
-        figure = box_figure(found)
+        figure = draw_box(found)
         (axes,) = figure.axes
         texts = [text.get_text() for text in axes.get_legend().get_texts()]
         assert all(any(text.startswith(label) for text in texts) for label in labels)

@@ -30,11 +30,12 @@ from nonsmooth.runtime.proof.branch.certified_branch import (
     BranchTile,
     CertifiedBranch,
 )
-from nonsmooth.runtime.proof.branch.certify_branch import _begin, _event, _record
+from nonsmooth.runtime.proof.branch.certify_branch import _begin
 from nonsmooth.runtime.proof.branch.crossing import crossing_of
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
 from nonsmooth.runtime.proof.branch.look import UNDECIDED, look
 from nonsmooth.runtime.proof.branch.passage import CyclePassage, time_of_touch
+from nonsmooth.runtime.proof.branch.stating import _event, stated_branch
 from nonsmooth.runtime.proof.branch.tube import orbit_at, proved_piece
 from nonsmooth.runtime.proof.events.certify_event import certify_event
 from nonsmooth.runtime.proof.orbit_to_prove import subject_near
@@ -243,7 +244,7 @@ def forged(
         radii=piece.tube.radii,
         event=_event(curve, event),
     )
-    empty = _record(known, box, chosen, curve)
+    empty = stated_branch(known, box, chosen, curve)
     return replace(empty, tiles=(tile,), ends=(FINISHED, FINISHED))
 
 

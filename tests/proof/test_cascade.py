@@ -11,7 +11,7 @@ from flint import arb
 
 import nonsmooth as ns
 from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.taylor_averages import at_both_ends, averaged, bent_mean, lifted, mean
+from nonsmooth.runtime.core.taylor_averages import AT_BOTH_ENDS, BENT_MEAN, MEAN, averaged, lifted
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
@@ -140,17 +140,18 @@ def test_averages_are_those_of_polynomials_and_hold_what_is_cut_off() -> None:
     parts[space.exponents.index((0, 3))] = arb(3)
     parts[space.exponents.index((0, 1))] = arb(2, 1e-2)
     model = TaylorModel(space, tuple(parts))
-    for weight, share in ((at_both_ends, 1.0), (mean, 1 / 3), (bent_mean, 1 / 15)):
+    for weight, *shares in ((AT_BOTH_ENDS, 1, 1, 1), (MEAN, 1, 1 / 2, 1 / 3),
+                            (BENT_MEAN, 1 / 3, 1 / 8, 1 / 15)):  # fmt: skip
         found = averaged(model, weight)
-        assert float(found.parts[4]) == pytest.approx(share)
-        assert found.parts[0].rad() >= 1e-3 * float(weight(0)) * 0.999
+        assert float(found.parts[4]) == pytest.approx(shares[2])
+        assert found.parts[0].rad() >= 1e-3 * shares[0] * 0.999
         assert found.parts[1].contains(0)
-        assert found.parts[1].rad() >= 1e-2 * float(weight(1)) * 0.999
+        assert found.parts[1].rad() >= 1e-2 * shares[1] * 0.999
         assert found.parts[3].is_zero() or abs(found.parts[3]) < 1e-12
     one = space_of(1, 5).variable(0, arb(1), arb(2))
-    again = averaged(lifted(one, space), mean)
+    again = averaged(lifted(one, space), MEAN)
     assert [float(p or 0) for p in again.parts] == [1, 2, 0, 0, 0, 0]
-    assert averaged(arb(3), bent_mean).contains(1)
+    assert averaged(arb(3), BENT_MEAN).contains(1)
 
 
 def test_a_degenerate_flip_and_a_tube_too_wide_are_refused(flip: Any) -> None:
@@ -165,26 +166,59 @@ def test_a_cascade_can_be_interrupted_and_resumed(
 ) -> None:
     found.save(tmp_path / "part.json")
     part = ns.load(tmp_path / "part.json")
-    again = ns.certify_cascade(branch, tiles=3, resume=part)
-    assert again.statement == found.statement
+    again = ns.certify_cascade(branch, tiles=3, resume=part)  # tiles to the doubled branch
+    assert again.doublings[0].side == found.doublings[0].side
+    assert len(again.branches[1].tiles) == 6
+    assert again.ended == "complete"
     more = ns.certify_cascade(branch, doublings=2, tiles=3, resume=part)
     assert len(more.doublings) == 1
     assert more.claims == {"doublings": "undecided"}
+    assert more.ended == "no flip"
     assert "no flip is proved" in more.end
 
-    def stop(done: int, asked: int) -> None:
+    def stop(share: float, doublings: int) -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(Interrupted) as stopped:
         ns.certify_cascade(branch, tiles=3, progress=stop)
-    assert stopped.value.partial.doublings == ()
+    first: Any = stopped.value.partial
+    assert first.doublings == ()
     with pytest.raises(InputError):
         ns.certify_cascade(branch, interval=("1", "1.1"), resume=part)
+
+
+def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
+    branch: Any, found: CertifiedCascade, tmp_path: Path
+) -> None:
+    short = ns.certify_cascade(branch, tiles=3, seconds=1e-6)
+    assert (short.ended, short.claims) == ("unfinished", {"doublings": "undecided"})
+    assert "s that were given are over" in short.end
+    assert len(short.branches[0].tiles) == 1
+    shares: list[float] = []
+
+    def stop(share: float, doublings: int) -> None:
+        shares.append(share)
+        if share > 0.6:  # beyond the tube
+            raise KeyboardInterrupt
+
+    with pytest.raises(Interrupted) as stopped:
+        ns.certify_cascade(branch, tiles=3, progress=stop, resume=short)
+    part: Any = stopped.value.partial
+    assert shares == sorted(shares)
+    assert (len(part.doublings), part.ended) == (1, "unfinished")
+    assert 0 < len(part.branches[1].tiles) < 3
+    part.save(tmp_path / "part.json")
+    assert ns.check_certificate(tmp_path / "part.json").claims == {"doublings": "proved"}
+    whole = ns.certify_cascade(branch, tiles=3, resume=ns.load(tmp_path / "part.json"))
+    assert (whole.ended, whole.end) == ("complete", "")
+    assert whole.kind(0) == found.kind(0)
+    assert len(whole.branches[1].tiles) > len(part.branches[1].tiles)
 
 
 def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedCascade) -> None:
     pytest.importorskip("matplotlib")
     (axes,) = found.plot().axes
+    assert axes.get_title(loc="left") == "dry-friction/symmetric"
     labels = [text.get_text() for text in axes.get_legend().get_texts()]
     assert "flip, enclosed" in labels
     assert any("twice the period" in label for label in labels)
@@ -194,7 +228,14 @@ def test_it_is_drawn_with_the_branch_and_beside_the_flip(found: CertifiedCascade
 
 @pytest.mark.parametrize(
     "words",
-    [{"doublings": 0}, {"flip": 2}, {"tiles": True}, {"interval": ("1.2", "1")}, {"resume": 3}],
+    [
+        {"doublings": 0},
+        {"flip": 2},
+        {"tiles": True},
+        {"seconds": 0},
+        {"interval": ("1.2", "1")},
+        {"resume": 3},
+    ],
 )
 def test_wrong_questions_are_refused(branch: Any, words: dict[str, Any]) -> None:
     with pytest.raises(InputError):

@@ -10,6 +10,7 @@ from flint import arb, arb_mat
 import nonsmooth as ns
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
+from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
 from nonsmooth.runtime.proof.chaos.cone_conditions import positive
 from nonsmooth.runtime.proof.chaos.coverings import coverings
@@ -20,6 +21,7 @@ from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.sets.affine_sets import affine_set
 from nonsmooth.runtime.proof.sets.images import SectionMap
 from nonsmooth.runtime.proof.sets.sections import transition_section
+from tests.places import GALLERY
 
 # two masses on a belt, both of which stick in turn
 DATA = {
@@ -113,6 +115,13 @@ def test_a_stable_motion_is_not_called_chaos():
     assert found.claim == "undecided"
     assert found.tried
     assert found.entropy == "0"
+
+
+def test_a_mass_that_rests_at_its_stop_when_the_forcing_has_a_phase_is_not_called_chaos():
+    system = load_system(str(GALLERY / "impact_oscillator.py"))
+    found = certify_chaos(system, {"r": "0.2", "sigma": "0", "w": "0.7"}, {"x": -0.5, "v": 0.1})
+    assert found.claim == "undecided"
+    assert all("free" in told for told in found.tried)
 
 
 def test_sets_that_do_not_cover_each_other_are_not_said_to(chaos):

@@ -24,7 +24,8 @@ from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.taylor_models import space_of
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_of
 from nonsmooth.runtime.proof.boxes.box_certificate import Tile
-from nonsmooth.runtime.proof.boxes.regions import edges_of, map_json
+from nonsmooth.runtime.proof.boxes.regions import map_json
+from nonsmooth.runtime.proof.boxes.tile_edges import edges_of
 from nonsmooth.runtime.proof.boxes.tile_event import Band, _away, side_of
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from tests.certified import loop

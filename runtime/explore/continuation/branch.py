@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -11,7 +10,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_name
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.explore.continuation.amplitudes import amplitude_of
 from nonsmooth.runtime.explore.continuation.composed_family import composed_family
 from nonsmooth.runtime.explore.continuation.energy import energy_of
@@ -27,7 +26,7 @@ __all__ = ["Branch"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Branch(Shown):
+class Branch(Kept):
     """Orbits of one itinerary along one parameter, in the order in which they follow.
 
     Attributes
@@ -57,6 +56,8 @@ class Branch(Shown):
     orbit : Orbit
         That point.
     """
+
+    _kept_by = "save_branch"
 
     name: str
     parameter: str
@@ -258,13 +259,3 @@ class Branch(Shown):
             What was drawn on.
         """
         return registered("draw_branch")(self, quantity, axes, over=over, frequency=frequency)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the branch to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-        """
-        registered("save_branch")(self, path)

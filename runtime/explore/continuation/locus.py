@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -10,7 +9,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.orbits.orbit import Orbit
 
@@ -18,7 +17,7 @@ __all__ = ["Locus"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Locus(Shown):
+class Locus(Kept):
     """A curve in the plane of two parameters along which an event happens.
 
     Attributes
@@ -41,6 +40,8 @@ class Locus(Shown):
     orbit : Orbit
         That the branch of the event was followed from.
     """
+
+    _kept_by = "save_locus"
 
     name: str
     kind: str
@@ -99,13 +100,3 @@ class Locus(Shown):
             What was drawn on.
         """
         return registered("draw_locus")(self, axes)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the curve to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-        """
-        registered("save_locus")(self, path)

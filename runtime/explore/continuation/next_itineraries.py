@@ -19,7 +19,7 @@ from nonsmooth.runtime.explore.continuation.composed_family import SystemAt, com
 from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.model.structure import Structure
+from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -32,11 +32,13 @@ from nonsmooth.runtime.simulation.simulate import simulate
 if TYPE_CHECKING:
     from nonsmooth.runtime.explore.continuation.branch import Branch
 
-__all__ = ["next_itineraries"]
+__all__ = ["canonical_itinerary", "next_itineraries", "orbits_beside"]
 
+_CLOSE = (1e-5, 1e-4)  # from the collision, in units of the branch's range: very near
 _DISTANCES = (1e-3, 1e-2)  # from the collision, in units of the branch's range
 _LONGER, _MOST_WAYS = 2, 300  # phases that a way may have more; ways
 _SHORT = 0.02  # of the phases that are replaced: a new one
+_SHORTER = _SHORT / 50  # very near the collision
 _SHORTEST = 1e-9  # of the period: what lasts less is no phase
 _NEAR = 0.3  # of the period: how much another orbit's may differ
 _TRANSITIONS = 400
@@ -75,24 +77,66 @@ def next_itineraries(
     span = float(np.ptp(branch.parameter_values)) or max(1.0, abs(event.value))
     side = _side(branch, event)
     found: dict[_Phases, Orbit] = {}
-    own = _canonical(base.itinerary)
+    own = canonical_itinerary(base.itinerary)
     ways = _candidates(base, event)
     for sign in (side, -side):
         for distance in _DISTANCES:
             try:
                 here, period = system_at(event.value + sign * distance * span)
-                orbits = list(_composed(base, ways, here, event, period))
+                orbits = [
+                    *_composed(base, ways, here, event, period),
+                    *_without_boundary(base, here, event),
+                ]
             except InputError:  # beyond a domain
                 break
             if sign == side and period is None:
                 orbits += _simulated(base, here)
             for orbit in orbits:
-                name = _canonical(orbit.itinerary)
+                name = canonical_itinerary(orbit.itinerary)
                 if name != own and name not in found and _near(float(orbit.period), base):
                     found[name] = orbit
             if orbits:
                 break
     return tuple(found.values())
+
+
+def orbits_beside(
+    branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
+) -> tuple[Orbit, ...]:
+    """Admissible orbits of other itineraries very near a border collision, on both sides of it.
+
+    Unlike `next_itineraries` all that are found are given, those whose new phases are shortest
+    first: of one itinerary several orbits may be near, of which one begins at the collision.
+
+    Parameters
+    ----------
+    branch : Branch
+    event : Event
+        One of its border collisions.
+    parameters : mapping of str to str, number or Value, optional
+        Those of the system that the orbit leaves open; else they are chosen.
+
+    Returns
+    -------
+    tuple of Orbit
+    """
+    base, system_at = _neighbour(branch, event, parameters)
+    span = float(np.ptp(branch.parameter_values)) or max(1.0, abs(event.value))
+    own, found = canonical_itinerary(base.itinerary), list[Orbit]()
+    ways = _candidates(base, event)
+    for distance in _CLOSE:
+        for sign in (-1, 1):
+            try:
+                here, period = system_at(event.value + sign * distance * span)
+                found += _composed(base, ways, here, event, period, _SHORTER)
+                found += _without_boundary(base, here, event)
+            except InputError:  # beyond a domain
+                continue
+    return tuple(
+        orbit
+        for orbit in found
+        if canonical_itinerary(orbit.itinerary) != own and _near(float(orbit.period), base)
+    )
 
 
 def _neighbour(
@@ -160,6 +204,7 @@ def _composed(
     parameters: Mapping[str, Any],
     event: Event,
     period: Value | None,
+    short: float = _SHORT,
 ) -> Iterator[Orbit]:
     """Admissible orbits of these itineraries near the orbit."""
     point, symmetry = piecewise(base.system, parameters), base.symmetry
@@ -180,7 +225,7 @@ def _composed(
         replaced = float(dwell[way.begin : way.end + 1].sum())
         rows = [
             [*dwell[: way.begin], *split, *dwell[way.end + 1 :]]
-            for split in _splits(replaced, way.phases, event.time)
+            for split in _splits(replaced, way.phases, event.time, short)
         ]
         solved = _solved(part, numbers_of(closed), np.array(rows), state, length)
         if solved is None or not _near(solved[0].sum() * len(base.itinerary) / count, base):
@@ -201,7 +246,7 @@ def _composed(
 def _solved(
     part: ItineraryShape, flat: np.ndarray, dwell: np.ndarray, state: np.ndarray, length: float
 ) -> tuple[np.ndarray, np.ndarray] | None:
-    """The first of several guesses that converges, from a start or the one that fits best."""
+    """Of several guesses that converge the nearest, from a start or the one that fits best."""
     count = len(dwell)
     numbers = np.repeat(flat[None], count, axis=0)
     for start in (np.repeat(state[None], count, axis=0), None):
@@ -213,7 +258,9 @@ def _solved(
         least = _SHORTEST * found.dwell.sum(axis=-1)
         sound = np.flatnonzero((found.status == CONVERGED) & (found.dwell.min(axis=-1) > least))
         if len(sound):
-            return found.dwell[sound[0]], found.starts[sound[0], 0]
+            away = abs(found.dwell[sound].sum(axis=-1) - dwell[sound].sum(axis=-1))
+            nearest = sound[np.argmin(away)]
+            return found.dwell[nearest], found.starts[nearest, 0]
     return None
 
 
@@ -254,9 +301,9 @@ def _paths(structure: Structure, source: str, target: str, most: int) -> Iterato
             waiting.append((following, (*way, (configuration, names[boundary]))))
 
 
-def _splits(total: float, count: int, time: float | None) -> list[list[float]]:
+def _splits(total: float, count: int, time: float | None, share: float) -> list[list[float]]:
     """Guesses of the dwell times of new phases in place of old ones: all but one are short."""
-    short = _SHORT * total
+    short = share * total
     found = [[total / count] * count]
     for place in range(count):
         split = [short] * count
@@ -266,6 +313,21 @@ def _splits(total: float, count: int, time: float | None) -> list[list[float]]:
         middle = [short] * (count - 2)
         found.append([time, *middle, max(total - time - sum(middle), short)])
     return found
+
+
+def _without_boundary(base: Orbit, parameters: Mapping[str, Any], event: Event) -> Iterator[Orbit]:
+    """The motion that reaches no boundary any more, where one of two phases vanishes."""
+    if event.kind != "vanishing-phase" or event.phase is None or len(base.itinerary) != 2:
+        return
+    left = base.itinerary[1 - event.phase % 2][0]
+    try:
+        orbit = solve_itinerary(
+            base.system, parameters, ((left, FORCING_PHASE),), [float(base.period)]
+        )
+    except InputError:  # no forcing
+        return
+    if orbit.converged and orbit.admissibility.verdict is True:
+        yield orbit
 
 
 def _simulated(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:
@@ -288,8 +350,18 @@ def _near(period: float, base: Orbit) -> bool:
     return abs(period / float(base.period) - 1) < _NEAR
 
 
-def _canonical(itinerary: Sequence[tuple[str, str]]) -> _Phases:
-    """The same for all rotations and repetitions of an itinerary."""
+def canonical_itinerary(itinerary: Sequence[tuple[str, str]]) -> _Phases:
+    """The same for all rotations and repetitions of an itinerary.
+
+    Parameters
+    ----------
+    itinerary : sequence of (configuration, boundary)
+
+    Returns
+    -------
+    tuple of (str, str)
+        Of its shortest period the first rotation by names.
+    """
     phases = tuple(itinerary)
     for length in range(1, len(phases)):
         if len(phases) % length == 0 and phases[:length] * (len(phases) // length) == phases:

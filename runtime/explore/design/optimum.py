@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
@@ -10,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.explore.design.condition import DesignCondition
 from nonsmooth.runtime.explore.design.limits import ActiveLimit
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -22,7 +21,7 @@ CONVERGED, NOT_REACHED = 0, 1
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Design(Shown):
+class Design(Kept):
     """Parameters at which an orbit is best, or has wanted values.
 
     Attributes
@@ -63,6 +62,8 @@ class Design(Shown):
     start, orbit : Orbit
         Where it began and where it ended: along a branch at the first worst place.
     """
+
+    _kept_by = "save_design"
 
     aim: Literal["minimise", "maximise", "solve"]
     quantity: str
@@ -119,13 +120,3 @@ class Design(Shown):
         Figure or Axes
         """
         return registered("draw_design")(self, axes)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the design to a file with every digit; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            A JSON file; folders above it are made.
-        """
-        registered("save_design")(self, path)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 
 import numpy as np
 
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.steady import Equilibrium
@@ -81,7 +80,7 @@ class FoundEquilibrium:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Found(Shown):
+class Found(Kept):
     """What was found to live in a system, with the largest basins first.
 
     Attributes
@@ -103,6 +102,8 @@ class Found(Shown):
         Whether the search was not interrupted.
     """
 
+    _kept_by = "save_found"
+
     system: str
     parameters: dict[str, Value]
     names: tuple[str, ...]
@@ -113,16 +114,6 @@ class Found(Shown):
     box: np.ndarray
     transitions: int
     complete: bool = True
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write everything as JSON that `nonsmooth.load` reads.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-        """
-        registered("save_found")(self, path)
 
     def _repr_html_(self) -> str:
         text: str = registered("found_html")(self)

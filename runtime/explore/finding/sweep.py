@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -11,9 +10,8 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.json_codec import AnyTable, BlankDigits, BlankText, Integers, Row
-from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.resuming import check_same_question
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.core.workload import BYTES, check_memory
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
@@ -36,7 +34,7 @@ _KEPT = 65  # entries at the end of a motion that is classified
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Sweep(Shown):
+class Sweep(Kept):
     """Samples of a state over a parameter, after transients: a bifurcation diagram.
 
     Attributes
@@ -65,6 +63,8 @@ class Sweep(Shown):
         Where the motion at the next value starts.
     """
 
+    _kept_by = "save_sweep"
+
     system: str
     parameters: Mapping[str, Value]
     parameter: str
@@ -86,16 +86,6 @@ class Sweep(Shown):
         if self.configuration is not None:
             return f"at each entry of {self.configuration}"
         return f"at the phase {self.phase:g} of the forcing"
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the diagram to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-        """
-        registered("save_sweep")(self, path)
 
 
 def sweep(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -12,7 +11,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import AnyRow, AnyTable, Digits, Row, Table
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.fitting.measurements import MeasuredSeries
 from nonsmooth.runtime.explore.fitting.nearest_grazing import NearestGrazing, nearest
@@ -125,7 +124,7 @@ class FittedExperiment:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Fit(Shown):
+class Fit(Kept):
     """Parameters that were identified from measurements; q of them are free.
 
     Attributes
@@ -171,6 +170,8 @@ class Fit(Shown):
     costs : array (n,)
         Half the loss at which each ended; NaN where it was not begun.
     """
+
+    _kept_by = "save_fit"
 
     system: str
     names: tuple[str, ...]
@@ -335,16 +336,6 @@ class Fit(Shown):
             What was drawn on.
         """
         return registered("plot_fit")(self, axes, experiment)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the fit to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-        """
-        registered("save_fit")(self, path)
 
     def to_json(self) -> dict[str, Any]:
         """Give the fit ready for JSON, numbers as decimal strings with every digit.

@@ -33,15 +33,7 @@ from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.saved_system import same_system
-from nonsmooth.runtime.present.checking.compare_declarations import (
-    compare_box,
-    compare_branch,
-    compare_cascade,
-    compare_census,
-    compare_certificate,
-    compare_chaos,
-    compare_events,
-)
+from nonsmooth.runtime.present.checking.compare_declarations import compare
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
 from nonsmooth.runtime.present.files.censuses import CENSUS, census_entries, census_of
 from nonsmooth.runtime.present.files.certificates import (
@@ -51,7 +43,7 @@ from nonsmooth.runtime.present.files.certificates import (
 )
 from nonsmooth.runtime.present.files.certified_branches import (
     BRANCH,
-    certified_branch_entries,
+    branch_file_entries,
     certified_branch_of,
 )
 from nonsmooth.runtime.present.files.certified_cascades import (
@@ -119,14 +111,13 @@ class Check(Shown):
 
 
 class _Kind(NamedTuple):
-    """What is done with a file: proof, record, what that states, claims, comparison."""
+    """What is done with a file: proof, record, what that states, claims."""
 
     format: FileFormat[Any]
     check: Callable[[dict[str, Any]], None]
     of: Callable[[Any], Any]
     entries: Callable[[Any], Any]
     claims: Callable[[Any], Mapping[str, str]]
-    compare: Callable[[Mapping[str, Any]], bool]
 
 
 def _listed(census: Census) -> dict[str, str]:
@@ -135,30 +126,23 @@ def _listed(census: Census) -> dict[str, str]:
     return {"listed": "proved" if every else "undecided", "no others": "undecided"}
 
 
+def _own(found: Any) -> Mapping[str, str]:
+    claims: Mapping[str, str] = found.claims
+    return claims
+
+
 _KINDS = {
     kind.format.name: kind
     for kind in (
-        _Kind(
-            CERTIFICATE, check, certificate_of, certificate_entries,
-            lambda found: found.claims, compare_certificate,
-        ),
-        _Kind(BOX, check_tiles, box_of, box_entries, lambda found: found.claims, compare_box),
-        _Kind(
-            BRANCH, check_branch, certified_branch_of, certified_branch_entries,
-            lambda found: found.claims, compare_branch,
-        ),
-        _Kind(
-            CASCADE, check_cascade, certified_cascade_of, certified_cascade_entries,
-            lambda found: found.claims, compare_cascade,
-        ),
-        _Kind(EVENTS, check_events, events_of, event_entries, events_claim, compare_events),
-        _Kind(CENSUS, check_census, census_of, census_entries, _listed, compare_census),
-        _Kind(
-            CHAOS, check_chaos, chaos_of, chaos_entries,
-            lambda found: {"chaos": found.claim}, compare_chaos,
-        ),
+        _Kind(CERTIFICATE, check, certificate_of, certificate_entries, _own),
+        _Kind(BOX, check_tiles, box_of, box_entries, _own),
+        _Kind(BRANCH, check_branch, certified_branch_of, branch_file_entries, _own),
+        _Kind(CASCADE, check_cascade, certified_cascade_of, certified_cascade_entries, _own),
+        _Kind(EVENTS, check_events, events_of, event_entries, events_claim),
+        _Kind(CENSUS, check_census, census_of, census_entries, _listed),
+        _Kind(CHAOS, check_chaos, chaos_of, chaos_entries, lambda found: {"chaos": found.claim}),
     )
-}  # fmt: skip
+}
 
 
 def check_certificate(path: str | os.PathLike[str], declared: str | None = None) -> Check:
@@ -209,7 +193,7 @@ def check_certificate(path: str | os.PathLike[str], declared: str | None = None)
         found = kind.of(entries)
         if not _agrees(encode(kind.entries(found)), content):
             return Check("what follows from other entries is not what the file says")
-        compared = kind.compare(content)
+        compared = compare(content)
         if declared is not None:
             _compare_declared(content, declared)
     except Malformed as problem:

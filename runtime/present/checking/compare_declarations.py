@@ -32,21 +32,13 @@ from nonsmooth.runtime.proof.sets.images import PassedTransition
 from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
 from nonsmooth.runtime.proof.statement import rational
 
-__all__ = [
-    "compare_box",
-    "compare_branch",
-    "compare_cascade",
-    "compare_census",
-    "compare_certificate",
-    "compare_chaos",
-    "compare_events",
-]
+__all__ = ["compare"]
 
 Content = Mapping[str, Any]
 
 
-def compare_certificate(content: Content) -> bool:
-    """Compare a certificate.
+def compare(content: Content) -> bool:
+    """Compare what a file proves with the system that it names.
 
     Parameters
     ----------
@@ -56,13 +48,19 @@ def compare_certificate(content: Content) -> bool:
     Returns
     -------
     bool
-        Whether there was a declaration, and of an orbit by a name that its system knows.
+        Whether there was a declaration, and of an orbit by a name that its system knows; of all
+        orbits of the file.
 
     Raises
     ------
     Failure
-        If the declaration is another one.
+        If a declaration is another one.
     """
+    return _COMPARISONS[content["format"]](content)
+
+
+def _certificate(content: Content) -> bool:
+    """Compare a certificate."""
     compared = _compare(content, _declared_at_point, "at its parameters")
     directions = content.get("directions", {})
     for name, direction in directions.items():
@@ -70,45 +68,13 @@ def compare_certificate(content: Content) -> bool:
     return compared
 
 
-def compare_box(content: Content) -> bool:
-    """Compare a map.
-
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Returns
-    -------
-    bool
-        Whether there was a declaration, and of an orbit by a name that its system knows.
-
-    Raises
-    ------
-    Failure
-        If the declaration is another one.
-    """
+def _box(content: Content) -> bool:
+    """Compare a map."""
     return _compare(content, _declared_over_box, "over the box")
 
 
-def compare_events(content: Content) -> bool:
-    """Compare each event that is proved: a box of one parameter.
-
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Returns
-    -------
-    bool
-        Whether that holds of all of them, as `compare_box` tells it.
-
-    Raises
-    ------
-    Failure
-        If the declaration of an event is another one.
-    """
+def _events(content: Content) -> bool:
+    """Compare each event that is proved: a box of one parameter."""
     compared = []
     for number, event in enumerate(content["events"], 1):
         if event["claim"] != "proved":
@@ -119,78 +85,40 @@ def compare_events(content: Content) -> bool:
         middle, radius = rational(side["mid"]), rational(side["rad"])
         box = {name: [str(middle - radius), str(middle + radius)]}
         try:
-            compared.append(compare_box({**event, "box": box}))
+            compared.append(_box({**event, "box": box}))
         except Failure as problem:
             raise Failure(f"event {number}, {event['kind']}: {problem}") from None
     return all(compared)
 
 
-def compare_branch(content: Content) -> bool:
-    """Compare a certified branch: a box of one parameter.
-
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Returns
-    -------
-    bool
-        As `compare_box` tells it.
-
-    Raises
-    ------
-    Failure
-        If the declaration is another one.
-    """
-    return compare_box({**content, "box": {content["parameter"]: content["interval"]}})
+def _branch(content: Content) -> bool:
+    """Compare a certified branch, a box of one parameter, and those that begin at its events."""
+    events = [tile["event"] for tile in content["tiles"] if tile["event"] is not None]
+    beyond = [each["branch"] for event in events for each in event.get("beyond", [])]
+    own = {**content, "box": {content["parameter"]: content["interval"]}}
+    return all([_box(own), *map(_branch, beyond)])
 
 
-def compare_cascade(content: Content) -> bool:
-    """Compare all branches of a certified cascade.
-
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Returns
-    -------
-    bool
-        As `compare_box` tells it of all of them.
-
-    Raises
-    ------
-    Failure
-        If a declaration is another one.
-    """
-    return all([compare_branch(branch) for branch in content["branches"]])
+def _cascade(content: Content) -> bool:
+    """Compare all branches of a certified cascade."""
+    compared = all([_branch(branch) for branch in content["branches"]])
+    first = content["branches"][0]
+    if content["orbit"] == first["orbit"]:
+        return compared
+    if first["tables"] is not None:
+        return False
+    named_in({**first, "orbit": content["orbit"]})
+    return compared
 
 
-def compare_census(content: Content) -> bool:
-    """Compare all orbits of a census, and its parameters with theirs.
-
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Returns
-    -------
-    bool
-        True.
-
-    Raises
-    ------
-    Failure
-        If a declaration, the parameters or the period are others.
-    """
+def _census(content: Content) -> bool:
+    """Compare all orbits of a census, and its parameters with theirs."""
     named = named_in(content)
     given = _given_values(content["parameters"])
     for found in (orbit["certificate"] for orbit in content["orbits"]):
         if found is None:
             continue
-        compare_certificate(found)
+        _certificate(found)
         own = _given_values(found["parameters"])
         values = given
         if named.derived is not None:
@@ -207,24 +135,8 @@ def compare_census(content: Content) -> bool:
     return True
 
 
-def compare_chaos(content: Content) -> bool:
-    """Compare the system of a certificate of chaos.
-
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Returns
-    -------
-    bool
-        True.
-
-    Raises
-    ------
-    Failure
-        If the declaration is another one.
-    """
+def _chaos(content: Content) -> bool:
+    """Compare the system of a certificate of chaos."""
     tables = content["tables"]
     kernels = system_in(content["system"], None if tables is None else decode(SavedSystem, tables))
     given = system_parameters(kernels, _given_values(content["parameters"]))
@@ -334,3 +246,14 @@ def _check_values(named: NamedOrbit, values: dict[str, Value]) -> None:
 def _given_values(parameters: Mapping[str, str]) -> dict[str, Value]:
     """Values as they were written."""
     return {name: given_value(name, text) for name, text in parameters.items()}
+
+
+_COMPARISONS: Mapping[str, Callable[[Content], bool]] = {
+    "nonsmooth certificate": _certificate,
+    "nonsmooth box certificate": _box,
+    "nonsmooth event certificate": _events,
+    "nonsmooth certified branch": _branch,
+    "nonsmooth certified cascade": _cascade,
+    "nonsmooth census": _census,
+    "nonsmooth chaos certificate": _chaos,
+}

@@ -9,6 +9,7 @@
 `certificates`        certificates of one orbit
 `certified_branches`  certified branches
 `certified_cascades`  certified cascades of doublings
+`basin_certificates`  certificates of basins
 `chaos_certificates`  certificates of chaos
 `claim_entries`       entries that the files of all proofs share
 `declared_table`      the table of an orbit without kernels, as a declaration would have it

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
 from nonsmooth.runtime.core.json_codec import Codec, Exact, decode
-from nonsmooth.runtime.core.result_files import FileFormat, check_follows, naming
+from nonsmooth.runtime.core.result_files import FileFormat, check_follows
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.present.files.certificates import (
@@ -69,24 +68,6 @@ class CensusEntries:
 CENSUS = FileFormat(name="nonsmooth census", what="census", entries=CensusEntries, version=VERSION)
 
 
-def save_census(census: Census, path: str | os.PathLike[str]) -> None:
-    """Write a census to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    census : Census
-        As `certify_all` gives it.
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
-    CENSUS.write(path, census_entries(census))
-
-
 def census_entries(census: Census) -> CensusEntries:
     """What a census' file states.
 
@@ -105,34 +86,6 @@ def census_entries(census: Census) -> CensusEntries:
         if orbit.certificate is not None:
             told["certificate"] = CERTIFICATE.content(certificate_entries(orbit.certificate))
     return decode(CensusEntries, content)
-
-
-def load_census(path: str | os.PathLike[str]) -> Census:
-    """Read a census that `Census.save` wrote; nothing is proved again.
-
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Returns
-    -------
-    Census
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign. The message names it.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> ns.certify_all("dry-friction/global-stick", box={"tau": 3, "tau1": 3}).save("all.json")
-    >>> ns.load("all.json").count
-    1
-    """
-    with naming(path) as file:
-        return census_of(CENSUS.read(file))
 
 
 def census_of(entries: CensusEntries) -> Census:
@@ -175,3 +128,7 @@ def census_of(entries: CensusEntries) -> Census:
 def _counted(entries: CountedEntries) -> Counted:
     found = entries.certificate
     return Counted(entries.unique, None if found is None else certificate_of(found), entries.reason)
+
+
+save_census = CENSUS.writer(census_entries)
+load_census = CENSUS.reader(census_of)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from nonsmooth.runtime.core.json_codec import BlankValue
-from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.model.saved_system import system_in
 from nonsmooth.runtime.present.files.claim_entries import (
     Ball,
@@ -62,52 +61,6 @@ class CertificateEntries(OrbitProofEntries):
 CERTIFICATE = FileFormat(
     name=FORMAT, what="certificate", entries=CertificateEntries, version=VERSION
 )
-
-
-def save_certificate(certificate: Certificate, path: str | os.PathLike[str]) -> None:
-    """Write a certificate to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    certificate : Certificate
-        As `certify` gives it.
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
-    CERTIFICATE.write(path, certificate_entries(certificate))
-
-
-def load_certificate(path: str | os.PathLike[str]) -> Certificate:
-    """Read a certificate that `Certificate.save` wrote; nothing is proved again.
-
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Returns
-    -------
-    Certificate
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign. The message names it.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> ns.certify(ns.solve("dry-friction/global-stick")).save("proof.json")
-    >>> ns.load("proof.json").proved
-    True
-    """
-    with naming(path) as file:
-        return certificate_of(CERTIFICATE.read(file))
 
 
 def certificate_entries(certificate: Certificate) -> CertificateEntries:
@@ -164,3 +117,7 @@ def certificate_of(entries: CertificateEntries) -> Certificate:
         directions=entries.directions or {},
         no_derivatives=entries.no_derivatives or {},
     )
+
+
+save_certificate = CERTIFICATE.writer(certificate_entries)
+load_certificate = CERTIFICATE.reader(certificate_of)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, Literal
 
 from nonsmooth.runtime.core.json_codec import FromOne
-from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.model.saved_system import system_in
 from nonsmooth.runtime.present.files.box_certificates import check_exponents
 from nonsmooth.runtime.present.files.claim_entries import (
@@ -22,12 +21,14 @@ from nonsmooth.runtime.proof.branch.certified_branch import (
     BranchEvent,
     BranchTile,
     CertifiedBranch,
+    OrbitBeyond,
 )
-from nonsmooth.runtime.proof.branch.certify_branch import STATED
+from nonsmooth.runtime.proof.branch.stating import STATED
 from nonsmooth.runtime.proof.certificate import VERSION
 
 __all__ = [
     "BRANCH",
+    "branch_file_entries",
     "certified_branch_entries",
     "certified_branch_of",
     "load_certified_branch",
@@ -93,29 +94,43 @@ class CertifiedBranchEntries(OrbitProofEntries):
     closing: Mapping[str, Any]
 
 
+@dataclass(frozen=True, kw_only=True)
+class OrbitBeyondEntries:
+    """What a file states of orbits that begin at an event."""
+
+    side: Literal["above", "below"]
+    own: Literal["above", "below"]
+    verdict: Literal["stable", "neutral", "unstable"]
+    branch: CertifiedBranchEntries
+
+
+@dataclass(frozen=True, kw_only=True)
+class FileEventEntries(BranchEventEntries):
+    """What a branch's own file states of an event: what begins there, too."""
+
+    beyond: tuple[OrbitBeyondEntries, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class FileTileEntries(BranchTileEntries):
+    """What a branch's own file states of a tile."""
+
+    event: FileEventEntries | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class BranchFileEntries(CertifiedBranchEntries):
+    """What a branch's own file states."""
+
+    tiles: tuple[FileTileEntries, ...]
+
+
 BRANCH = FileFormat(
     name="nonsmooth certified branch",
     what="certified branch",
-    entries=CertifiedBranchEntries,
+    entries=BranchFileEntries,
     version=VERSION,
 )
-
-
-def save_certified_branch(found: CertifiedBranch, path: str | os.PathLike[str]) -> None:
-    """Write a branch to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    found : CertifiedBranch
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
-    BRANCH.write(path, certified_branch_entries(found))
 
 
 def certified_branch_entries(found: CertifiedBranch) -> CertifiedBranchEntries:
@@ -130,37 +145,43 @@ def certified_branch_entries(found: CertifiedBranch) -> CertifiedBranchEntries:
     CertifiedBranchEntries
         Ready to be written.
     """
-    return stated(CertifiedBranchEntries, found)
+    return stated(CertifiedBranchEntries, _bare(found))
 
 
-def load_certified_branch(path: str | os.PathLike[str]) -> CertifiedBranch:
-    """Read a branch that `CertifiedBranch.save` wrote; nothing is proved again.
+def branch_file_entries(found: CertifiedBranch) -> BranchFileEntries:
+    """What a certified branch's own file states: what begins at its events, too.
 
     Parameters
     ----------
-    path : str or path
-        File to read.
+    found : CertifiedBranch
 
     Returns
     -------
-    CertifiedBranch
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign. The message names it.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> orbit = ns.solve("dry-friction/symmetric", {"V": 1})
-    >>> branch = ns.continue_orbit(orbit, "V", (0.9, 1.1))
-    >>> ns.certify_branch(branch).save("branch.json")
-    >>> [event.kind for event in ns.load("branch.json").events]
-    ['flip']
+    BranchFileEntries
+        Ready to be written.
     """
-    with naming(path) as file:
-        return certified_branch_of(BRANCH.read(file))
+    told = stated(BranchFileEntries, _bare(found))
+    return replace(told, tiles=tuple(map(_with_beyond, told.tiles, found.tiles)))
+
+
+def _bare(found: CertifiedBranch) -> CertifiedBranch:
+    """A branch without what begins at its events."""
+    tiles = (
+        tile if tile.event is None else replace(tile, event=replace(tile.event, beyond=()))
+        for tile in found.tiles
+    )
+    return replace(found, tiles=tuple(tiles))
+
+
+def _with_beyond(told: FileTileEntries, tile: BranchTile) -> FileTileEntries:
+    """A tile's entries with what begins at its event."""
+    if told.event is None or tile.event is None:
+        return told
+    beyond = tuple(
+        OrbitBeyondEntries(**{**vars(each), "branch": certified_branch_entries(each.branch)})
+        for each in tile.event.beyond
+    )
+    return replace(told, event=replace(told.event, beyond=beyond))
 
 
 def certified_branch_of(entries: CertifiedBranchEntries) -> CertifiedBranch:
@@ -189,4 +210,13 @@ def _tile(entries: BranchTileEntries) -> BranchTile:
 def _event(entries: BranchEventEntries) -> BranchEvent:
     also = tuple((kind, phase - 1, *rest) for kind, phase, *rest in entries.also)
     enclosures = enclosed(entries.enclosures, STATED)
-    return BranchEvent(**{**vars(entries), "also": also, "enclosures": enclosures})
+    beyond = tuple(
+        OrbitBeyond(**{**vars(each), "branch": certified_branch_of(each.branch)})
+        for each in (entries.beyond if isinstance(entries, FileEventEntries) else ())
+    )
+    told = {**vars(entries), "also": also, "enclosures": enclosures, "beyond": beyond}
+    return BranchEvent(**told)
+
+
+save_certified_branch = BRANCH.writer(branch_file_entries)
+load_certified_branch = BRANCH.reader(certified_branch_of)

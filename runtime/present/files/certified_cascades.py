@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
-from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.present.files.certified_branches import (
     CertifiedBranchEntries,
     certified_branch_entries,
     certified_branch_of,
 )
 from nonsmooth.runtime.present.files.claim_entries import Ball
-from nonsmooth.runtime.proof.branch.certify_branch import STATED
+from nonsmooth.runtime.proof.branch.stating import STATED
 from nonsmooth.runtime.proof.doubling.certified_cascade import (
     CertifiedCascade,
     CertifiedDoubling,
@@ -55,8 +54,10 @@ class CascadeClaimEntries:
 class CertifiedCascadeEntries:
     """What a certified cascade's file states."""
 
+    orbit: str
     claims: CascadeClaimEntries
     asked: int
+    ended: Literal["complete", "unfinished", "no flip", "not covered", "not proved"]
     end: str
     doublings: tuple[DoublingEntries, ...]
     branches: tuple[CertifiedBranchEntries, ...]
@@ -67,23 +68,6 @@ CASCADE = FileFormat(
     what="certified cascade",
     entries=CertifiedCascadeEntries,
 )
-
-
-def save_cascade(found: CertifiedCascade, path: str | os.PathLike[str]) -> None:
-    """Write a cascade to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    found : CertifiedCascade
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
-    CASCADE.write(path, certified_cascade_entries(found))
 
 
 def certified_cascade_entries(found: CertifiedCascade) -> CertifiedCascadeEntries:
@@ -98,11 +82,14 @@ def certified_cascade_entries(found: CertifiedCascade) -> CertifiedCascadeEntrie
     CertifiedCascadeEntries
         Ready to be written.
     """
+    branches = tuple(map(certified_branch_entries, found.branches))
     return CertifiedCascadeEntries(
+        orbit=_renamed(found, branches[0].system),
         claims=CascadeClaimEntries(
             doublings="proved" if found.claims["doublings"] == "proved" else "undecided"
         ),
         asked=found.asked,
+        ended=found.ended,
         end=found.end,
         doublings=tuple(
             DoublingEntries(
@@ -114,38 +101,14 @@ def certified_cascade_entries(found: CertifiedCascade) -> CertifiedCascadeEntrie
             )
             for doubling in found.doublings
         ),
-        branches=tuple(map(certified_branch_entries, found.branches)),
+        branches=branches,
     )
 
 
-def load_certified_cascade(path: str | os.PathLike[str]) -> CertifiedCascade:
-    """Read a cascade that `CertifiedCascade.save` wrote; nothing is proved again.
-
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Returns
-    -------
-    CertifiedCascade
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign. The message names it.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> orbit = ns.solve("dry-friction/symmetric", {"V": "1.05"})
-    >>> branch = ns.continue_orbit(orbit, "V", (1, 1.2))
-    >>> ns.certify_cascade(branch, tiles=2).save("cascade.json")
-    >>> ns.load("cascade.json").doublings[0].side
-    'above'
-    """
-    with naming(path) as file:
-        return certified_cascade_of(CASCADE.read(file))
+def _renamed(found: CertifiedCascade, system: str) -> str:
+    """The orbit's name with that of its system as files call it."""
+    own = found.orbit.removeprefix(found.system)
+    return found.orbit if own == found.orbit else system + own
 
 
 def certified_cascade_of(entries: CertifiedCascadeEntries) -> CertifiedCascade:
@@ -161,7 +124,9 @@ def certified_cascade_of(entries: CertifiedCascadeEntries) -> CertifiedCascade:
     CertifiedCascade
     """
     return CertifiedCascade(
+        orbit=entries.orbit,
         asked=entries.asked,
+        ended=entries.ended,
         end=entries.end,
         doublings=tuple(
             CertifiedDoubling(
@@ -175,3 +140,7 @@ def certified_cascade_of(entries: CertifiedCascadeEntries) -> CertifiedCascade:
         ),
         branches=tuple(map(certified_branch_of, entries.branches)),
     )
+
+
+save_cascade = CASCADE.writer(certified_cascade_entries)
+load_certified_cascade = CASCADE.reader(certified_cascade_of)

@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact, decode, encode
-from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
@@ -104,37 +104,6 @@ def chaos_entries(found: ChaosCertificate) -> ChaosEntries:
     return decode(ChaosEntries, {**told, "tables": tables, "declaration": dict(found.declaration)})
 
 
-def load_chaos_certificate(path: str | os.PathLike[str]) -> ChaosCertificate:
-    """Read a certificate of chaos that `ChaosCertificate.save` or the command wrote.
-
-    Nothing is proved again.
-
-    Parameters
-    ----------
-    path : str or path
-
-    Returns
-    -------
-    ChaosCertificate
-        Without the boxes of the images.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign. The message names it.
-
-    Examples
-    --------
-    >>> import nonsmooth as ns
-    >>> data = {"chi": "0.5", "eta": "1", "V": "1", "us1": "1", "us2": "1", "ur1": "4", "ur2": "2"}
-    >>> ns.certify_chaos("dry-friction", data, [5, 4, 0.5, 0.25], attempts=1).save("chaos.json")
-    >>> ns.load("chaos.json").proved
-    False
-    """
-    with naming(path) as file:
-        return chaos_of(CHAOS.read(file))
-
-
 def chaos_of(entries: ChaosEntries) -> ChaosCertificate:
     """The certificate that a file's entries describe.
 
@@ -151,3 +120,6 @@ def chaos_of(entries: ChaosEntries) -> ChaosCertificate:
     system_in(entries.system, own.pop("tables"))
     sets = tuple(HSet(h.name, h.centre, h.sides) for h in entries.h_sets)
     return ChaosCertificate(**{**own, "h_sets": sets, "images": {}})
+
+
+load_chaos_certificate = CHAOS.reader(chaos_of)

@@ -33,6 +33,7 @@ READERS: Mapping[str, str] = MappingProxyType(
         "nonsmooth certified branch": "certified_branches:load_certified_branch",
         "nonsmooth certified cascade": "certified_cascades:load_certified_cascade",
         "nonsmooth census": "censuses:load_census",
+        "nonsmooth basin certificate": "basin_certificates:load_basin_certificate",
         "nonsmooth chaos certificate": "chaos_certificates:load_chaos_certificate",
     }
 )
@@ -55,8 +56,8 @@ def load(path: str | os.PathLike[str]) -> Any:
     Returns
     -------
     Orbit, Found, Branch, Locus, Design, Sweep, Fit, Certificate, BoxCertificate, \
-CertifiedBranch, CertifiedCascade, ChaosCertificate, Census, Trajectory, tuple of \
-EventCertificate or xarray.Dataset
+BasinCertificate, CertifiedBranch, CertifiedCascade, ChaosCertificate, Census, Trajectory, \
+tuple of EventCertificate or xarray.Dataset
         The result that was saved. A chart may be incomplete, `status` being -128 where nothing
         is computed yet, and its numbers are read when they are used.
 

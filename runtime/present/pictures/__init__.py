@@ -7,6 +7,7 @@
 `scenes`              simulated motions
 `motion_panels`       what is drawn of a motion into one Axes
 `branches`            branches, and curves of events in the plane
+`certified_basins`    basins that are proved
 `certified_branches`  certified branches: intervals in colours, events marked
 `certified_cascades`  certified cascades: each doubled branch beside its flip
 `charts`              charts of the parameter plane

@@ -8,17 +8,15 @@ from typing import TYPE_CHECKING, Any
 from nonsmooth.runtime.core.errors import unknown_name
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.units import units_of
-from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
+from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
 from nonsmooth.runtime.present.pictures.proven_maps import COLORS
 from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
 
 if TYPE_CHECKING:
     import numpy as np
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 __all__ = [
-    "certified_branch_figure",
     "draw_certified_branch",
     "draw_tiles",
     "mark_events",
@@ -28,39 +26,9 @@ _POINTS = 40  # of a tile
 _MARKS = "osD^vP*X"
 
 
-def certified_branch_figure(found: CertifiedBranch, quantity: str | None = None) -> Figure:
-    """Draw a branch into a figure of its own; see `draw_certified_branch`.
-
-    Parameters
-    ----------
-    found : CertifiedBranch
-    quantity : str, optional
-        The unknown that is drawn.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        If the branch has no such unknown.
-    MissingExtra
-        If matplotlib is not installed.
-    """
-    check_picture("branch", ("branch",))
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(7.2, 5.0))
-    figure.set_layout_engine("constrained")
-    _draw(found, quantity, figure.add_subplot())
-    return figure
-
-
 def draw_certified_branch(
     found: CertifiedBranch, quantity: str | None = None, axes: Any = None
-) -> Figure | Axes:
+) -> Any:
     """Draw an unknown over the parameter, by the polynomials of the tubes.
 
     Parameters
@@ -83,12 +51,7 @@ def draw_certified_branch(
     MissingExtra
         If matplotlib is not installed.
     """
-    if axes is None:
-        return certified_branch_figure(found, quantity)
-    check_picture("branch", ("branch",))
-    (own,) = given_axes(axes, "branch", [1])
-    _draw(found, quantity, own)
-    return own
+    return drawn_alone("branch", (7.2, 5.0), lambda own: _draw(found, quantity, own), axes)
 
 
 def _draw(found: CertifiedBranch, quantity: str | None, axes: Axes) -> None:

@@ -8,52 +8,19 @@ from nonsmooth.runtime.core.errors import unknown_name
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.units import units_of
 from nonsmooth.runtime.present.pictures.certified_branches import draw_tiles, mark_events
-from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
+from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
 from nonsmooth.runtime.present.pictures.proven_maps import COLORS
 from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
-__all__ = ["certified_cascade_figure", "draw_cascade"]
+__all__ = ["draw_cascade"]
 
 _POINTS = 60  # of the orbits beside a flip
 
 
-def certified_cascade_figure(found: CertifiedCascade, quantity: str | None = None) -> Figure:
-    """Draw a cascade into a figure of its own; see `draw_cascade`.
-
-    Parameters
-    ----------
-    found : CertifiedCascade
-    quantity : str, optional
-        The unknown that is drawn.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        If the branches have no such unknown.
-    MissingExtra
-        If matplotlib is not installed.
-    """
-    check_picture("cascade", ("cascade",))
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(7.2, 5.0))
-    figure.set_layout_engine("constrained")
-    _draw(found, quantity, figure.add_subplot())
-    return figure
-
-
-def draw_cascade(
-    found: CertifiedCascade, quantity: str | None = None, axes: Any = None
-) -> Figure | Axes:
+def draw_cascade(found: CertifiedCascade, quantity: str | None = None, axes: Any = None) -> Any:
     """Draw an unknown of all branches over the parameter, by the polynomials of the tubes.
 
     Parameters
@@ -77,12 +44,7 @@ def draw_cascade(
     MissingExtra
         If matplotlib is not installed.
     """
-    if axes is None:
-        return certified_cascade_figure(found, quantity)
-    check_picture("cascade", ("cascade",))
-    (own,) = given_axes(axes, "cascade", [1])
-    _draw(found, quantity, own)
-    return own
+    return drawn_alone("cascade", (7.2, 5.0), lambda own: _draw(found, quantity, own), axes)
 
 
 def _draw(found: CertifiedCascade, quantity: str | None, axes: Axes) -> None:

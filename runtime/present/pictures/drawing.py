@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,6 +27,7 @@ __all__ = [
     "dot_style",
     "draw_arrow",
     "draw_levels",
+    "drawn_alone",
     "finish",
     "given_axes",
     "line_style",
@@ -151,6 +152,46 @@ def given_axes(axes: Any, kind: str, counts: Sequence[int]) -> list[Axes]:
             f" given: {len(places)} {type(places[0]).__name__ if places else 'objects'}"
         )
     return places
+
+
+def drawn_alone(
+    kind: str, size: tuple[float, float], draw: Callable[[Axes], None], axes: Any = None
+) -> Any:
+    """Draw into Axes that a caller gave, or into those of a figure of its own.
+
+    Parameters
+    ----------
+    kind : str
+        Kind of picture, for the message.
+    size : tuple of (float, float)
+        Of the figure, in inches.
+    draw : callable
+        Takes the Axes.
+    axes : Axes, optional
+
+    Returns
+    -------
+    Figure or Axes
+        The figure, outside pyplot, or the Axes that were given.
+
+    Raises
+    ------
+    InputError
+        If these are not one.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    check_matplotlib()
+    if axes is not None:
+        (own,) = given_axes(axes, kind, [1])
+        draw(own)
+        return own
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=size)
+    figure.set_layout_engine("constrained")
+    draw(figure.add_subplot())
+    return figure
 
 
 def draw_levels(axes: Axes, levels: Mapping[float, str], *, upright: bool = False) -> None:

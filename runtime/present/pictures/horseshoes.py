@@ -135,7 +135,8 @@ def _draw_sets(axes: Axes, found: ChaosCertificate) -> None:
         axes.set_ylabel(units.label(found.coordinates[1]))
         axes.set_xlim(middle[0] - _AROUND * half[0], middle[0] + _AROUND * half[0])
         axes.set_ylim(middle[1] - _AROUND * half[1], middle[1] + _AROUND * half[1])
-    power = "" if found.iterates == 1 else f", images under P^{found.iterates}"
+    shown = found.images and found.iterates > 1  # a file holds no images
+    power = f", images under P^{found.iterates}" if shown else ""
     finish(axes, f"{shown_name(found.system)}{power}")
 
 

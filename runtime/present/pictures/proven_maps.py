@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING, Any
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.units import units_of
-from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
+from nonsmooth.runtime.present.pictures.drawing import drawn_alone, finish
 from nonsmooth.runtime.proof.boxes.box_certificate import VERDICTS, BoxCertificate, Tile
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
-__all__ = ["COLORS", "box_figure", "draw_box"]
+__all__ = ["COLORS", "draw_box"]
 
 # the colours of charts: Tol's scheme "vibrant"; white is what is not known
 COLORS = {
@@ -30,36 +29,7 @@ _PARTS = 16  # of a curve in a tile
 _STYLES = ("-", "--", "-.", ":")
 
 
-def box_figure(found: BoxCertificate) -> Figure:
-    """Draw a map into a figure of its own; see `draw_box`.
-
-    Parameters
-    ----------
-    found : BoxCertificate
-        The map.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        If the box has more than two parameters.
-    MissingExtra
-        If matplotlib is not installed.
-    """
-    check_picture("map", ("map",))
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(7.2, 5.6))
-    figure.set_layout_engine("constrained")
-    _draw(found, figure.add_subplot())
-    return figure
-
-
-def draw_box(found: BoxCertificate, axes: Any = None) -> Figure | Axes:
+def draw_box(found: BoxCertificate, axes: Any = None) -> Any:
     """Draw the tiles of a map of two parameters, or the trace over one.
 
     Parameters
@@ -81,12 +51,7 @@ def draw_box(found: BoxCertificate, axes: Any = None) -> Figure | Axes:
     MissingExtra
         If matplotlib is not installed.
     """
-    if axes is None:
-        return box_figure(found)
-    check_picture("map", ("map",))
-    (own,) = given_axes(axes, "map", [1])
-    _draw(found, own)
-    return own
+    return drawn_alone("map", (7.2, 5.6), lambda own: _draw(found, own), axes)
 
 
 def _draw(found: BoxCertificate, own: Axes) -> None:

@@ -143,28 +143,26 @@ def _design(path: Path) -> Drawn:
     return {"orbit": found.orbit.name}, design_figure(found)
 
 
+def _of_orbit(found: Any) -> Drawn:
+    return {"orbit": found.orbit}, found.plot()
+
+
 def _proven_map(path: Path) -> Drawn:
     from nonsmooth.runtime.present.files.box_certificates import load_box_certificate
-    from nonsmooth.runtime.present.pictures.proven_maps import box_figure
 
-    certificate = load_box_certificate(path)
-    return {"orbit": certificate.orbit}, box_figure(certificate)
+    return _of_orbit(load_box_certificate(path))
 
 
 def _certified_branch(path: Path) -> Drawn:
     from nonsmooth.runtime.present.files.certified_branches import load_certified_branch
-    from nonsmooth.runtime.present.pictures.certified_branches import certified_branch_figure
 
-    found = load_certified_branch(path)
-    return {"orbit": found.orbit}, certified_branch_figure(found)
+    return _of_orbit(load_certified_branch(path))
 
 
 def _certified_cascade(path: Path) -> Drawn:
     from nonsmooth.runtime.present.files.certified_cascades import load_certified_cascade
-    from nonsmooth.runtime.present.pictures.certified_cascades import certified_cascade_figure
 
-    found = load_certified_cascade(path)
-    return {"orbit": found.orbit}, certified_cascade_figure(found)
+    return _of_orbit(load_certified_cascade(path))
 
 
 def _chaos(path: Path) -> Drawn:

@@ -5,6 +5,7 @@
 `tile`             the proof on one tile, in Taylor models of the parameters
 `tile_event`       the curve of one event that divides a tile of two parameters
 `regions`          regions and curves of a map of two parameters
+`tile_edges`       edges that tiles have in common, and what is joined by them
 `tile_places`      the places of tiles: a box, halved again and again
 `box_certificate`  `BoxCertificate`: what is proved, tile by tile
 `dependence`       how a system's numbers depend on the parameters of a box

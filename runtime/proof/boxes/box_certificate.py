@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -10,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.proof.boxes.regions import (
     EventCurve,
@@ -81,7 +80,7 @@ class Tile:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class BoxCertificate(Shown):
+class BoxCertificate(Kept):
     """What ball arithmetic proves of an orbit for all parameters of a box.
 
     The box is the union of its tiles. On each the claims hold for every parameter: there is
@@ -105,6 +104,8 @@ class BoxCertificate(Shown):
     declaration, closing : dict
         As in a `Certificate`, over the box's parameters and those that were given.
     """
+
+    _kept_by = "save_box"
 
     orbit: str
     system: str
@@ -286,21 +287,6 @@ class BoxCertificate(Shown):
             Without matplotlib: ``pip install "nonsmooth[plot]"``.
         """
         return registered("draw_box")(self, axes)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the map to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
-        """
-        registered("save_box")(self, path)
 
 
 def _many(count: int, what: str) -> str:

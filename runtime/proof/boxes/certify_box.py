@@ -23,8 +23,8 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
     region_of,
     with_open_ones,
 )
-from nonsmooth.runtime.proof.boxes.regions import edges_of
 from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, Tube, joined, prove
+from nonsmooth.runtime.proof.boxes.tile_edges import edges_of
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, Stated
 from nonsmooth.runtime.proof.exact_tables import rational_of

@@ -53,6 +53,7 @@ if TYPE_CHECKING:
 __all__ = ["BITS", "Region", "checked_box", "given_of", "region_at", "region_of", "with_open_ones"]
 
 BITS = 64  # working precision on tiles: their size is what makes the balls wide
+_LONG = 6  # phases of a cycle beyond which rounding errors grow too much for that
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,6 +92,11 @@ class Region:
     def cycle(self) -> ItineraryShape:
         """The orbit's cycle."""
         return self.subject.cycle
+
+    @property
+    def bits(self) -> int:
+        """Working precision along pieces of a branch: more for long cycles."""
+        return BITS if len(self.cycle.configurations) <= _LONG else 2 * BITS
 
     @cached_property
     def invariants(self) -> CycleInvariants | None:

@@ -7,43 +7,26 @@ both; a curve is made of tiles which one event divides, and whose common edge it
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Hashable, Iterable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import pairwise, product
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.proof.boxes.tile_edges import Edge, Groups, joined_edges
 from nonsmooth.runtime.proof.boxes.tile_event import Band, TileEvent, side_of
-from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
+from nonsmooth.runtime.proof.boxes.tile_places import Interval, Point
 
 if TYPE_CHECKING:
     from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
 
-__all__ = ["EventCurve", "OpenBox", "ProvedRegion", "curves_of", "edges_of", "map_json",
-           "open_boxes_of", "regions_of"]  # fmt: skip
+__all__ = ["EventCurve", "OpenBox", "ProvedRegion", "curves_of", "map_json", "open_boxes_of",
+           "regions_of"]  # fmt: skip
 
 _PARTS = 64  # of a tile, for the area of a side
 _DRAWN = 16  # points of a curve in each tile
 _ON = 1e-9  # how near to an edge a curve ends there, in shares of the box
-Point = tuple[Fraction, Fraction]
 Cell = tuple[int, str]
-
-
-class Edge(NamedTuple):
-    """What two tiles have in common.
-
-    Attributes
-    ----------
-    first, second : int
-        Numbers of the tiles; along the axis the second one follows the first.
-    ends : tuple of (Fraction, Fraction)
-        Two points, in shares of the box from 0 to 1.
-    """
-
-    first: int
-    second: int
-    ends: tuple[Point, Point]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -114,31 +97,6 @@ class OpenBox:
     reason: str
 
 
-def edges_of(places: Sequence[Place]) -> list[Edge]:
-    """What tiles of a box of two parameters have in common, where that is longer than a point.
-
-    Parameters
-    ----------
-    places : sequence of Place
-
-    Returns
-    -------
-    list of Edge
-    """
-    found = []
-    for axis in (0, 1):
-        sides: dict[Fraction, tuple[list[Any], list[Any]]] = defaultdict(lambda: ([], []))
-        for number, place in enumerate(places):
-            (low, high), across = _unit(place)[axis], _unit(place)[1 - axis]
-            sides[high][0].append((across, number))
-            sides[low][1].append((across, number))
-        for at, (before, behind) in sides.items():
-            for (low, high), first, second in _overlaps(sorted(before), sorted(behind)):
-                ends = ((at, low), (at, high)) if axis == 0 else ((low, at), (high, at))
-                found.append(Edge(first, second, ends))
-    return found
-
-
 def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
     """The regions of a map, the largest first.
 
@@ -155,8 +113,8 @@ def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
     verdicts: dict[Cell, str] = {
         (k, side): v for k, tile in enumerate(tiles) for side, v in _verdicts(tile)
     }
-    groups = _Groups(verdicts)
-    for edge in _joined(found):
+    groups = Groups(verdicts)
+    for edge in joined_edges(found):
         first, second = tiles[edge.first], tiles[edge.second]
         for point in _samples(edge):
             own, its = (edge.first, _side(first, point)), (edge.second, _side(second, point))
@@ -189,16 +147,16 @@ def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
         if tile.event is not None and _passes(tile.event.band)
     }
     beside: dict[int, list[int]] = {k: [] for k in events}
-    for edge in _joined(found):
+    for edge in joined_edges(found):
         pair = edge.first, edge.second
         if all(k in events for k in pair) and events[pair[0]].name == events[pair[1]].name:
-            told = [[side_of(events[k].band, _inside(found.tiles[k].place, end))
+            told = [[side_of(events[k].band, found.tiles[k].place.inside(end))
                      for end in edge.ends] for k in pair]  # fmt: skip
             passed = any(None not in sides and sides[0] != sides[1] for sides in told)
             if passed or any(a is None and b is None for a, b in zip(*told, strict=True)):
                 beside[pair[0]].append(pair[1])
                 beside[pair[1]].append(pair[0])
-    groups = _Groups(events)
+    groups = Groups(events)
     for k, others in beside.items():
         for other in others:
             groups.unite(k, other)
@@ -219,7 +177,7 @@ def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
     tuple of OpenBox
     """
     undecided = [k for k, tile in enumerate(found.tiles) if tile.verdict == "undecided"]
-    groups = _Groups(undecided)
+    groups = Groups(undecided)
     for place, k in enumerate(undecided):
         for other in undecided[:place]:
             if found.tiles[k].place.touches(found.tiles[other].place):
@@ -307,68 +265,6 @@ def _event_text(event: TileEvent) -> str:
     return f"{event.kind} of {event.boundary} in phase {event.phase + 1}"
 
 
-class _Groups:
-    """Things that are united step by step: a disjoint-set forest (B. Galler, M. Fisher, 1964)."""
-
-    def __init__(self, things: Iterable[Any]) -> None:
-        self.parents: dict[Any, Any] = {thing: thing for thing in things}
-
-    def _first(self, thing: Hashable) -> Any:
-        while self.parents[thing] != thing:
-            self.parents[thing] = self.parents[self.parents[thing]]
-            thing = self.parents[thing]
-        return thing
-
-    def unite(self, one: Hashable, other: Hashable) -> None:
-        """Put two things, and all that is with them, together."""
-        self.parents[self._first(one)] = self._first(other)
-
-    def all(self) -> list[list[Any]]:
-        """All groups."""
-        found: dict[Any, list[Any]] = defaultdict(list)
-        for thing in self.parents:
-            found[self._first(thing)].append(thing)
-        return list(found.values())
-
-
-def _unit(place: Place) -> tuple[Interval, ...]:
-    """A tile in shares of the box."""
-    return tuple(
-        (Fraction(step, 2**level), Fraction(step + 1, 2**level)) for step, level in place.steps
-    )
-
-
-def _inside(place: Place, point: Point) -> Point:
-    """A point of a tile, from -1 to 1 over it."""
-    x, y = (
-        (2 * at - low - high) / (high - low)
-        for at, (low, high) in zip(point, _unit(place), strict=True)
-    )
-    return x, y
-
-
-def _overlaps(first: list[Any], second: list[Any]) -> Iterator[tuple[Interval, int, int]]:
-    """Pairs of intervals with more than a point in common; both lists are sorted and disjoint."""
-    i = j = 0
-    while i < len(first) and j < len(second):
-        (low, high), one = first[i]
-        (its_low, its_high), other = second[j]
-        both = max(low, its_low), min(high, its_high)
-        if both[0] < both[1]:
-            yield both, one, other
-        if high <= its_high:
-            i += 1
-        if its_high <= high:
-            j += 1
-
-
-def _joined(found: BoxCertificate) -> Iterator[Edge]:
-    """Edges between tiles with verdicts: their orbits are the same there."""
-    decided = [tile.verdict != "undecided" for tile in found.tiles]
-    edges = edges_of([tile.place for tile in found.tiles])
-    return (edge for edge in edges if decided[edge.first] and decided[edge.second])
-
-
 def _samples(edge: Edge) -> list[Point]:
     (x, y), (its_x, its_y) = edge.ends
     shares = [Fraction(k, 4) for k in range(5)]
@@ -394,7 +290,7 @@ def _side(tile: Tile, point: Point) -> str:
     """The side of a point of a tile; "" of one that no curve divides, "band" on the curve."""
     if tile.event is None:
         return ""
-    return side_of(tile.event.band, _inside(tile.place, point)) or "band"
+    return side_of(tile.event.band, tile.place.inside(point)) or "band"
 
 
 def _passes(band: Band) -> bool:
@@ -468,7 +364,7 @@ def _width(tile: Tile) -> float:
 def _drawn(tile: Tile) -> list[tuple[float, float]]:
     """Points of a curve in its tile, in shares of the box."""
     assert tile.event is not None
-    band, unit = tile.event.band, _unit(tile.place)
+    band, unit = tile.event.band, tile.place.shares
     spots: list[tuple[float, float]] = []
     for k in range(_DRAWN + 1):
         along = 2 * k / _DRAWN - 1
@@ -508,7 +404,7 @@ def _end(found: BoxCertificate, point: tuple[float, float]) -> str:
         return "border"
     for tile in found.tiles:
         if tile.verdict == "undecided":
-            sides = zip(point, _unit(tile.place), strict=True)
+            sides = zip(point, tile.place.shares, strict=True)
             if all(float(low) - _ON <= x <= float(high) + _ON for x, (low, high) in sides):
                 return "open"
     return "corner"

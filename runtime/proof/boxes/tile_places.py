@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-__all__ = ["Interval", "Place"]
+__all__ = ["Interval", "Place", "Point"]
 
 Interval = tuple[Fraction, Fraction]
+Point = tuple[Fraction, Fraction]  # of a plane
 
 
 class Place(NamedTuple):
@@ -40,6 +41,28 @@ class Place(NamedTuple):
     def share(self) -> Fraction:
         """Of the box's area."""
         return Fraction(1, 2 ** sum(level for _, level in self.steps))
+
+    @property
+    def shares(self) -> tuple[Interval, ...]:
+        """The tile in shares of the box, from 0 to 1."""
+        return tuple((Fraction(k, 2**level), Fraction(k + 1, 2**level)) for k, level in self.steps)
+
+    def inside(self, point: Point) -> Point:
+        """A point of a plane as the tile has it.
+
+        Parameters
+        ----------
+        point : tuple of (Fraction, Fraction)
+            In shares of the box.
+
+        Returns
+        -------
+        tuple of (Fraction, Fraction)
+            From -1 to 1 over the tile.
+        """
+        sides = zip(point, self.shares, strict=True)
+        x, y = ((2 * at - low - high) / (high - low) for at, (low, high) in sides)
+        return x, y
 
     def middle(self, box: Sequence[Interval]) -> tuple[Fraction, ...]:
         """The point in the middle of the tile.

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.proof.branch.look import UNDECIDED
+from nonsmooth.runtime.proof.branch.look import NOT_ADMISSIBLE, UNDECIDED
 from nonsmooth.runtime.proof.certificate import Stated, balls_json, orbit_json
 
 __all__ = [
@@ -22,12 +21,56 @@ __all__ = [
     "BranchInterval",
     "BranchTile",
     "CertifiedBranch",
+    "DrawnOverParameter",
+    "OrbitBeyond",
     "event_json",
     "told_json",
 ]
 
 FINISHED = "end of the interval"
 VANISHED = "a phase vanishes"
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class OrbitBeyond:
+    """Orbits of another itinerary that begin where a branch meets a border.
+
+    At the event both itineraries have one motion. From there on, as far as its tile goes, there
+    is one admissible orbit of the other one for each value of the tile's coordinate.
+
+    Attributes
+    ----------
+    side : {"above", "below"}
+        On which side of the event's parameter they are.
+    own : {"above", "below"}
+        On which side the branch's own orbits are.
+    verdict : {"stable", "neutral", "unstable"}
+        Of all of them.
+    branch : CertifiedBranch
+        One tile of the other itinerary, with the event at which it begins.
+    """
+
+    side: str
+    own: str
+    verdict: str
+    branch: CertifiedBranch
+
+    @property
+    def scenario(self) -> str:
+        """Whether one itinerary follows the other, "persistence", or it is a "nonsmooth fold"."""
+        return "nonsmooth fold" if self.side == self.own else "persistence"
+
+    @property
+    def itinerary(self) -> tuple[tuple[str, str], ...]:
+        """Configurations and boundaries of the other orbits."""
+        return self.branch.itinerary
+
+    @property
+    def reach(self) -> float:
+        """The parameter up to which they are proved, about."""
+        tile = self.branch.tiles[0]
+        end = 0 if tile.after == NOT_ADMISSIBLE else 1
+        return self.branch.parameter_at(tile)[end]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -52,6 +95,8 @@ class BranchEvent:
         the branch turns as a phase vanishes.
     enclosures : dict of str to Stated
         The orbit's unknowns and the parameter.
+    beyond : tuple of OrbitBeyond
+        At a border: other itineraries that begin there, as far as they were asked for and proved.
     """
 
     kind: str
@@ -64,6 +109,7 @@ class BranchEvent:
     window: tuple[Fraction, ...]
     also: tuple[tuple[str, int, str, str], ...]
     enclosures: Mapping[str, Stated]
+    beyond: tuple[OrbitBeyond, ...] = field(default=(), repr=False)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -134,8 +180,39 @@ class BranchInterval:
         return abs(self.end - self.begin)
 
 
+class DrawnOverParameter(Kept):
+    """A result that is drawn over a parameter; `_drawn_by` names the function that does it."""
+
+    _drawn_by: ClassVar[str]
+
+    def plot(self, quantity: str | None = None, axes: Any = None) -> Any:
+        """Draw an unknown over the parameter: intervals in colours, events marked.
+
+        Parameters
+        ----------
+        quantity : str, optional
+            By default the last dwell time of a branch; of a cascade the unknown whose halves are
+            told apart at the first flip.
+        axes : matplotlib Axes, optional
+            Where to draw; a figure of its own by default.
+
+        Returns
+        -------
+        matplotlib Figure or Axes
+            The figure, or the Axes that were given.
+
+        Raises
+        ------
+        InputError
+            If the branch has no such unknown.
+        MissingExtra
+            Without matplotlib: ``pip install "nonsmooth[plot]"``.
+        """
+        return registered(self._drawn_by)(self, quantity, axes)
+
+
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class CertifiedBranch(Shown):
+class CertifiedBranch(DrawnOverParameter):
     """What ball arithmetic proves of a branch over an interval of its parameter.
 
     The branch is the union of its tiles. In each there is exactly one orbit of the itinerary's
@@ -168,6 +245,8 @@ class CertifiedBranch(Shown):
     declaration, closing : dict
         As in a `BoxCertificate`, over the parameter and those that were given.
     """
+
+    _kept_by, _drawn_by = "save_certified_branch", "draw_certified_branch"
 
     orbit: str
     system: str
@@ -264,6 +343,7 @@ class CertifiedBranch(Shown):
             if before and self.intervals[before - 1].verdict != UNDECIDED != part.verdict:
                 event = next(events)
                 parts.append(f"{event.kind} at {event.enclosures[self.parameter]}")
+                parts += [_told_beyond(beyond) for beyond in event.beyond]
             told = f"{part.verdict} from {part.begin:.10g} to {part.end:.10g}"
             if part.verdict == UNDECIDED:
                 told = f"undecided from {part.begin:.17g} on, {part.width:.3g} wide"
@@ -294,44 +374,14 @@ class CertifiedBranch(Shown):
             "tiles": [_tile_json(tile) for tile in self.tiles],
         }
 
-    def plot(self, quantity: str | None = None, axes: Any = None) -> Any:
-        """Draw the branch: its intervals in colours, its events marked.
 
-        Parameters
-        ----------
-        quantity : str, optional
-            The unknown that is drawn over the parameter; the last dwell time by default.
-        axes : matplotlib Axes, optional
-            Where to draw; a figure of its own by default.
-
-        Returns
-        -------
-        matplotlib Figure or Axes
-            The figure, or the Axes that were given.
-
-        Raises
-        ------
-        InputError
-            If the branch has no such unknown.
-        MissingExtra
-            Without matplotlib: ``pip install "nonsmooth[plot]"``.
-        """
-        return registered("draw_certified_branch")(self, quantity, axes)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the branch to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
-        """
-        registered("save_certified_branch")(self, path)
+def _told_beyond(found: OrbitBeyond) -> str:
+    """In words: which orbits begin at an event, on which side, and how far they are proved."""
+    way = " -> ".join(configuration for configuration, _ in found.itinerary)
+    return (
+        f"there {way} begins, {found.verdict}, {found.side} it up to {found.reach:.10g}"
+        f" ({found.scenario})"
+    )
 
 
 def event_json(event: BranchEvent) -> dict[str, Any]:
@@ -357,6 +407,18 @@ def event_json(event: BranchEvent) -> dict[str, Any]:
         "window": [str(time) for time in event.window],
         "also": [[kind, phase + 1, *rest] for kind, phase, *rest in event.also],
         "enclosures": balls_json(event.enclosures),
+        **({"beyond": [_beyond_json(beyond) for beyond in event.beyond]} if event.beyond else {}),
+    }
+
+
+def _beyond_json(found: OrbitBeyond) -> dict[str, Any]:
+    return {
+        "side": found.side,
+        "own": found.own,
+        "verdict": found.verdict,
+        "scenario": found.scenario,
+        "reach": found.reach,
+        "branch": found.branch.to_json(),
     }
 
 

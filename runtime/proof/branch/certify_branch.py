@@ -2,39 +2,35 @@
 
 from __future__ import annotations
 
+import math
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.resuming import check_same_question
-from nonsmooth.runtime.core.values import as_value, flint_precision
+from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.proof.admissibility import OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import (
     checked_box,
-    given_of,
     region_of,
     with_open_ones,
 )
+from nonsmooth.runtime.proof.branch.beyond_border import with_beyond
 from nonsmooth.runtime.proof.branch.certified_branch import (
     FINISHED,
     VANISHED,
-    BranchEvent,
-    BranchTile,
     CertifiedBranch,
 )
-from nonsmooth.runtime.proof.branch.crossing import SHARP, EventCrossing
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve
 from nonsmooth.runtime.proof.branch.march import JOINT, BranchStep, MarchPlace, march
+from nonsmooth.runtime.proof.branch.stating import STATED, stated_branch, stated_tile
 from nonsmooth.runtime.proof.branch.tube import BranchTube, orbit_at, orbit_near
-from nonsmooth.runtime.proof.certificate import Stated
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, system_of
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
 
 if TYPE_CHECKING:
     from flint import arb
@@ -43,7 +39,6 @@ __all__ = ["MOST_TILES", "STATED", "certify_branch"]
 
 MOST_TILES = 2000
 _EVERY = 10.0  # seconds between states that are kept
-STATED = 112  # bits of the numbers at an event
 _NEAR = 1e-5  # how far the orbit may be from the numbers that were given, in their own size
 
 
@@ -52,6 +47,8 @@ def certify_branch(
     *,
     interval: tuple[object, object] | None = None,
     tiles: int = MOST_TILES,
+    beyond: bool = False,
+    seconds: float = math.inf,
     resume: CertifiedBranch | None = None,
     progress: Callable[[float, int], object] = lambda share, tiles: None,
     keep: Callable[[CertifiedBranch], object] | None = None,
@@ -71,6 +68,11 @@ def certify_branch(
         Ends of the parameter, rational numbers; those of the branch by default.
     tiles : int
         At most so many are proved.
+    beyond : bool, default False
+        Whether to prove which other itineraries begin where the branch meets a border, and on
+        which side.
+    seconds : float
+        Behind the first tile that ends after this time no other is begun.
     resume : CertifiedBranch, optional
         What was proved before of the same branch.
     progress : function of a float and an int, optional
@@ -105,6 +107,8 @@ def certify_branch(
         raise InputError(f"{branch!r} is no branch, such as continue_orbit gives")
     if isinstance(tiles, bool) or not isinstance(tiles, int) or tiles < 1:
         raise InputError(f"tiles = {tiles!r} is not a positive integer")
+    if not seconds > 0:
+        raise InputError(f"seconds = {seconds!r} is not a positive number")
     if not isinstance(resume, CertifiedBranch | None):
         raise InputError(f"{resume!r} is no state to resume: load reads one")
     if interval is None:
@@ -117,22 +121,26 @@ def certify_branch(
         curve = OrbitCurve(region_of(orbit, box))
         begin = _begin(curve)
     except NotCovered as reason:
-        found = _record(orbit, box, (), None)
+        found = stated_branch(orbit, box, (), None)
         found = replace(found, ends=(str(reason),) * 2)
         if resume is not None:
             _check_same(found, resume)
         return found
-    empty = _record(orbit, box, chosen, curve)
+    empty = stated_branch(orbit, box, chosen, curve)
     if resume is not None:
         _check_same(empty, resume)
     work = _Following(curve, begin, resume or empty, branch)
-    kept = time.monotonic()
+    kept = begun = time.monotonic()
     try:
         for count, _ in enumerate(islice(work.steps(), tiles), 1):
             progress(work.share, count)
             if keep is not None and time.monotonic() - kept > _EVERY:
                 keep(work.state)
                 kept = time.monotonic()
+            if time.monotonic() - begun > seconds:
+                break
+        if beyond:
+            work.go_beyond(orbit.opened)
     except KeyboardInterrupt:
         raise Interrupted(work.state) from None
     return work.state
@@ -161,6 +169,13 @@ class _Following:
             for step in march(self.curve, place):
                 self._take(side, step)
                 yield step
+
+    def go_beyond(self, opened: Mapping[str, Value]) -> None:
+        """Prove what begins at the borders."""
+        for place, tile in enumerate(self.state.tiles):
+            found = with_beyond(self.curve, tile, self.branch, opened)
+            before, behind = self.state.tiles[:place], self.state.tiles[place + 1 :]
+            self.state = replace(self.state, tiles=(*before, found, *behind))
 
     def _place(self, side: int) -> MarchPlace:
         """Where the march goes on."""
@@ -198,7 +213,10 @@ class _Following:
         elif step.found.ends:
             end = VANISHED
         if step.piece is not None:
-            tile = _tile(self.curve, step, step.forwards == (side == 1))
+            tile = stated_tile(
+                self.curve, step.piece.tube, step.found, step.divided,
+                forwards=step.forwards == (side == 1),
+            )  # fmt: skip
             if side == 0:
                 state = replace(state, tiles=(tile, *state.tiles), start=state.start + 1)
             else:
@@ -251,83 +269,6 @@ def _begin(curve: OrbitCurve) -> list[arb]:
         if not all(abs(x - g) < _NEAR * size for x, g, size in pairs):
             raise NotCovered("Newton's method leaves the orbit that was given")
     return found
-
-
-def _tile(curve: OrbitCurve, step: BranchStep, forwards: bool) -> BranchTile:
-    found = step.found
-    before, after = (found.below, found.above) if forwards else (found.above, found.below)
-    assert step.piece is not None
-    return BranchTile(
-        coordinate=curve.names[step.coordinate],
-        lower=step.lower,
-        upper=step.upper,
-        forwards=forwards,
-        before=before,
-        after=after,
-        reason=found.reason,
-        centre=step.piece.tube.centre,
-        radii=step.piece.tube.radii,
-        event=None if found.event is None else _event(curve, found.event),
-        divided=step.divided,
-    )
-
-
-def _event(curve: OrbitCurve, found: EventCrossing) -> BranchEvent:
-    from flint import arb
-
-    which = found.which
-    cycle = curve.region.cycle
-    place = which.phase if isinstance(which, OpenInequality) else None
-    with flint_precision(SHARP):
-        # twice as wide, and what is exactly zero too has a radius: the check, whose equations are
-        # others, finds its own
-        least = arb(2) ** -STATED
-        enclosures = {
-            name: Stated.around(x + arb(0, x.rad() + least), STATED)
-            for name, x in zip(curve.names, found.enclosures, strict=True)
-        }
-    return BranchEvent(
-        kind=which.kind if isinstance(which, OpenInequality) else which,
-        phase=place,
-        configuration="" if place is None else cycle.itinerary[place][0],
-        boundary=which.boundary if isinstance(which, OpenInequality) else "",
-        instant=which.instant if isinstance(which, OpenInequality) else "",
-        lower=found.lower,
-        upper=found.upper,
-        window=() if found.window is None else tuple(map(_fraction, found.window)),
-        also=tuple((o.kind, o.phase, o.boundary, o.instant) for o in found.also),
-        enclosures=enclosures,
-    )
-
-
-def _fraction(number: arb) -> Fraction:
-    mantissa, exponent = (int(x) for x in number.mid().man_exp())
-    return Fraction(mantissa) * Fraction(2) ** exponent
-
-
-def _record(
-    orbit: Orbit, box: Any, chosen: tuple[str, ...], curve: OrbitCurve | None
-) -> CertifiedBranch:
-    """Of nothing yet."""
-    ((parameter, interval),) = box.items()
-    region = None if curve is None else curve.region
-    declaration, closing = ({}, {}) if region is None else region.statement(orbit)
-    return CertifiedBranch(
-        orbit=orbit.name,
-        system=system_of(orbit),
-        parameters={n: value for n, value in given_of(orbit).items() if n != parameter},
-        chosen=chosen,
-        itinerary=() if region is None else region.cycle.itinerary,
-        parameter=parameter,
-        interval=interval,
-        stability="stable" if region is None else region.closing.stability,
-        unknown_names=() if curve is None else curve.names[:-1],
-        tiles=(),
-        start=0,
-        ends=("", ""),
-        declaration=declaration,
-        closing=closing,
-    )
 
 
 def _check_same(wanted: CertifiedBranch, found: CertifiedBranch) -> None:

@@ -11,7 +11,6 @@ from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.admissibility import OpenInequality
-from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
 from nonsmooth.runtime.proof.branch.passage import CyclePassage, border, multiplier, time_of_touch
 from nonsmooth.runtime.proof.branch.tube import Piece, orbit_at
@@ -119,7 +118,7 @@ def crossing_of(
 
     number = _Number(curve, piece, which, window)
     tube = piece.tube
-    with flint_precision(BITS):
+    with flint_precision(curve.region.bits):
         found = number.at(piece.point, 1)
         if found is None:
             return None

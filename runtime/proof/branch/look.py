@@ -8,7 +8,6 @@ from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.admissibility import Judgement, OpenInequality
-from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
 from nonsmooth.runtime.proof.branch.crossing import SHARP, EventCrossing, Which, crossing_of
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
 from nonsmooth.runtime.proof.branch.passage import CyclePassage, others_at_circle, passed_by
@@ -68,7 +67,7 @@ def look(curve: OrbitCurve, piece: Piece) -> Look:
     -------
     Look
     """
-    with flint_precision(BITS):
+    with flint_precision(curve.region.bits):
         passage = CyclePassage(curve.region, piece.point)
         if not passage.conserved:
             return _undecided(NOT_CONSERVED)

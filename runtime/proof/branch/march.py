@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
 from nonsmooth.runtime.proof.branch.look import UNDECIDED, Look, look
 from nonsmooth.runtime.proof.branch.tube import Piece, orbit_at, proved_piece
@@ -224,7 +223,7 @@ def _tried(
     if (end - begin) * sign <= 0:
         return "the step is too small"
     middle = (begin + end) / 2
-    with flint_precision(BITS):
+    with flint_precision(curve.region.bits):
         away = float(middle - turned.value)
         guess = [
             x.mid() + arb(slope * away)
@@ -235,7 +234,7 @@ def _tried(
     piece = proved_piece(curve, coordinate, (lower, upper), curve.others(coordinate, guess), known)
     if isinstance(piece, str):
         return piece
-    with flint_precision(BITS):
+    with flint_precision(curve.region.bits):
         first, last = (arb(rational_of(x)) for x in ends)
         over = range_of(piece.point[-1])
         if coordinate != curve.parameter and not (over > first and over < last):

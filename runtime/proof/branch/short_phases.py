@@ -1,10 +1,17 @@
-"""Phases that begin and end on one boundary, as the contact with a soft stop, and may vanish.
+"""Phases that may vanish: contacts with a soft stop, and times for which a contact sticks.
 
+A contact with a soft stop begins and ends on one boundary.
 Where the dwell time t of such a phase is zero its switching condition holds for any speed: the
 orbit's equations are singular there, and have another branch, of t = 0. Divided by t they are
 regular. The saltation matrix at its ends is regular too, if the velocity jumps by a multiple of
-the boundary function's rate: the map is differentiable there. Grazings without a jump are in
-M. di Bernardo, C. Budd, A. Champneys and P. Kowalczyk, Piecewise-smooth Dynamical Systems (2008).
+the boundary function's rate: the map is differentiable there.
+
+Where sticking begins at a speed that may be zero the equations are regular by the dwell time as
+they are, and the velocity jumps by a multiple of the speed too. At that one end the derivative is
+taken at a fixed time; the section behind the short phase removes what differs, along the flow.
+
+Grazings without a jump are in M. di Bernardo, C. Budd, A. Champneys and P. Kowalczyk,
+Piecewise-smooth Dynamical Systems (2008).
 """
 
 from __future__ import annotations
@@ -22,7 +29,7 @@ __all__ = ["divided_regions"]
 
 
 def divided_regions(region: Region) -> dict[int, Region]:
-    """The same orbit by equations in which one phase's condition is divided by its dwell time.
+    """The same orbit by equations that are regular where one of its phases vanishes.
 
     Parameters
     ----------
@@ -33,10 +40,28 @@ def divided_regions(region: Region) -> dict[int, Region]:
     dict of int to Region
         By the place of the phase, counted from 0; empty where no phase allows it.
     """
-    if not region.tables.exact or not region.closing.timed or region.closing.translations:
+    closing = region.closing
+    if not region.tables.exact or closing.translations:
         return {}
     columns = tuple(_saltations(region))
-    return {place: replace(region, short=ShortPhase(place, columns)) for place in _places(region)}
+    if closing.timed:
+        short = {place: ShortPhase(place, columns, divided=True) for place in _places(region)}
+    else:
+        short = dict(_sticking(region, columns) if closing.kind == "state" else ())
+    return {place: replace(region, short=found) for place, found in short.items()}
+
+
+def _sticking(region: Region, columns: Sequence[Row | None]) -> Iterator[tuple[int, ShortPhase]]:
+    """Phases in which all lasts that is known where they begin, behind a jump with a column."""
+    known = region.invariants
+    if known is None or len(columns) < 2:
+        return
+    for place in range(len(columns)):
+        before = (place - 1) % len(columns)
+        lasts = known.starts[place].rows == known.lasting[place].rows
+        if lasts and known.starts[place].rows and columns[before] is not None:
+            alone = tuple(c if k == before else None for k, c in enumerate(columns))
+            yield place, ShortPhase(place, alone, divided=False)
 
 
 def _places(region: Region) -> Iterator[int]:

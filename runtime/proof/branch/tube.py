@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
 from nonsmooth.runtime.proof.boxes.tile import contracted, followed
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve
 from nonsmooth.runtime.proof.exact_tables import rational_of
@@ -187,7 +186,7 @@ def proved_piece(
     """
     space = space_of(1, ORDER)
     lower, upper = ends
-    with flint_precision(BITS):
+    with flint_precision(curve.region.bits):
         tube = BranchTube(coordinate, lower, upper, (), ())
         value = tube.value(space)
         equations = curve.equations(coordinate, value)

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition, cone_condition
+from nonsmooth.runtime.proof.chaos.cone_conditions import cone_condition
 from nonsmooth.runtime.proof.chaos.coverings import Coverings, coverings
 from nonsmooth.runtime.proof.chaos.entropy import growth, logarithm_below
 from nonsmooth.runtime.proof.chaos.float_sections import FloatSection
@@ -90,6 +90,9 @@ def certify_chaos(
     ------
     InputError
         For wrong names or numbers, a parameter that is not rational, or several forcings.
+    Interrupted
+        By Ctrl-C while a cone condition is looked for: its `partial` is the certificate
+        without one.
 
     References
     ----------
@@ -192,23 +195,25 @@ class _ChaosQuestion:
         bound, kept, _ = growth(len(sets), edges)
         inner = [(i, j) for i, j in edges if i in kept and j in kept]
         number = {k: place for place, k in enumerate(kept)}
-        return self._certificate(
-            mapped,
-            bound,
-            [sets[k] for k in kept],
-            [(number[i], number[j]) for i, j in inner],
-            [found[k] for k in kept],
-        )
+        own = [sets[k] for k in kept]
+        between = [(number[i], number[j]) for i, j in inner]
+        whole = self._certificate(mapped, bound, own, between, [found[k] for k in kept])
+        return self._with_cones(whole, mapped, between) if self.exponents else whole
 
-    def _cones(
-        self, mapped: SectionMap, sets: Sequence[HSet], edges: Sequence[tuple[int, int]]
-    ) -> ConeCondition | None:
-        """A cone condition; None, and why not, where none is proved."""
+    def _with_cones(
+        self, proved: ChaosCertificate, mapped: SectionMap, edges: Sequence[tuple[int, int]]
+    ) -> ChaosCertificate:
+        """The certificate with a cone condition; without, and why not, where none is proved."""
+        most = _CONE_PARTS * self.parts
         try:
-            return cone_condition(mapped, sets, edges, _CONE_PARTS * self.parts, self._tick)
+            cones = cone_condition(mapped, proved.h_sets, edges, most, self._tick)
         except Undecided as trouble:
             self.tried.append(f"no cone condition: {trouble.reason}")
-            return None
+            cones = None
+        except KeyboardInterrupt:
+            told = (*self.tried, "no cone condition: interrupted")
+            raise Interrupted(replace(proved, tried=told)) from None
+        return replace(proved, cones=cones, tried=tuple(self.tried))
 
     def _tick(self) -> None:
         self.images += 1
@@ -224,7 +229,6 @@ class _ChaosQuestion:
     ) -> ChaosCertificate:
         section, structure = mapped.section, self.system.structure
         names = structure.configurations
-        cones = self._cones(mapped, sets, edges) if self.exponents else None
         itineraries = {
             h_set.name: tuple(
                 (names[p.source], _joined(self.system, p.source, p.boundaries), names[p.target])
@@ -255,7 +259,7 @@ class _ChaosQuestion:
             itineraries=itineraries,
             growth=str(bound),
             entropy=logarithm_below(bound, mapped.iterates),
-            cones=cones,
+            cones=None,
             images={own.name: of.parts for own, of in zip(sets, found, strict=True)},
             tried=tuple(self.tried),
             bits=self.system.bits,

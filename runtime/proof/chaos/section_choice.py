@@ -77,15 +77,17 @@ def _forced(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
         name = str(names[np.argmax(counts)])
         configuration = structure.configuration(name)
         states = states[where == name]
+        section = forcing_section(system, configuration, phase)
+        if len(states) < _FEWEST or not section.free:  # at rest at a stop it is one point
+            continue
         rows = numbers.rows[[b.row for b in structure.boundaries[configuration]]]
         values = states @ rows[:, :-1].T + rows[:, -1]
-        near = (values.max(axis=0) / values.std(axis=0)).max() if len(states) > 2 else 0.0
-        if len(states) >= _FEWEST:
-            found.append((-counts.max() / counts.sum(), near, phase, configuration, states))
+        spread = values.std(axis=0)
+        near = (values.max(axis=0)[spread > 0] / spread[spread > 0]).max(initial=-np.inf)
+        points = states[:, list(section.free)]
+        found.append((-counts.max() / counts.sum(), near, Sampled(section, points)))
     found.sort(key=lambda entry: entry[:2])
-    for _, _, phase, configuration, states in found[:_TRIED]:
-        section = forcing_section(system, configuration, phase)
-        yield Sampled(section, states[:, list(section.free)])
+    yield from (sampled for *_, sampled in found[:_TRIED])
 
 
 def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:

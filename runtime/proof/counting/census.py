@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.proof.certificate import Certificate, orbit_json
 
@@ -53,7 +51,7 @@ class Open:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Census(Shown):
+class Census(Kept):
     """All orbits of an itinerary in a box.
 
     An orbit here is a solution of the itinerary's switching and closure equations with dwell
@@ -80,6 +78,8 @@ class Census(Shown):
     bits : int
         Of the certificates.
     """
+
+    _kept_by = "save_census"
 
     orbit: str
     system: str
@@ -161,21 +161,6 @@ class Census(Shown):
             "looked": self.looked,
             "bits": self.bits,
         }
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the census to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
-        """
-        registered("save_census")(self, path)
 
 
 def _json(bounds: Bounds) -> dict[str, list[str]]:

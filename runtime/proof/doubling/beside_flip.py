@@ -16,7 +16,7 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, linearised_by_parameter
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.branch.passage import CyclePassage, others_at_circle
-from nonsmooth.runtime.proof.branch.tube import orbit_near
+from nonsmooth.runtime.proof.branch.tube import BranchTube, orbit_near
 from nonsmooth.runtime.proof.doubling.doubled_equations import DoubledEquations
 from nonsmooth.runtime.proof.doubling.doubling_tube import FLIP, ORDER, ProvedTube, flip_near
 from nonsmooth.runtime.proof.exact_tables import rational_of
@@ -24,12 +24,17 @@ from nonsmooth.runtime.proof.exact_tables import rational_of
 if TYPE_CHECKING:
     from flint import arb
 
+    from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, CertifiedBranch
+
 __all__ = [
     "begin_of_branch",
+    "begins_with",
     "covered",
     "doubled_guess",
     "flip_with_direction",
+    "in_tile",
     "in_tube",
+    "start_of",
     "verdict_of",
 ]
 
@@ -122,11 +127,97 @@ def doubled_guess(proved: ProvedTube, value: Fraction) -> list[arb]:
     list of arb
         Unknowns of the doubled cycle's equations.
     """
-    with flint_precision(BITS):
-        square = float(value) - float(proved.flip[-1].mid())
-        amplitude = math.sqrt(max(square / float(proved.rate.mid()), 0.0))
-        place = amplitude / float(proved.tube.amplitude)
+    from flint import arb
+
+    with flint_precision(FLIP):
+        square = (arb(rational_of(value)) - proved.flip[-1]) / proved.rate
+        amplitude = square.mid().max(arb(0)).sqrt()
+        place = amplitude / arb(rational_of(proved.tube.amplitude))
         return [x.at([place]).mid() for x in proved.point[:-1]]
+
+
+def start_of(region: Region, guess: Sequence[arb], value: Fraction) -> list[float]:
+    """The state at which an orbit begins, about.
+
+    Parameters
+    ----------
+    region : Region
+        Of its cycle, or the half of it, over one parameter.
+    guess : sequence of arb
+        Unknowns of the equations.
+    value : Fraction
+        Of the parameter.
+
+    Returns
+    -------
+    list of float
+    """
+    from flint import arb
+
+    with flint_precision(BITS):
+        equations = region.equations(region.tables.number_at([arb(rational_of(value))]))
+        state, _ = equations.start(guess[: equations.count])
+        return [float(x) for x in state.entries()[:-1]]
+
+
+def in_tile(curve: OrbitCurve, tile: BranchTile, flip: Sequence[arb]) -> bool:
+    """Whether a flip with its direction is the one of a branch's tile.
+
+    Parameters
+    ----------
+    curve : OrbitCurve
+    tile : BranchTile
+    flip : sequence of arb
+        Enclosures of middle, direction without its entry 1, parameter.
+
+    Returns
+    -------
+    bool
+        True if that is proved. Of tiles whose equations are divided by a dwell time it is not.
+    """
+    from flint import arb
+
+    names = curve.names
+    place = len(names) - 1 if tile.coordinate == names[-1] else names.index(tile.coordinate)
+    point = [*flip[: len(names) - 1], flip[-1]]
+    with flint_precision(FLIP):
+        low, high = (arb(rational_of(end)) for end in (tile.lower, tile.upper))
+        inside = bool(point[place] > low and point[place] < high)
+        return tile.divided is None and inside and _holds(tile, place, point)
+
+
+def begins_with(branch: CertifiedBranch, value: Fraction, orbit: Sequence[arb]) -> bool:
+    """Whether a branch begins with an orbit.
+
+    Parameters
+    ----------
+    branch : CertifiedBranch
+        With a tile.
+    value : Fraction
+        The orbit's parameter.
+    orbit : sequence of arb
+        Enclosures of its unknowns, and the parameter.
+
+    Returns
+    -------
+    bool
+        True if that is proved. Where the tile's equations are divided by a dwell time the orbit
+        solves them too, for that time is not zero.
+    """
+    tile = branch.tiles[0 if branch.start == 0 else -1]
+    names = (*branch.unknown_names, branch.parameter)
+    if tile.coordinate != names[-1] or value not in (tile.lower, tile.upper):
+        return False
+    if tile.divided is not None and not orbit[tile.divided - len(branch.itinerary) - 1] > 0:
+        return False
+    with flint_precision(FLIP):
+        return _holds(tile, len(names) - 1, orbit)
+
+
+def _holds(tile: BranchTile, place: int, point: Sequence[arb]) -> bool:
+    """Whether a point between the ends is in the tube of a tile, at the working precision."""
+    tube = BranchTube(place, tile.lower, tile.upper, tile.centre, tile.radii)
+    return tube.holds(point[place], [*point[:place], *point[place + 1 :]])
 
 
 def in_tube(proved: ProvedTube, doubled: Region, orbit: Sequence[arb]) -> bool:
@@ -196,7 +287,7 @@ def verdict_of(
         if orbit is None or not in_tube(proved, doubled, orbit):
             return UNDECIDED, "no doubled orbit is proved to be in the tube", None
         there = CyclePassage(doubled, orbit).stability.verdict
-    with flint_precision(BITS):
+    with flint_precision(doubled.bits):
         # wider, for the check multiplies the phases' maps in another order
         wide = [x + arb(0, _WIDER * x.rad()) for x in proved.point]
         reason = _undecided_on(doubled, wide)

@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
+from typing import Any, Literal
 
-from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import Value, flint_precision
-from nonsmooth.runtime.proof.branch.certified_branch import BranchEvent, CertifiedBranch
+from nonsmooth.runtime.proof.branch.certified_branch import (
+    BranchEvent,
+    CertifiedBranch,
+    DrawnOverParameter,
+)
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Stated
 
 __all__ = ["CertifiedCascade", "CertifiedDoubling", "told_cascade_json"]
 
 _RATIO_BITS = 80
+
+Ended = Literal["complete", "unfinished", "no flip", "not covered", "not proved"]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -62,31 +65,36 @@ class CertifiedDoubling:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class CertifiedCascade(Shown):
+class CertifiedCascade(DrawnOverParameter):
     """What ball arithmetic proves beyond flips: orbits of twice the period, again and again.
 
     Attributes
     ----------
+    orbit : str
+        The orbit whose branch has the first flip.
     asked : int
         How many doublings were asked for.
+    ended : {"complete", "unfinished", "no flip", "not covered", "not proved"}
+        Why it goes no further: there is all that was asked for; time or Ctrl-C ended the work,
+        and `resume` goes on; the doubled branch has no flip that is proved; such orbits are not
+        covered; or a step is not proved.
     doublings : tuple of CertifiedDoubling
         Each next to a flip of the branch with its number.
     branches : tuple of CertifiedBranch
         The branch with the first flip, and behind each doubling the branch of twice the period,
         from inside the doubling's tube on.
     end : str
-        Why it goes no further; empty where all is proved that was asked for.
+        The same in a sentence; empty where it is complete.
     """
 
+    _kept_by, _drawn_by = "save_cascade", "draw_cascade"
+
+    orbit: str
     asked: int
+    ended: Ended
     doublings: tuple[CertifiedDoubling, ...]
     branches: tuple[CertifiedBranch, ...] = field(repr=False)
     end: str
-
-    @property
-    def orbit(self) -> str:
-        """The orbit whose branch has the first flip."""
-        return self.branches[0].orbit
 
     @property
     def system(self) -> str:
@@ -188,49 +196,11 @@ class CertifiedCascade(Shown):
             "parameter": self.parameter,
             "claims": self.claims,
             "asked": self.asked,
+            "ended": self.ended,
             "end": self.end,
             "doublings": [_doubling_json(doubling) for doubling in self.doublings],
             "branches": [branch.to_json() for branch in self.branches],
         }
-
-    def plot(self, quantity: str | None = None, axes: Any = None) -> Any:
-        """Draw the branches over the parameter, with the doubled orbits next to each flip.
-
-        Parameters
-        ----------
-        quantity : str, optional
-            The unknown that is drawn; the one whose halves are told apart at the first flip.
-        axes : matplotlib Axes, optional
-            Where to draw; a figure of its own by default.
-
-        Returns
-        -------
-        matplotlib Figure or Axes
-            The figure, or the Axes that were given.
-
-        Raises
-        ------
-        InputError
-            If the branch has no such unknown.
-        MissingExtra
-            Without matplotlib: ``pip install "nonsmooth[plot]"``.
-        """
-        return registered("draw_cascade")(self, quantity, axes)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the cascade to a file; `nonsmooth.load` reads it.
-
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
-        """
-        registered("save_cascade")(self, path)
 
 
 def told_cascade_json(found: CertifiedCascade) -> dict[str, Any]:

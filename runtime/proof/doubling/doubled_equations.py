@@ -20,11 +20,11 @@ from typing import Any, NamedTuple
 
 from nonsmooth.runtime.core.jets import jet, part_of
 from nonsmooth.runtime.core.taylor_averages import (
-    at_both_ends,
+    AT_BOTH_ENDS,
+    BENT_MEAN,
+    MEAN,
     averaged,
-    bent_mean,
     lifted,
-    mean,
 )
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, space_of
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
@@ -127,12 +127,12 @@ class DoubledEquations:
         column = matrix([[w] for w in here.away])
         lifted_column = matrix([[w] for w in away])
         turned = self.closure(middle_of(here.parameter))
-        both = averaged(slopes, at_both_ends)
-        bend = averaged(part_of(along.jacobian, 1), mean)
-        even = averaged(part_of(by_parameter.residual, 0), at_both_ends)
-        odd = averaged(slopes * lifted_column, mean) + 2 * turned * column
-        even_by = averaged(part_of(by_parameter.residual, 1), at_both_ends)
-        odd_by = averaged(part_of(by_parameter.jacobian, 1) * lifted_column, mean)
+        both = averaged(slopes, AT_BOTH_ENDS)
+        bend = averaged(part_of(along.jacobian, 1), MEAN)
+        even = averaged(part_of(by_parameter.residual, 0), AT_BOTH_ENDS)
+        odd = averaged(slopes * lifted_column, MEAN) + 2 * turned * column
+        even_by = averaged(part_of(by_parameter.residual, 1), AT_BOTH_ENDS)
+        odd_by = averaged(part_of(by_parameter.jacobian, 1) * lifted_column, MEAN)
         square = self.amplitude * self.amplitude
         size = len(point)
         others = [k for k in range(size) if k != self.scaled]
@@ -173,8 +173,8 @@ class DoubledEquations:
             self.region, [jet(u, w, None) for u, w in zip(point, away, strict=True)], [parameter]
         )
         column = matrix([[w] for w in away])
-        second = averaged(part_of(along.jacobian, 1) * column, mean)
-        third = averaged(2 * part_of(along.jacobian, 2) * column, bent_mean)
+        second = averaged(part_of(along.jacobian, 1) * column, MEAN)
+        third = averaged(2 * part_of(along.jacobian, 2) * column, BENT_MEAN)
         slopes = self.linearised(unknowns).jacobian
         try:
             inverse = slopes.mid().inv().mid()

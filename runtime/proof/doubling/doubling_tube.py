@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
+from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.boxes.tile import contracted, followed
 from nonsmooth.runtime.proof.doubling.doubled_equations import DoubledEquations
 from nonsmooth.runtime.proof.exact_tables import rational_of
@@ -175,7 +175,7 @@ def proved_tube(
     ProvedTube or str
         Why nothing is proved.
     """
-    with flint_precision(BITS):
+    with flint_precision(region.bits):
         equations = DoublingTube(scaled, amplitude, (), ()).equations(region)
         start = followed(equations, [x.mid() for x in flip], space_of(1, ORDER))
         if start is None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from math import prod
 
 import numpy as np
@@ -138,12 +139,29 @@ class BoxGrid:
             scale *= self.counts[k]
         return owner, number, inside
 
-    def covered(self, good: NDArray[np.bool_], low: Floats, high: Floats) -> NDArray[np.bool_]:
-        """Whether boxes lie in the union of some of the grid.
+    def sums(self, good: NDArray[np.bool_]) -> NDArray[np.int64]:
+        """How many of the boxes up to each place are among some.
 
         Parameters
         ----------
         good : array of bool (len(self),)
+
+        Returns
+        -------
+        array of int, with one more place than boxes along each coordinate
+        """
+        found = good.reshape(self.counts).astype(np.int64)
+        for axis in range(len(self.counts)):
+            found = np.cumsum(found, axis=axis)
+        return np.pad(found, [(1, 0)] * len(self.counts))
+
+    def covered(self, sums: NDArray[np.int64], low: Floats, high: Floats) -> NDArray[np.bool_]:
+        """Whether boxes lie in the union of some of the grid.
+
+        Parameters
+        ----------
+        sums : array of int
+            Of those, as `sums` gives them.
         low, high : array (B, d)
 
         Returns
@@ -151,16 +169,9 @@ class BoxGrid:
         array of bool (B,)
         """
         begin, end, inside = self.met(low, high)
-        sums = good.reshape(self.counts).astype(np.int64)
-        for axis in range(len(self.counts)):
-            sums = np.cumsum(sums, axis=axis)
-        sums = np.pad(sums, [(1, 0)] * len(self.counts))
         total = np.zeros(len(low), dtype=np.int64)
-        for corner in range(2 ** len(self.counts)):
-            lower = [(corner >> k) & 1 for k in range(len(self.counts))]
-            place = tuple(
-                begin[:, k] if low_side else end[:, k] for k, low_side in enumerate(lower)
-            )
-            total += (-1) ** sum(lower) * sums[place]
+        for lower in product((False, True), repeat=len(self.counts)):
+            places = zip(begin.T, end.T, lower, strict=True)
+            total += (-1) ** sum(lower) * sums[tuple(b if own else e for b, e, own in places)]
         covered: NDArray[np.bool_] = inside & (total == np.maximum(end - begin, 0).prod(axis=1))
         return covered

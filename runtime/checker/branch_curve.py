@@ -1,0 +1,204 @@
+"""The equations along a branch: unknowns and parameter on one footing, roots and derivatives."""
+
+from collections.abc import Sequence
+from copy import copy
+from typing import Any
+
+from flint import arb, arb_mat
+
+from nonsmooth.runtime.checker.declared import StatedSystem
+from nonsmooth.runtime.checker.exact import Failure, demand, exact
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.parameters import number_at
+from nonsmooth.runtime.checker.short import Short, short_phase
+from nonsmooth.runtime.core.jets import Jet, jet, part_of
+from nonsmooth.runtime.core.taylor_models import matrix, range_of
+
+__all__ = ["CheckedCurve", "solution", "with_entry", "without_entry"]
+
+
+class CheckedCurve:
+    """The equations of the orbits: their unknowns, and last the parameter, on one footing."""
+
+    def __init__(
+        self, declared: StatedSystem, energies: Any, constants: Any, content: dict[str, Any]
+    ) -> None:
+        self.declared, self.energies, self.constants = declared, energies, constants
+        self.names = [*declared.unknowns, content["parameter"]]
+        self.last = len(self.names) - 1
+        self.interval = tuple(map(exact, content["interval"]))
+        self.short: Short | None = None
+
+    def divided(self, place: int | None) -> "CheckedCurve":
+        """The same orbits by equations with one phase's condition divided by its dwell time."""
+        if place is None:
+            return self
+        found = copy(self)
+        found.short = short_phase(self.declared, place - 1)
+        return found
+
+    def undivided(self) -> "CheckedCurve":
+        """The same orbits by the equations of all phases."""
+        found = copy(self)
+        found.short = None
+        return found
+
+    def place(self, name: str) -> int:
+        """The coordinate of a name: of the parameter, if an unknown has its name too."""
+        demand(name in self.names, "there is no such coordinate")
+        return self.last if name == self.names[self.last] else self.names.index(name)
+
+    def _with(self, parameter: Any) -> CheckedOrbit:
+        """An orbit of which only the parameter is known."""
+        return CheckedOrbit(self.declared, number_at([parameter, *self.constants]), self.short)
+
+    def orbit(self, point: Sequence[Any]) -> CheckedOrbit:
+        """What passes with these numbers for unknowns and parameter."""
+        orbit = self._with(point[-1])
+        orbit.along(point[:-1])
+        return orbit
+
+    def slopes(
+        self, point: Sequence[Any], middle: Sequence[Any] | None = None
+    ) -> tuple[list[Any], list[list[Any]]]:
+        """Values of the equations (n), and their derivatives (n, n + 1) by all coordinates.
+
+        Flows over a box are those of its middle, times short ones.
+        """
+        parameter = jet(point[-1], arb(1))
+        orbit = self._with(parameter)
+        times = point[orbit.first : -1]
+        known = times if middle is None else middle[orbit.first : -1]
+        flows = [(b * t).exp() for b, t in zip(orbit.chain.fields, known, strict=True)]
+        if middle is not None:
+            away = [t - c for t, c in zip(times, known, strict=True)]
+            short = zip(orbit.chain.fields, away, flows, strict=True)
+            flows = [(b * d).exp() * flow for b, d, flow in short]
+        now = orbit.passage(orbit.chain, point[:-1], flows)
+        own, along = part_of(now.slopes, 0), part_of(now.values, 1)
+        rows = [[*(own[i, j] for j in range(self.last)), along[i, 0]] for i in range(self.last)]
+        return part_of(now.values, 0).entries(), rows
+
+    def krawczyk(
+        self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
+    ) -> list[Any] | None:
+        """The image of a box of the other coordinates, where it lies inside: one root is there."""
+        box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
+        values, slopes = self.slopes(with_entry(place, value, centre))
+        try:
+            y = matrix([without_entry(place, row) for row in slopes]).mid().inv().mid()
+        except ZeroDivisionError:
+            return None
+        _, over = self.slopes(with_entry(place, value, box), with_entry(place, value, centre))
+        size = self.last
+        unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
+        rest = unit - y * matrix([without_entry(place, row) for row in over])
+        moved = rest * arb_mat([[arb(0, r)] for r in radii]) - y * matrix([[v] for v in values])
+        found = moved.entries()
+        if not all(abs(d) < r for d, r in zip(found, radii, strict=True)):
+            return None
+        return [x + d for x, d in zip(centre, found, strict=True)]
+
+    def jets(self, place: int, point: Sequence[Any], order: int) -> list[Any]:
+        """The coordinates with their derivatives by one of them, at enclosed roots."""
+        none = [None] * (order - 1)
+        found: list[Any] = [jet(x, None, *none) for x in point]
+        found[place] = jet(point[place], arb(1), *none)
+        _, slopes = self.slopes(point)
+        square = matrix([without_entry(place, row) for row in slopes])
+        try:
+            y = square.mid().inv().mid()
+        except ZeroDivisionError:
+            raise Failure("the derivative along the branch is not known") from None
+        for k in range(1, order + 1):
+            orbit = self._with(found[-1])
+            missed = part_of(matrix([[v] for v in orbit.along(found[:-1])]), k)
+            step = solution(square, y, -missed)
+            others = without_entry(place, found)
+            moved = [
+                Jet(x.space, tuple(d if i == k else part for i, part in enumerate(x.parts)))
+                for x, d in zip(others, step, strict=True)
+            ]
+            found = with_entry(place, found[place], moved)
+        return found
+
+
+def solution(square: Any, y: Any, right: Any) -> list[Any]:
+    """Enclosures of the solution of a linear system, from about the inverse.
+
+    Parameters
+    ----------
+    square : matrix (n, n)
+        Of balls or Taylor models.
+    y : matrix (n, n)
+        About its inverse, exact.
+    right : matrix (n, 1)
+
+    Returns
+    -------
+    list of arb or TaylorModel
+        They hold for all values of the variables.
+
+    Raises
+    ------
+    Failure
+        If the matrix may be singular.
+    """
+    size = square.nrows()
+    unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
+    guess = (y * right).mid()
+    missed, rest = range_of(y * (right - square * guess)), range_of(unit - y * square)
+    scales = [abs(range_of(x)).upper() for x in guess.entries()]
+    least = max(scales, key=float) / 64 + arb(2) ** -40
+    scales = [(s + least).upper() for s in scales]
+    sums = [
+        sum((abs(rest[i, j]) * scales[j] for j in range(size)), arb(0)) / scales[i]
+        for i in range(size)
+    ]
+    norm = _largest(sums)
+    demand(norm < 1, "the derivative along the branch is not known")
+    errors = [abs(missed[i, 0]) / scales[i] for i in range(size)]
+    worst = _largest(errors) / (1 - norm)
+    pairs = zip(guess.entries(), scales, strict=True)
+    return [x + arb(0, (s * worst).upper()) for x, s in pairs]
+
+
+def _largest(numbers: Sequence[Any]) -> Any:
+    """A bound of all numbers; no number if one of them is none."""
+    found = numbers[0]
+    for number in numbers[1:]:
+        found = found.max(number)
+    return found.upper()
+
+
+def with_entry(place: int, value: Any, others: Sequence[Any]) -> list[Any]:
+    """Coordinates with one of them at its place.
+
+    Parameters
+    ----------
+    place : int
+    value : object
+    others : sequence
+        In their order.
+
+    Returns
+    -------
+    list
+    """
+    return [*others[:place], value, *others[place:]]
+
+
+def without_entry(place: int, point: Sequence[Any]) -> list[Any]:
+    """The other coordinates.
+
+    Parameters
+    ----------
+    place : int
+    point : sequence
+
+    Returns
+    -------
+    list
+        In their order.
+    """
+    return [*point[:place], *point[place + 1 :]]

@@ -1,0 +1,338 @@
+"""One tile of a branch: its tube, and one verdict on all of it or one event in it.
+
+A tile states polynomials and radii: a tube in which, for each value of its coordinate, there is
+exactly one root of the orbit's equations (Krawczyk, 1969). At an event a number that the event
+makes zero has a derivative along the branch that is nowhere zero in the tile, by jets in Taylor
+models, and opposite signs at two near points.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from flint import arb, ctx
+
+from nonsmooth.runtime.checker.branch_curve import CheckedCurve, with_entry, without_entry
+from nonsmooth.runtime.checker.exact import Failure, demand, exact, inside
+from nonsmooth.runtime.checker.motion import Border, admissibility, time_of_touch
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.stability import (
+    MULTIPLIERS,
+    characteristic,
+    demand_alone,
+    paired,
+    passing,
+    stability,
+)
+from nonsmooth.runtime.core.jets import part_of
+from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
+
+__all__ = ["BITS", "OPEN", "SHARP", "CheckedTile"]
+
+BITS, SHARP = 64, 192  # of tiles, and of points
+OPEN = "undecided"
+_ORDER = 5  # of the models: that of the polynomials
+_STEPS = 8  # of Newton's method
+_DEEPEST = 5  # halvings of a tile whose claims take smaller ones
+
+
+class CheckedTile:
+    """One tile of a branch."""
+
+    def __init__(self, curve: CheckedCurve, tile: dict[str, Any]) -> None:
+        self.curve, self.tile = curve.divided(tile["divided"]), tile
+        self.place = curve.place(tile["coordinate"])
+        self.low, self.high = exact(tile["lower"]), exact(tile["upper"])
+        demand(self.low < self.high, "it is empty")
+        self.forwards = tile["forwards"]
+        self.radii = [arb(r) for r in tile["radii"]]
+        demand(len(self.radii) == len(tile["centre"]) == curve.last, "a tube of another size")
+        demand(all(r > 0 and r.is_finite() for r in self.radii), "the tube is empty")
+        demand(
+            all(len(row) == _ORDER + 1 for row in tile["centre"]), "polynomials of another order"
+        )
+        self.space = space_of(1, _ORDER)
+        self.event = tile["event"]
+
+    @property
+    def turns(self) -> bool:
+        """Whether the branch turns at its event."""
+        if self.event is None:
+            return False
+        return "fold" in (self.event["kind"], *(kind for kind, *_ in self.event["also"]))
+
+    @property
+    def begin(self) -> Any:
+        """Where it begins along the branch."""
+        return self.low if self.forwards else self.high
+
+    @property
+    def end(self) -> Any:
+        """Where it ends."""
+        return self.high if self.forwards else self.low
+
+    def centre(self, value: Any) -> list[Any]:
+        """The polynomials where the coordinate has a value."""
+        e = (value - arb((self.low + self.high) / 2)) / arb((self.high - self.low) / 2)
+        found = []
+        for row in self.tile["centre"]:
+            total = arb(0)
+            for coefficient in reversed(row):
+                total = total * e + arb(coefficient)
+            found.append(total)
+        return found
+
+    def holds(self, value: Any, others: Sequence[Any]) -> bool:
+        """Whether coordinates are in the tube where its own has a value."""
+        sides = zip(others, self.centre(value), self.radii, strict=True)
+        return all(abs(x - c) < r for x, c, r in sides)
+
+    def at(self, value: Any) -> list[Any]:
+        """All coordinates of its orbit at a value, sharply."""
+        curve, place, middle = self.curve, self.place, value.mid()
+        point = [x.mid() for x in self.centre(middle)]
+        for _ in range(_STEPS):
+            values, slopes = curve.slopes(with_entry(place, middle, point))
+            try:
+                square = matrix([without_entry(place, row) for row in slopes]).mid()
+                step = square.solve(matrix([[v] for v in values]).mid())
+            except ZeroDivisionError:
+                raise Failure("the equations are singular at a point of it") from None
+            point = [(x - d).mid() for x, d in zip(point, step.entries(), strict=True)]
+        unit = arb(2) ** -int(0.6 * ctx.prec) + 64 * value.rad()
+        radii = [(unit * (1 + abs(x))).upper() for x in point]
+        found = curve.krawczyk(place, value, point, radii)
+        demand(found is not None, "the orbit at a point of it is not proved")
+        assert found is not None
+        demand(self.holds(value, found), "an orbit is not in its tube")
+        return with_entry(place, value, found)
+
+    def check_sharply(self) -> None:
+        """Prove what is claimed of it; with more bits if need be, as in a narrow tube."""
+        try:
+            self.check()
+        except Failure:
+            with ctx.workprec(2 * BITS):
+                self.check()
+
+    def check(self) -> None:
+        """Prove that there is one orbit in the tube, and what is claimed of it."""
+        curve, place = self.curve, self.place
+        half = arb((self.high - self.low) / 2)
+        value = self.space.variable(0, arb((self.low + self.high) / 2), half)
+        centre = [
+            TaylorModel(self.space, tuple(arb(c) for c in row)) for row in self.tile["centre"]
+        ]
+        image = curve.krawczyk(place, value, centre, self.radii)
+        demand(image is not None, "existence is not proved: Krawczyk's test fails")
+        assert image is not None
+        self.point = with_entry(place, value, image)
+        low, high = curve.interval
+        if place == curve.last:
+            demand(low <= self.low and self.high <= high, "it is outside of the interval")
+        else:
+            over = range_of(self.point[-1])
+            demand(over > low and over < high, "it is outside of the interval")
+        if self.tile["before"] == OPEN:
+            return
+        if not self.turns:
+            self.parts(self._goes_on)
+        if self.event is None:
+            self.parts(self._judge)
+        else:
+            _CheckedEvent(self).check()
+
+    def parts(
+        self, prove: Callable[[Sequence[Any]], None], point: Any = None, depth: int = 0
+    ) -> None:
+        """Prove something of all of it, on smaller parts if need be."""
+        point = self.point if point is None else point
+        try:
+            prove(point)
+            return
+        except Failure:
+            if depth == _DEEPEST:
+                raise
+        for side in (-1, 1):
+            e = self.space.variable(0, arb(side) / 2, arb(1) / 2)
+            self.parts(prove, self._sharper([x.at([e]) for x in point]), depth + 1)
+
+    def _sharper(self, point: Sequence[Any]) -> list[Any]:
+        """Enclosures of its orbits on a part, from boxes around them that are smaller there."""
+        found, value = without_entry(self.place, point), point[self.place]
+        for _ in range(2):
+            centre = [x.mid() for x in found]
+            away = [abs(range_of(x - c)) for x, c in zip(found, centre, strict=True)]
+            radii = [(2 * d + (1 + abs(x)) * arb(2) ** -55).upper() for d, x in
+                     zip(away, found, strict=True)]  # fmt: skip
+            image = self.curve.krawczyk(self.place, value, centre, radii)
+            if image is None:
+                break
+            found = [min(pair, key=_width) for pair in zip(found, image, strict=True)]
+        return with_entry(self.place, value, found)
+
+    def _goes_on(self, point: Sequence[Any]) -> None:
+        """The parameter changes all along it."""
+        if self.place != self.curve.last:
+            slope = range_of(part_of(self.curve.jets(self.place, point, 1)[-1], 1))
+            demand(slope > 0 or slope < 0, "the branch may turn")
+
+    def _judge(self, point: Sequence[Any]) -> None:
+        orbit = self.curve.orbit(point)
+        orbit.returns(self.curve.energies)
+        admissible = admissibility(orbit, [])
+        if self.tile["before"] == "not admissible":
+            demand(admissible == "refuted", f"admissibility is {admissible}")
+            return
+        demand(admissible == "proved", f"admissibility is {admissible}")
+        demand(_verdict(orbit) == self.tile["before"], f"it is {_verdict(orbit)}")
+
+
+def _verdict(orbit: CheckedOrbit) -> str:
+    """What an orbit is that is a motion of its system."""
+    words = {"proved": orbit.declared.stability, "refuted": "unstable"}
+    return words.get(stability(orbit), OPEN)
+
+
+class _CheckedEvent:
+    """The event of a tile."""
+
+    def __init__(self, tile: CheckedTile) -> None:
+        self.tile, self.curve, self.event = tile, tile.curve, tile.event
+        own = [self.event[name] for name in ("kind", "phase", "boundary", "instant")]
+        self.borders = [
+            Border(kind, place - 1, boundary, instant)
+            for kind, place, boundary, instant in (own, *self.event["also"])
+            if kind not in MULTIPLIERS
+        ]
+        self.below, self.above = tile.tile["before"], tile.tile["after"]
+        if not tile.forwards:
+            self.below, self.above = self.above, self.below
+        self.low, self.high = exact(self.event["lower"]), exact(self.event["upper"])
+
+    def check(self) -> None:
+        """Prove that there is this event in the tile, and no other."""
+        tile, curve, event = self.tile, self.curve, self.event
+        demand(tile.low < self.low < self.high < tile.high, "its event is outside")
+        window = [arb(exact(x)) for x in event["window"]]
+        self.window = (window[0], window[1]) if len(window) == 2 else None
+        if event["kind"] in MULTIPLIERS:
+            own = [event[name] for name in ("phase", "configuration", "boundary", "instant")]
+            demand(own == [None, "", "", ""] and not event["also"] and not window, "a phase")
+            tile.parts(self._no_other)
+            self._verdicts()
+            self._passes(event["kind"], None)
+        else:
+            beside = [entry for entry in event["also"] if entry[0] in MULTIPLIERS]
+            if beside:  # the branch turns where a phase vanishes, and no multiplier is 1
+                short = (
+                    tile.curve.short is not None and tile.curve.short.place == event["phase"] - 1
+                )
+                vanishes = short and event["kind"] == "vanishing-phase"
+                turns = [["fold", event["phase"], "", ""]]
+                demand(vanishes and [*map(list, beside)] == turns, "a multiplier beside a border")
+                self._passes("fold", None)
+            self._border()
+        with ctx.workprec(SHARP):
+            middle, half = (self.low + self.high) / 2, (self.high - self.low) / 2
+            found = tile.at(arb(middle) + arb(0, arb(half)))
+            if event["kind"] == "neimark-sacker":
+                polynomial = characteristic(curve.orbit(found).section)
+                demand(paired(polynomial), "it may be a neutral saddle, where two are real")
+            demand(event["enclosures"].keys() == {*curve.names}, "not every unknown is enclosed")
+            told = dict(zip(curve.names, found, strict=True))
+            for name, stated in event["enclosures"].items():
+                demand(inside(told[name], stated), f"{name} is not in its enclosure")
+
+    @property
+    def _moves(self) -> bool:
+        """Whether the orbits are motions of the system, beside which multipliers do not matter."""
+        return not (self.event["kind"] == "fold" and self.below == self.above == "not admissible")
+
+    def _no_other(self, point: Sequence[Any]) -> None:
+        """All other ways past the unit circle are closed."""
+        kind, orbit = self.event["kind"], self.curve.orbit(point)
+        orbit.returns(self.curve.energies)
+        admissible = admissibility(orbit, [])
+        demand(admissible == ("proved" if self._moves else "refuted"), "it may be no motion")
+        if not self._moves:
+            return
+        demand_alone(orbit, kind)
+
+    def _verdicts(self) -> None:
+        """Verdicts at both ends of the tile: on each side there is one."""
+        for verdict, end in ((self.below, self.tile.low), (self.above, self.tile.high)):
+            if self._moves:
+                with ctx.workprec(SHARP):
+                    found = _verdict(self.curve.orbit(self.tile.at(arb(end))))
+                demand(found == verdict != OPEN, f"at an end it is {found}")
+
+    def _border(self) -> None:
+        """If the borders are not crossed it is a motion; beyond the first it is none."""
+        event, steps = self.event, self.curve.declared.steps
+        demand(len({*self.borders}) == len(self.borders), "a border twice")
+        demand(all(0 <= border.phase < len(steps) for border in self.borders), "no such phase")
+        first = self.borders[0]
+        demand(event["configuration"] == steps[first.phase].name, "another configuration")
+        verdict = self.below if self.above == "not admissible" else self.above
+        demand(verdict not in (OPEN, "not admissible"), "no verdict beside the event")
+
+        def but_for_it(point: Sequence[Any]) -> None:
+            orbit = self.curve.orbit(point)
+            orbit.returns(self.curve.energies)
+            told = admissibility(orbit, [], self.borders, self.window)
+            demand(told == "proved", f"but for the event admissibility is {told}")
+            demand(_verdict(orbit) == verdict, f"it is {_verdict(orbit)}")
+
+        self.tile.parts(but_for_it)
+        rises = {self._passes(border, border) for border in self.borders}
+        demand(len(rises) == 1, "borders are crossed in both directions")
+        verdicts = [verdict, "not admissible"]
+        if rises == {False}:
+            verdicts.reverse()
+        demand(verdicts == [self.below, self.above], "other verdicts beside the event")
+
+    def _passes(self, which: Any, border: Border | None) -> bool:
+        """Whether its number rises through zero, once; Failure if it does not pass."""
+        tile = self.tile
+        signs: set[bool] = set()
+
+        def moves(point: Sequence[Any]) -> None:
+            rate = range_of(self._number(which, border, point, 1)[1])
+            demand(rate > 0 or rate < 0, "an event may happen twice, or be touched only")
+            signs.add(bool(rate > 0))
+
+        tile.parts(moves)
+        demand(len(signs) == 1, "an event may happen twice")
+        with ctx.workprec(SHARP):
+            low, high = (
+                self._number(which, border, tile.at(arb(end)), 0)[0]
+                for end in (self.low, self.high)
+            )
+        rises = signs == {True}
+        opposite = (low < 0 < high) if rises else (high < 0 < low)
+        demand(opposite, "there may be no event between its bounds")
+        return rises
+
+    def _number(
+        self, which: Any, border: Border | None, point: Sequence[Any], order: int
+    ) -> tuple[Any, Any]:
+        """What is zero at the event, and its derivative along the branch."""
+        curve, place = self.curve, self.tile.place
+        if which == "fold":
+            slope = curve.jets(place, point, 1 + order)[-1]
+            return part_of(slope, 1), 2 * part_of(slope, 2) if order else None
+        jets = curve.jets(place, point, 1) if order else point
+        orbit = curve.orbit(jets)
+        if border is None:
+            found = passing(characteristic(orbit.section), which)
+        else:
+            time = None
+            if border.kind == "grazing":
+                time = time_of_touch(curve.orbit(point), border, self.window)
+            found = border.number(orbit, time)
+        return part_of(found, 0), part_of(found, 1) if order else None
+
+
+def _width(number: Any) -> Any:
+    """How far what a model encloses may be from its polynomial."""
+    return abs(range_of(number - number.mid())).upper()

@@ -1,0 +1,348 @@
+"""Many sets of states through the phases of a system, whatever ways their states go.
+
+A set goes every way that one of its states may go: what comes to a boundary is cut from it, and
+so is what meets a condition. What is cut may be a little more than that, so all arrivals are in
+the boxes that are found, and the boxes may be wider. Where it is not stated what follows the set
+is lost.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from flint import arb, arb_mat, ctx, fmpq
+
+from nonsmooth.runtime.checker.exact import Elimination, demand, leading, product, reduced
+from nonsmooth.runtime.checker.exits import negative, rounded
+from nonsmooth.runtime.checker.portions import (
+    Departure,
+    DividingPhase,
+    KnownStart,
+    Portions,
+    Remaining,
+    direction,
+    joined_portions,
+    opposite,
+)
+from nonsmooth.runtime.checker.sets import matrix_of
+from nonsmooth.runtime.checker.switching import StatedSection, SwitchingSystem, echelon_behind
+from nonsmooth.runtime.core.float_flows import FloatFlow
+from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, within
+
+__all__ = ["Arrivals", "ManyMotions"]
+
+_BITS = 80
+_ABOUT_ZERO = 2.0**-30  # a time
+_RADIANS = 0.125  # of the fastest motion in a window
+
+
+class Arrivals(NamedTuple):
+    """Boxes (L, d) of the section's coordinates, of which set each is, and which sets are lost."""
+
+    origin: Any
+    low: Floats
+    high: Floats
+    lost: Any
+
+
+class ManyMotions:
+    """Where sets of states come to a section first.
+
+    Parameters
+    ----------
+    declared : dict
+        The declaration of a file.
+    parameters : mapping of str to str
+        That the file names.
+    section : StatedSection
+    scales : sequence of float, length N
+        Of the states.
+    widest : float, optional
+        Sets that are wider, in these units, are halved where a phase begins.
+    most : int, optional
+        Parts of one set.
+    longest : int, optional
+        Transitions on one way.
+
+    Attributes
+    ----------
+    facts : list of row
+        What is exactly zero on the section.
+    free : list of int
+        The states that are its coordinates.
+
+    Raises
+    ------
+    Failure
+        If there is no such section, or the declaration is of another kind.
+    """
+
+    def __init__(
+        self,
+        declared: dict[str, Any],
+        parameters: Mapping[str, str],
+        section: StatedSection,
+        scales: Sequence[float],
+        widest: float = np.inf,
+        most: int = 400,
+        longest: int = 40,
+    ) -> None:
+        self.system, self.section = SwitchingSystem(declared, parameters), section
+        self.scales, self.widest = np.array(scales, dtype=float), widest
+        self.most, self.longest = most, longest
+        self.exactly = Elimination()
+        self.facts, self.forced = section.facts(self.system, self.exactly)
+        self.free = _without_pivots(self.facts, self.system.size)
+        self._flows: dict[str, FloatFlow] = {}
+        self._phases: dict[KnownStart, DividingPhase] = {}
+
+    def arrivals(self, starts: ManySets) -> Arrivals:
+        """Of states on the section.
+
+        Parameters
+        ----------
+        starts : ManySets
+            Of its coordinates and 1.
+
+        Returns
+        -------
+        Arrivals
+        """
+        with ctx.workprec(_BITS):
+            lifted = starts.mapped(self.lift(self.facts, timed=False))
+        return self.leaves(lifted, self.section.configuration, self.facts)
+
+    def leaves(self, starts: ManySets, configuration: str, facts: Sequence[Any]) -> Arrivals:
+        """Boxes that contain the first arrival of every state of every set.
+
+        Parameters
+        ----------
+        starts : ManySets
+            Of (y, 0, 1); those of their states are meant that no boundary lies behind.
+        configuration : str
+            In which they are.
+        facts : sequence of row
+            What is exactly zero for them; of a forcing also that it has the section's phase.
+
+        Returns
+        -------
+        Arrivals
+
+        Raises
+        ------
+        Failure
+            If the configuration is not declared, or a forcing has another phase.
+        """
+        demand(configuration in self.system.fields, "a configuration is not declared")
+        times = np.abs(np.array(starts.hull)[:, :, self.system.size])
+        demand((times < _ABOUT_ZERO).all(), "a start at another time")
+        known = tuple(self.exactly.echelon(facts))
+        here = all(not any(reduced(row, known)) for row in self.forced)
+        demand(here, "the forcing has another phase")
+        rows = self.system.boundaries[configuration]
+        inside = frozenset(name for name, row in rows.items() if any(reduced(row, known)))
+        remaining = Remaining(len(starts), self.most)
+        each = np.arange(len(starts))
+        remaining.add(
+            KnownStart(configuration, known, inside, 0), Portions(starts, each, np.zeros_like(each))
+        )
+        found = [(each[:0], *np.zeros((2, 0, len(self.free))))]
+        with ctx.workprec(_BITS):
+            while (taken := remaining.take()) is not None:
+                for own in self._followed(*taken, remaining):
+                    low, high = own.states.hull
+                    found.append((own.origin, low[:, self.free], high[:, self.free]))
+        origin, low, high = (np.concatenate(x) for x in zip(*found, strict=True))
+        kept = ~remaining.lost[origin]
+        return Arrivals(origin[kept], low[kept], high[kept], remaining.lost)
+
+    def _followed(
+        self, known: KnownStart, portions: Portions, remaining: Remaining
+    ) -> Iterator[Portions]:
+        """Portions through one phase: those on the section are given, others are left to do."""
+        remaining.lose(portions.origin[(portions.passed >= self.longest) | portions.astray])
+        portions = self._narrow(portions.some(~remaining.lost[portions.origin]), remaining)
+        if not len(portions.origin):
+            return
+        if known not in self._phases:
+            flow = self.flow(known.configuration)
+            self._phases[known] = DividingPhase(self.system, flow, known, self.forced)
+        for end in self._phases[known].departures(portions, remaining):
+            for behind, own, on_section in self._behind(known, end, remaining):
+                if not on_section or end.at_once:
+                    remaining.add(behind, own)
+                elif all(not any(reduced(row, behind.facts)) for row in self.facts):
+                    yield own
+                else:
+                    remaining.lose(own.origin)
+
+    def _narrow(self, portions: Portions, remaining: Remaining) -> Portions:
+        while True:
+            spans = np.abs(portions.states.sides[:, : self.system.size]) / self.scales[:, None]
+            wide = spans.sum(axis=2).max(axis=1, initial=0.0) > self.widest
+            if not wide.any():
+                return portions
+            longest = spans[wide].max(axis=1).argmax(axis=1)
+            halves = portions.changed(
+                portions.states[wide].halves(longest), np.tile(wide.nonzero()[0], 2)
+            )
+            remaining.count(halves.origin[: len(longest)])
+            portions = joined_portions([portions.some(~wide), halves])
+            portions = portions.some(~remaining.lost[portions.origin])
+
+    def _behind(
+        self, known: KnownStart, end: Departure, remaining: Remaining
+    ) -> Iterator[tuple[KnownStart, Portions, bool]]:
+        """What states become behind an end of a phase; whether they are on the section."""
+        here, size = known.configuration, self.system.size
+        astray = end.portions.astray
+        remaining.lose(end.portions.origin[astray])
+        end = end._replace(portions=end.portions.some(~astray))
+        rows = self.system.boundaries[here].items()
+        inside = [row for name, row in rows if name not in end.names]
+        inside += map(opposite, end.rising)
+        signs = frozenset(direction(reduced(row, end.facts)) for row in inside)
+        if not end.names:
+            stays = [tuple(fmpq(int(i == j)) for j in range(size + 1)) for i in range(size + 1)]
+            ways = iter([(stays, here, end.portions, signs)])
+        else:
+            listed = self.system.transitions.get((here, end.names), [])
+            ways = self._chosen(listed, end, signs, remaining)
+        section = self.section
+        for reset, target, portions, now in ways:
+            if target not in self.system.fields:
+                remaining.lose(portions.origin)
+                continue
+            facts = echelon_behind(self.exactly, end.facts, reset)
+            if not all(any(row[:-1]) for row in facts):
+                continue  # there are no such states
+            matrix = Rounded.of(matrix_of(reset, runs=False))
+            box = self._box(portions.states, now).mapped(matrix).hull
+            states = portions.states.mapped(matrix).fewer_sides(
+                self._places(facts), self.lift(facts, bool(self.forced)), box
+            )
+            below = frozenset(
+                name
+                for name, row in self.system.boundaries[target].items()
+                if self._stays_below(row, target, facts, reset, end.facts, now)
+            )
+            turns = known.turns + (not end.names)
+            if self.forced:
+                arrived = not end.names and target == section.configuration
+            else:
+                way = here, end.names, target
+                arrived = way == (section.source, frozenset({section.boundary}), target)
+                arrived &= target == section.configuration
+            own = Portions(states, portions.origin, portions.passed + 1)
+            yield KnownStart(target, tuple(facts), below, turns), own, arrived
+
+    def _chosen(
+        self, listed: list[Any], end: Departure, signs: frozenset[Any], remaining: Remaining
+    ) -> Iterator[tuple[Any, str, Portions, frozenset[Any]]]:
+        """Resets and targets: the first transition follows whose conditions hold."""
+        left = [(0, 0, end.portions, signs)]
+        while left:
+            number, place, portions, now = left.pop()
+            if not len(portions.origin):
+                continue
+            if number == len(listed):
+                remaining.lose(portions.origin)
+                continue
+            conditions, reset, target = listed[number]
+            if place == len(conditions):
+                yield reset, target, portions, now
+                continue
+            row, along, holds = conditions[place]
+            _, first = leading(row, self.system.fields[along], end.facts, 0)
+            sides = [(False, portions, now)]
+            if first is not None:
+                function = rounded(first)
+                up, down = portions.where(function), portions.where(negative(function))
+                sides = [
+                    (True, up, now | {direction(opposite(first))}),
+                    (False, down, now | {direction(first)}),
+                ]
+            for positive, own, then in sides:
+                following = (number, place + 1) if positive == holds else (number + 1, 0)
+                left.append((*following, own, then))
+
+    def _box(self, states: ManySets, signs: frozenset[Any]) -> ManySets:
+        """Boxes around states for which functions are not positive."""
+        low, high = states.hull
+        for row in signs:
+            if any(row[:-1]):
+                low, high = within((low, high), rounded(row))
+        for k in (k for pair in self.system.forcing if self.forced for k in pair):
+            low[:, k], high[:, k] = np.maximum(low[:, k], -1.0), np.minimum(high[:, k], 1.0)
+        boxes = ManySets.of_boxes(low[:, :-1], high[:, :-1])
+        return boxes
+
+    def _stays_below(
+        self, row: Any, target: str, facts: Any, reset: Any, before: Any, signs: frozenset[Any]
+    ) -> bool:
+        """Whether a boundary's first derivative behind a reset is known not to be positive.
+
+        As a function of the states before it is one of those whose sign is known.
+        """
+        _, first = leading(row, self.system.fields[target], facts, 0)
+        if first is None:
+            return False
+        pulled = reduced(product(first, reset), before)
+        return bool(pulled[-1] <= 0) if not any(pulled[:-1]) else direction(pulled) in signs
+
+    # what exact facts leave free
+
+    def _places(self, facts: Any) -> list[int]:
+        free = _without_pivots(facts, self.system.size)
+        return [*free, self.system.size] if self.forced else free
+
+    def lift(self, facts: Any, timed: bool) -> Rounded:
+        """(y, t, 1) of states by the coordinates that facts leave free, and 1.
+
+        Parameters
+        ----------
+        facts : rows
+            Reduced.
+        timed : bool
+            Whether the time is one of these coordinates, the last one; else it is 0.
+
+        Returns
+        -------
+        Rounded (N + 2, d + 1)
+        """
+        size = self.system.size
+        places = [*_without_pivots(facts, size), *([size] if timed else [])]
+        found = arb_mat(size + 2, len(places) + 1)
+        for column, k in enumerate(places):
+            found[k, column] = arb(1)
+        for row in facts:
+            pivot = next(k for k, x in enumerate(row) if x)
+            for column, k in enumerate(places):
+                found[pivot, column] = arb(0 if k == size else -row[k])
+            found[pivot, len(places)] = arb(-row[size])
+        found[size + 1, len(places)] = arb(1)
+        return Rounded.of(found)
+
+    def flow(self, configuration: str) -> FloatFlow:
+        """The flow of a configuration.
+
+        Parameters
+        ----------
+        configuration : str
+
+        Returns
+        -------
+        FloatFlow
+        """
+        if configuration not in self._flows:
+            matrix = matrix_of(self.system.fields[configuration], runs=True)
+            rates = [abs(complex(x)) for x in arb_mat(matrix.mid()).eig(algorithm="approx")]
+            fastest = max(*rates, 2.0**-6)
+            step = 2.0 ** np.floor(np.log2(_RADIANS / fastest))
+            self._flows[configuration] = FloatFlow(matrix, float(step))
+        return self._flows[configuration]
+
+
+def _without_pivots(facts: Any, size: int) -> list[int]:
+    pivots = {next(k for k, x in enumerate(row) if x) for row in facts}
+    return [k for k in range(size) if k not in pivots]

@@ -1,0 +1,314 @@
+"""Portions of many sets, what is known of them where a phase begins, and how they leave it."""
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+from typing import Any, NamedTuple
+
+import numpy as np
+from flint import arb, arb_mat, fmpq
+
+from nonsmooth.runtime.checker.exact import Elimination, leading, product, reduced
+from nonsmooth.runtime.checker.exits import ExitFunction, PhaseExits, negative, rounded
+from nonsmooth.runtime.checker.switching import SwitchingSystem
+from nonsmooth.runtime.core.float_flows import FloatFlow
+from nonsmooth.runtime.core.float_sets import ManySets, Rounded, joined_sets
+
+__all__ = [
+    "Departure",
+    "DividingPhase",
+    "KnownStart",
+    "Portions",
+    "Remaining",
+    "direction",
+    "joined_portions",
+    "opposite",
+]
+
+_TOGETHER = 1024  # portions
+_FAR = 2.0**300  # where doubles may soon end
+
+
+class KnownStart(NamedTuple):
+    """What is known of states where a phase begins.
+
+    Some functions are exactly zero; the boundaries `below` are not positive, with their first
+    derivative that is not exactly zero; the forcing came back so many times.
+    """
+
+    configuration: str
+    facts: tuple[Any, ...]
+    below: frozenset[str]
+    turns: int
+
+
+class Portions(NamedTuple):
+    """Portions of sets: of which ones, and behind how many transitions."""
+
+    states: ManySets
+    origin: Any
+    passed: Any
+
+    @property
+    def astray(self) -> Any:
+        """Which ones have no bounds, or nearly so."""
+        low, high = self.states.hull
+        return ~((low > -_FAR) & (high < _FAR)).all(axis=1)
+
+    def some(self, which: Any) -> "Portions":
+        """Some of them.
+
+        Parameters
+        ----------
+        which : mask or indices
+
+        Returns
+        -------
+        Portions
+        """
+        return Portions(self.states[which], self.origin[which], self.passed[which])
+
+    def changed(self, states: ManySets, which: Any) -> "Portions":
+        """Other states, that some of them have become.
+
+        Parameters
+        ----------
+        states : ManySets
+        which : mask or indices
+
+        Returns
+        -------
+        Portions
+        """
+        return Portions(states, self.origin[which], self.passed[which])
+
+    def where(self, row: Rounded) -> "Portions":
+        """Of each what a function is not negative for.
+
+        Parameters
+        ----------
+        row : Rounded (1, n)
+
+        Returns
+        -------
+        Portions
+        """
+        states, alive = self.states.cut(row)
+        return self.changed(states[alive], alive)
+
+
+class Departure(NamedTuple):
+    """Portions that leave a phase by boundaries, or by none where the forcing comes back.
+
+    What is exactly zero there, functions that are not negative, and whether the phase begins
+    there or beyond.
+    """
+
+    portions: Portions
+    names: frozenset[str]
+    facts: Any
+    rising: tuple[Any, ...]
+    at_once: bool
+
+
+class DividingPhase:
+    """The phase of one configuration, from states of which the same is known.
+
+    Parameters
+    ----------
+    system : SwitchingSystem
+    flow : FloatFlow
+    known : KnownStart
+    forced : list of row
+        What is zero where the forcing has the section's phase; empty without one.
+    """
+
+    def __init__(
+        self, system: SwitchingSystem, flow: FloatFlow, known: KnownStart, forced: Sequence[Any]
+    ) -> None:
+        exactly, field = Elimination(), system.fields[known.configuration]
+        self.known, lasting = known, exactly.lasting([*known.facts], field)
+        self.outside = False  # all along
+        alike: dict[Any, tuple[list[str], Any]] = {}
+        for name, row in system.boundaries[known.configuration].items():
+            own = reduced(row, lasting)
+            if any(own[:-1]):
+                alike.setdefault(direction(own), ([], row))[0].append(name)
+            else:
+                self.outside = self.outside or own[-1] > 0
+        self.functions: list[ExitFunction] = []
+        self.first, self.below = [], []
+        for names, row in alike.values():
+            order, first = leading(row, field, known.facts, 0)
+            if first is None:
+                continue
+            facts = exactly.echelon([*lasting, row])
+            rate = reduced(product(row, field), facts)
+            timed = arb_mat([[*map(arb, row[:-1]), arb(0), arb(row[-1])]])
+            self.functions.append(ExitFunction(frozenset(names), timed, order, facts, rate))
+            self.first.append(first)
+            self.below.append(bool(known.below.intersection(names)))
+        self.begins = [rounded(first) for first in self.first]
+        if forced:
+            after = 2 * arb.pi() * (known.turns + 1) / arb(system.speed())
+            clock = arb_mat([[*(arb(0) for _ in range(system.size)), arb(1), -after]])
+            facts = exactly.echelon([*lasting, *forced])
+            self.functions.append(ExitFunction(frozenset(), clock, 0, facts, None))
+        self.exits = PhaseExits(flow, self.functions) if self.functions else None
+
+    def departures(self, portions: Portions, remaining: "Remaining") -> Iterator[Departure]:
+        """All ways out of the phase.
+
+        Parameters
+        ----------
+        portions : Portions
+        remaining : Remaining
+            Where sets are lost.
+
+        Yields
+        ------
+        Departure
+        """
+        if self.outside or self.exits is None:
+            remaining.lose(portions.origin)
+            return
+        yield from self._at_once(portions, remaining)
+        for row in self.begins:
+            portions = portions.where(negative(row))
+        if not len(portions.origin):
+            return
+        found, lost = self.exits.leave(portions.states)
+        remaining.lose(portions.origin[lost])
+        for states, origin, by in found:
+            functions = [self.functions[k] for k in by]
+            names = frozenset[str]().union(*(own.names for own in functions))
+            rising = tuple(own.rate for own in functions if own.names)
+            own = portions.changed(states, origin)
+            yield Departure(own, names, self.exits.common(by), rising, False)
+
+    def _at_once(self, portions: Portions, remaining: "Remaining") -> Iterator[Departure]:
+        """States that are beyond boundaries already, or go there: of three nothing is known."""
+        highest = [portions.states.ranges(row)[1][:, 0] for row in self.begins]
+        may = [k for k, high in enumerate(highest) if not (high < 0).all()]
+        for chosen in (x for n in (1, 2, 3) for x in combinations(may, n)):
+            if all(self.below[k] for k in chosen):
+                continue
+            own = portions
+            for k in may:
+                own = own.where(self.begins[k] if k in chosen else negative(self.begins[k]))
+            if len(chosen) == 3:
+                remaining.lose(own.origin)
+            elif len(own.origin):
+                names = frozenset[str]().union(*(self.functions[k].names for k in chosen))
+                rising = tuple(self.first[k] for k in chosen)
+                yield Departure(own, names, list(self.known.facts), rising, True)
+
+
+class Remaining:
+    """Portions that are to be followed, and which sets are lost.
+
+    Parameters
+    ----------
+    count : int
+        Of sets.
+    most : int
+        Portions of a set.
+    """
+
+    def __init__(self, count: int, most: int) -> None:
+        self.lost = np.zeros(count, dtype=bool)
+        self._most, self._counted = most, np.zeros(count, dtype=int)
+        self._left: dict[KnownStart, list[Portions]] = {}
+
+    def add(self, known: KnownStart, portions: Portions) -> None:
+        """Follow some more.
+
+        Parameters
+        ----------
+        known : KnownStart
+        portions : Portions
+        """
+        self.count(portions.origin)
+        self._left.setdefault(known, []).append(portions)
+
+    def count(self, origin: Any) -> None:
+        """Count portions; a set that has too many is lost.
+
+        Parameters
+        ----------
+        origin : array of int
+            Of which set each is.
+        """
+        np.add.at(self._counted, origin, 1)
+        self.lost |= self._counted > self._most
+
+    def lose(self, origin: Any) -> None:
+        """Some sets are lost.
+
+        Parameters
+        ----------
+        origin : array of int
+        """
+        self.lost[origin] = True
+
+    def take(self) -> tuple[KnownStart, Portions] | None:
+        """Take the most portions of which the same is known.
+
+        Returns
+        -------
+        tuple of (KnownStart, Portions) or None
+        """
+        if not self._left:
+            return None
+        known = max(self._left, key=lambda own: sum(len(x.origin) for x in self._left[own]))
+        portions = joined_portions(self._left.pop(known))
+        portions = portions.some(~self.lost[portions.origin])
+        if len(portions.origin) > _TOGETHER:
+            self._left[known] = [portions.some(slice(_TOGETHER, None))]
+        return known, portions.some(slice(_TOGETHER))
+
+
+def joined_portions(several: list[Portions]) -> Portions:
+    """Portions of several lists in one.
+
+    Parameters
+    ----------
+    several : list of Portions
+
+    Returns
+    -------
+    Portions
+    """
+    origin = np.concatenate([own.origin for own in several])
+    passed = np.concatenate([own.passed for own in several])
+    return Portions(joined_sets([own.states for own in several]), origin, passed)
+
+
+def direction(row: Any) -> tuple[Any, ...]:
+    """A function up to a positive factor.
+
+    Parameters
+    ----------
+    row : sequence
+        Exact.
+
+    Returns
+    -------
+    tuple
+    """
+    size = next((abs(x) for x in row if x), fmpq(1))
+    return tuple(x / size for x in row)
+
+
+def opposite(row: Any) -> tuple[Any, ...]:
+    """A function with the other sign.
+
+    Parameters
+    ----------
+    row : sequence
+        Exact.
+
+    Returns
+    -------
+    tuple
+    """
+    return tuple(-x for x in row)

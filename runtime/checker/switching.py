@@ -1,0 +1,175 @@
+"""The system of a file whose sets may divide: configurations, and all transitions that are stated.
+
+What the file does not state is not known: who comes to a boundary, to boundaries that are reached
+together, or to a configuration of which nothing is stated is lost.
+"""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from flint import fmpq
+
+from nonsmooth.runtime.checker.exact import Elimination, demand, exact, number_of, reduced
+from nonsmooth.runtime.checker.parameters import values_of
+
+__all__ = ["StatedSection", "SwitchingSystem", "echelon_behind"]
+
+
+class SwitchingSystem:
+    """Exact rows of a declaration.
+
+    Parameters
+    ----------
+    declared : dict
+        As the file states it.
+    parameters : mapping of str to str
+        That the file names.
+
+    Attributes
+    ----------
+    fields : dict of str to rows (N + 1, N + 1)
+    boundaries : dict of str to dict of str to row
+        Of each configuration, negative inside.
+    held : dict of str to list of row
+    transitions : dict
+        From source and boundaries to lists of (conditions, reset, target), first come first.
+    forcing : list of (int, int)
+    """
+
+    def __init__(self, declared: dict[str, Any], parameters: Mapping[str, str]) -> None:
+        demand("law" not in declared, "sets with a contact law are not checked")
+        values, stated, constants = values_of(dict(parameters), (), declared.get("constants", []))
+        demand(not constants, "a parameter is not rational")
+        names = declared["parameters"]
+        bound = sorted(names) == sorted(values)
+        demand(bound, "the declaration is not over the parameters that are named")
+        self._variables = [*(values[name] for name in names), *stated]
+        self.states, self.size = declared["states"], len(declared["states"])
+        demand(len({*self.states}) == self.size, "two states have one name")
+        last = (fmpq(0),) * self.size
+        self.fields, self.boundaries, self.held = {}, {}, {}
+        for name, entry in declared["configurations"].items():
+            self.fields[name] = [*self._rows(entry["field"]), (*last, fmpq(0))]
+            self.boundaries[name] = {b: self._row(r) for b, r in entry["boundaries"].items()}
+            self.held[name] = [*map(self._row, entry["held"])]
+        self.transitions: dict[tuple[str, frozenset[str]], list[Any]] = {}
+        for entry in declared["transitions"]:
+            demand("order" not in entry and "steps" not in entry, "a transition of another kind")
+            conditions = [(self._row(r), along, holds) for r, along, holds in entry["conditions"]]
+            told = all(along in self.fields for _, along, _ in conditions)
+            demand(told, "a configuration is missing")
+            key = entry["source"], frozenset(entry["boundaries"])
+            demand(len(key[1]) == len(entry["boundaries"]), "a boundary is named twice")
+            reset = [*self._rows(entry["reset"]), (*last, fmpq(1))]
+            self.transitions.setdefault(key, []).append((conditions, reset, entry["target"]))
+        self.forcing = [tuple(pair) for pair in declared["forcing"]]
+
+    def _row(self, entries: list[Any]) -> tuple[Any, ...]:
+        demand(len(entries) == self.size + 1, "a row of another size")
+        found = tuple(number_of(entry, self._variables) for entry in entries)
+        demand(all(isinstance(x, fmpq) for x in found), "the declaration is not rational")
+        return found
+
+    def _rows(self, entries: list[Any]) -> list[Any]:
+        demand(len(entries) == self.size, "a matrix of another size")
+        return [*map(self._row, entries)]
+
+    def speed(self) -> Any:
+        """The angular frequency of the one forcing, which every motion keeps.
+
+        Returns
+        -------
+        fmpq
+
+        Raises
+        ------
+        Failure
+            If it is not even, or a transition changes its phase.
+        """
+        demand(len(self.forcing) == 1, "not one forcing")
+        ((c, s),) = self.forcing
+        demand(c != s and {c, s} <= {*range(self.size)}, "no such forcing")
+        unit = [[fmpq(int(j == k)) for j in range(self.size + 1)] for k in range(self.size)]
+        speeds = {field[s][c] for field in self.fields.values()}
+        demand(len(speeds) == 1, "an uneven forcing")
+        (speed,) = speeds
+        demand(speed, "the forcing stands still")
+        for field in self.fields.values():
+            even = [*field[c]] == [-speed * x for x in unit[s]]
+            demand(even and [*field[s]] == [speed * x for x in unit[c]], "an uneven forcing")
+        for _, reset, _ in (way for ways in self.transitions.values() for way in ways):
+            demand(all([*reset[k]] == unit[k] for k in (c, s)), "a reset forcing")
+        return abs(speed)
+
+
+class StatedSection(NamedTuple):
+    """States of a configuration at a phase of the forcing, or behind a transition.
+
+    The cosine and the sine of the phase, or the source of the transition and its boundary.
+    """
+
+    configuration: str
+    phase: tuple[str, ...] = ()
+    source: str = ""
+    boundary: str = ""
+
+    def facts(self, system: SwitchingSystem, exactly: Elimination) -> tuple[Any, list[Any]]:
+        """What is exactly zero on it, and where a forcing has the phase.
+
+        Parameters
+        ----------
+        system : SwitchingSystem
+        exactly : Elimination
+
+        Returns
+        -------
+        tuple of (list of row, list of row)
+
+        Raises
+        ------
+        Failure
+            If there is no such section.
+        """
+        here = self.configuration
+        demand(here in system.fields, "the section's configuration is not declared")
+        if not system.forcing:
+            demand(not self.phase, "a phase of no forcing")
+            listed = system.transitions.get((self.source, frozenset({self.boundary})), [])
+            ways = [reset for _, reset, target in listed if target == here]
+            rows = system.boundaries.get(self.source, {})
+            demand(ways and self.boundary in rows, "no such transition")
+            before = exactly.echelon([*system.held[self.source], rows[self.boundary]])
+            found = [echelon_behind(exactly, before, reset) for reset in ways]
+            demand(all(own == found[0] for own in found), "a section of two kinds")
+            forced = []
+        else:
+            demand(not self.source and not self.boundary, "a section of two kinds")
+            demand(len(self.phase) == 2, "not one forcing")
+            system.speed()
+            phase = [*map(exact, self.phase)]
+            demand(phase[0] ** 2 + phase[1] ** 2 == 1, "the phase is no point of the circle")
+            forced = [
+                (*(fmpq(int(j == k)) for j in range(system.size)), -x)
+                for k, x in zip(system.forcing[0], phase, strict=True)
+            ]
+            found = [exactly.echelon([*forced, *system.held[here]])]
+        demand(all(any(row[:-1]) for row in found[0]), "the section is empty")
+        return found[0], forced
+
+
+def echelon_behind(exactly: Elimination, facts: Any, reset: Any) -> list[Any]:
+    """What is exactly zero behind a reset.
+
+    Parameters
+    ----------
+    exactly : Elimination
+    facts : rows
+        What is zero before it, reduced.
+    reset : rows (N + 1, N + 1)
+
+    Returns
+    -------
+    list of row
+        Reduced.
+    """
+    return exactly.echelon(exactly.left_kernel([reduced(row, facts) for row in reset]))

@@ -1,0 +1,135 @@
+"""Products of many matrices of balls or Taylor models, without the growth of plain ones.
+
+Along an orbit directions are stretched, turned and shrunk again. Products of balls grow with the
+products of the absolute values, which may be a million times larger than those of the matrices.
+Here each matrix is seen from a frame before it to a frame behind it, in which it is nearly upper
+triangular (R. Lohner, Einschließung der Lösung gewöhnlicher Anfangs- und Randwertaufgaben, 1988):
+what is multiplied then are the stretchings themselves.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.taylor_models import middle_of
+
+if TYPE_CHECKING:
+    from flint import arb_mat
+
+__all__ = ["FramedPhases", "along_chain", "framed_phases"]
+
+_SHORT = 6  # matrices whose plain product is as sharp
+
+
+class FramedPhases(NamedTuple):
+    """Phases of a chain, their states seen from a frame at the start and one at the end of each.
+
+    Attributes
+    ----------
+    fields, rows, resets, flows : list of matrices
+        Of each phase: the affine field and the boundary's row in the frame of its end, the
+        reset to the next phase's start, the flow from start to end.
+    starts, ends : list of arb_mat
+        The frames: their products with what is seen are states. The first start's, and the one
+        behind the last phase, are the unit matrix.
+    """
+
+    fields: list[Any]
+    rows: list[Any]
+    resets: list[Any]
+    flows: list[Any]
+    starts: list[arb_mat]
+    ends: list[arb_mat]
+
+
+def framed_phases(
+    fields: list[Any], rows: list[Any], resets: list[Any], flows: list[Any]
+) -> FramedPhases:
+    """See a chain's phases from frames in which flows and resets are nearly triangular.
+
+    Of a short chain all frames are unit matrices.
+
+    Parameters
+    ----------
+    fields, resets, flows : list of matrices (N + 1, N + 1)
+        That act on (y, 1).
+    rows : list of matrices (1, N + 1)
+
+    Returns
+    -------
+    FramedPhases
+    """
+    unit = _unit(fields[0].nrows())
+    if len(fields) <= _SHORT:
+        same = [unit] * len(fields)
+        return FramedPhases(fields, rows, resets, flows, [*same, unit], same)
+    framed = FramedPhases([], [], [], [], [unit], [])
+    for field, row, reset, flow in zip(fields, rows, resets, flows, strict=True):
+        moved = flow * framed.starts[-1]
+        end, back = _frame(moved, affine=True)
+        behind = reset * end
+        last = len(framed.starts) == len(fields)
+        start, before = (unit, unit) if last else _frame(behind, affine=True)
+        framed.fields.append(back * field * end)
+        framed.rows.append(row * end)
+        framed.resets.append(before * behind)
+        framed.flows.append(back * moved)
+        framed.starts.append(start)
+        framed.ends.append(end)
+    return framed
+
+
+def along_chain(steps: Sequence[Callable[[Any], Any]], start: Any) -> Any:
+    """What a chain of linear maps makes of a matrix.
+
+    Parameters
+    ----------
+    steps : sequence of functions
+        Each multiplies a matrix (N, k) from the left by a matrix (N, N) of balls or models.
+    start : matrix (N, n)
+        On which the first one acts.
+
+    Returns
+    -------
+    matrix (N, n)
+        Enclosures of the product.
+    """
+    if len(steps) <= _SHORT:
+        for step in steps:
+            start = step(start)
+        return start
+    frame, within = _unit(start.nrows()), start
+    for step in steps:
+        moved = step(frame)
+        frame, back = _frame(moved)
+        within = (back * moved) * within
+    return frame * within
+
+
+def _frame(moved: Any, *, affine: bool = False) -> tuple[arb_mat, arb_mat]:
+    """An exact matrix, about orthogonal, that makes another one upper triangular; its inverse.
+
+    Of affine maps only the linear part.
+    """
+    from flint import arb_mat
+
+    middle = middle_of(moved)
+    size = middle.nrows()
+    numbers = [[float(middle[i, j]) for j in range(size)] for i in range(size)]
+    if not all(math.isfinite(x) for row in numbers for x in row):
+        return _unit(size), _unit(size)
+    turned = np.eye(size)
+    part = slice(size - affine)
+    turned[part, part] = np.linalg.qr(np.array(numbers)[part, part]).Q
+    found = arb_mat(turned.tolist())
+    return found, found.inv()
+
+
+def _unit(size: int) -> arb_mat:
+    from flint import arb_mat
+
+    return arb_mat([[int(i == j) for j in range(size)] for i in range(size)])

@@ -1,0 +1,143 @@
+"""Pictures of basins that are proved: boxes of the section, and shares of tiles over two states."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.naming import shown_name
+from nonsmooth.runtime.model.units import units_of
+from nonsmooth.runtime.present.pictures.drawing import check_picture, given_axes
+from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["basin_figure", "draw_basin"]
+
+
+def basin_figure(found: BasinCertificate) -> Figure:
+    """Draw what is proved of a basin into a figure of its own.
+
+    The section's boxes are coloured by their ranks. Below, over two states each, the share of
+    the tiles there that is proved to be attracted, of those that were looked at.
+
+    Parameters
+    ----------
+    found : BasinCertificate
+
+    Returns
+    -------
+    Figure
+        Outside pyplot.
+
+    Raises
+    ------
+    InputError
+        If nothing is proved, or the section has more than two coordinates.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    check_picture("basin", ("basin",))
+    if not found.proved:
+        raise InputError(f"there is nothing to draw: {found.reason}")
+    from matplotlib.figure import Figure
+
+    pairs = _pairs(found)
+    figure = Figure(figsize=(9.6, 5.4 if pairs else 4.8))
+    figure.set_layout_engine("constrained")
+    if not pairs:
+        _draw_section(figure.subplots(), found)
+    else:
+        places = figure.add_gridspec(2, len(pairs), height_ratios=[1, 3])
+        _draw_section(figure.add_subplot(places[0, :]), found)
+        for k, pair in enumerate(pairs):
+            _draw_tiles(figure.add_subplot(places[1, k]), found, pair)
+    figure.suptitle(f"{shown_name(found.orbit)}: proved to attract", fontsize="medium")
+    return figure
+
+
+def draw_basin(found: BasinCertificate, axes: Any = None) -> Figure | Axes:
+    """Draw what is proved of a basin; see `basin_figure`.
+
+    Parameters
+    ----------
+    found : BasinCertificate
+    axes : Axes, optional
+        Where the boxes of the section are drawn, alone; a figure of its own by default.
+
+    Returns
+    -------
+    Figure or Axes
+        The figure, or the Axes that were given.
+
+    Raises
+    ------
+    InputError
+        If nothing is proved, or the section has more than two coordinates.
+    MissingExtra
+        If matplotlib is not installed.
+    """
+    if axes is None:
+        return basin_figure(found)
+    check_picture("basin", ("basin",))
+    if not found.proved:
+        raise InputError(f"there is nothing to draw: {found.reason}")
+    (own,) = given_axes(axes, "basin", [1])
+    _draw_section(own, found)
+    return own
+
+
+def _pairs(found: BasinCertificate) -> list[tuple[int, int]]:
+    """Places of neighbouring states, two by two."""
+    count = len(found.states) if found.looked.any() else 0
+    return [(k, k + 1) for k in range(0, count - 1, 2)]
+
+
+def _edges(grid: BoxGrid, place: int) -> np.ndarray:
+    found: np.ndarray = (grid.first[place] + np.arange(grid.counts[place] + 1)) * grid.sides[place]
+    return found
+
+
+def _draw_section(axes: Axes, found: BasinCertificate) -> None:
+    grid = found.grid
+    if grid is None or len(grid.counts) > 2:
+        raise InputError("the section has more than two coordinates: it is not drawn")
+    ranks = np.where(found.ranks >= 0, found.ranks, np.nan).reshape(grid.counts)
+    units = units_of(found.system)
+    if len(grid.counts) == 1:
+        axes.pcolormesh(_edges(grid, 0), [0, 1], ranks[None, :], cmap="viridis", rasterized=True)
+        axes.set_yticks([])
+        inside = np.flatnonzero(found.ranks >= 0)
+        if len(inside):
+            edges = _edges(grid, 0)
+            margin = 0.05 * (edges[inside[-1] + 1] - edges[inside[0]])
+            axes.set_xlim(edges[inside[0]] - margin, edges[inside[-1] + 1] + margin)
+    else:
+        axes.pcolormesh(_edges(grid, 0), _edges(grid, 1), ranks.T, cmap="viridis", rasterized=True)
+        axes.set_ylabel(units.label(found.coordinates[1]))
+    axes.set_xlabel(units.label(found.coordinates[0]))
+    axes.set_title("the section: steps to the core", fontsize="small")
+
+
+def _draw_tiles(axes: Axes, found: BasinCertificate, pair: tuple[int, int]) -> None:
+    grid = found.tiles
+    assert grid is not None
+    others = tuple(k for k in range(len(grid.counts)) if k not in pair)
+    looked = found.looked.reshape(grid.counts).sum(axis=others)
+    good = found.attracted.reshape(grid.counts).sum(axis=others)
+    with np.errstate(invalid="ignore"):
+        share = np.where(looked > 0, good / looked, np.nan)
+    one, two = pair
+    mesh = axes.pcolormesh(
+        _edges(grid, one), _edges(grid, two), share.T, cmap="Blues", vmin=0, vmax=1, rasterized=True
+    )
+    units = units_of(found.system)
+    axes.set_xlabel(units.label(found.states[one]))
+    axes.set_ylabel(units.label(found.states[two]))
+    axes.set_title("share of the tiles that were looked at", fontsize="small")
+    axes.figure.colorbar(mesh, ax=axes)

@@ -1,0 +1,201 @@
+"""What is proved of an orbit's basin of attraction."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonsmooth.runtime.core.json_codec import Exact
+from nonsmooth.runtime.core.registry import registered
+from nonsmooth.runtime.core.showing import Kept
+from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.proof.chaos.h_sets import HSet
+from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
+
+__all__ = ["BasinCertificate"]
+
+
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class BasinCertificate(Kept):
+    """Starts from which every motion tends to one periodic orbit.
+
+    P is the map from a section to itself. It contracts the core, so that there is one orbit
+    through it which attracts all of it. Boxes of the section of the rank 1 are mapped into the
+    core, those of the rank r into boxes of smaller ranks; from the tiles every motion comes to
+    one of these boxes.
+
+    Attributes
+    ----------
+    system, orbit : str
+    parameters : dict of str to Value
+        All of the system, exactly.
+    claim : {"proved", "undecided"}
+        Whether the orbit attracts all of a set around it.
+    reason : str
+        Why it is undecided.
+    configuration : str
+        In which states on the section are.
+    phase : tuple of str
+        Cosine and sine of the forcing on the section; empty without a forcing.
+    source, boundary : str
+        What the transition of the section leaves and by what; empty with a forcing.
+    coordinates : tuple of str
+        States that are the coordinates of the section.
+    core : HSet or None
+        What the map contracts.
+    iterates : int
+        The power of P that contracts it.
+    contraction : str
+        By which, at least: a fraction below 1.
+    grid : BoxGrid
+        Of the section.
+    ranks : array of int
+        Of each of its boxes: 0 in the core, -1 where nothing is proved.
+    tiles : BoxGrid or None
+        Of all states, where they are not those of the section: as `states` names them.
+    states : tuple of str
+    looked, attracted : array of bool
+        Of each tile: whether it was looked at, and whether all motions from it are proved to
+        tend to the orbit, those that start on no boundary.
+    widest : float
+        Sets that are wider were divided on the way.
+    most : int
+        Parts of one tile, at most.
+    bits : int
+        Precision of the proof of the core.
+    declaration : dict
+        The system, as functions of its parameters, as in the file; empty where a contact law
+        decides what follows.
+    """
+
+    _kept_by = "save_basin"
+
+    system: str
+    orbit: str
+    parameters: Mapping[str, Value]
+    claim: str
+    reason: str
+    configuration: str
+    phase: tuple[str, ...]
+    source: str
+    boundary: str
+    coordinates: tuple[str, ...]
+    core: HSet | None
+    iterates: int
+    contraction: Exact
+    grid: BoxGrid | None
+    ranks: NDArray[np.int_] = field(repr=False)
+    tiles: BoxGrid | None
+    states: tuple[str, ...]
+    looked: NDArray[np.bool_] = field(repr=False)
+    attracted: NDArray[np.bool_] = field(repr=False)
+    widest: float
+    most: int
+    bits: int
+    declaration: Mapping[str, Any] = field(repr=False)
+
+    @property
+    def proved(self) -> bool:
+        """Whether the orbit is proved to attract all of a set around it."""
+        return self.claim == "proved"
+
+    @property
+    def claims(self) -> dict[str, str]:
+        """Verdict on "basin"."""
+        return {"basin": self.claim}
+
+    @property
+    def share(self) -> float:
+        """Which part of the box of starts is proved to be attracted, by its volume."""
+        return float(self.attracted.mean()) if self.attracted.size else 0.0
+
+    @property
+    def section_share(self) -> float:
+        """Which part of the boxes of the section is proved to be attracted."""
+        return float((self.ranks >= 0).mean()) if self.ranks.size else 0.0
+
+    @property
+    def statement(self) -> str:
+        """What is proved, in words."""
+        if not self.proved or self.grid is None:
+            return f"nothing is proved of the basin: {self.reason}"
+        where = (
+            f"{int((self.ranks >= 0).sum())} of {self.ranks.size} boxes of the section"
+            f" ({', '.join(self.coordinates)})"
+        )
+        told = f"every motion from {where} tends to {self.orbit}"
+        if self.tiles is None:
+            return told
+        part = f"{int(self.attracted.sum())} of {self.attracted.size} tiles of the box of starts"
+        return f"{told}; so does every motion from {part} that starts on no boundary"
+
+    def to_json(self) -> dict[str, Any]:
+        """What the command prints with --json.
+
+        Returns
+        -------
+        dict
+        """
+        return {
+            "system": self.system,
+            "orbit": self.orbit,
+            "parameters": {name: str(value) for name, value in self.parameters.items()},
+            "claims": self.claims,
+            "reason": self.reason,
+            "statement": self.statement,
+            "section": {
+                "configuration": self.configuration,
+                "phase": list(self.phase),
+                "source": self.source,
+                "boundary": self.boundary,
+                "coordinates": list(self.coordinates),
+                "share": self.section_share,
+                "bounds": _bounds(self.grid, self.ranks >= 0, self.coordinates),
+            },
+            "core": None
+            if self.core is None
+            else {"centre": list(self.core.centre), "sides": [*map(list, self.core.sides)]},
+            "iterates": self.iterates,
+            "contraction": str(self.contraction),
+            "share": self.share,
+            "tiles": {
+                "count": int(self.attracted.size),
+                "looked": int(self.looked.sum()),
+                "attracted": int(self.attracted.sum()),
+                "sides": [] if self.tiles is None else self.tiles.sides.tolist(),
+                "states": list(self.states),
+                "bounds": _bounds(self.tiles, self.attracted, self.states),
+            },
+        }
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draw what is proved.
+
+        Parameters
+        ----------
+        axes : optional
+            Two axes of matplotlib.
+
+        Returns
+        -------
+        Figure
+        """
+        return registered("draw_basin")(self, axes)
+
+
+def _bounds(
+    grid: BoxGrid | None, chosen: NDArray[np.bool_], names: tuple[str, ...]
+) -> dict[str, list[float]]:
+    """Least and largest coordinates of boxes."""
+    numbers = np.flatnonzero(chosen)
+    if grid is None or not len(numbers):
+        return {}
+    low, high = grid.bounds(numbers)
+    return {
+        name: [float(a), float(b)]
+        for name, a, b in zip(names, low.min(axis=0), high.max(axis=0), strict=True)
+    }

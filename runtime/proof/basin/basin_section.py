@@ -1,0 +1,87 @@
+"""A section of an orbit that suits a proof of its basin, and where the orbit meets it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from nonsmooth.runtime.core.float_sets import Floats
+from nonsmooth.runtime.model.boundary_sets import members_of
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
+from nonsmooth.runtime.proof.sets.sections import (
+    MapSection,
+    forcing_section,
+    phases,
+    transition_section,
+)
+from nonsmooth.runtime.simulation.trajectory import Trajectory
+
+__all__ = ["MetSection", "section_of"]
+
+_PHASES = 16
+
+
+class MetSection(NamedTuple):
+    """A section, coordinates (d,) of a point of the orbit on it, and returns in one period."""
+
+    section: MapSection
+    point: Floats
+    iterates: int
+
+
+def section_of(system: EnclosedSystem, motion: Trajectory, period: float) -> MetSection:
+    """The section with the fewest coordinates, or the forcing's phase far from boundaries.
+
+    Parameters
+    ----------
+    system : EnclosedSystem
+    motion : Trajectory
+        Of the orbit, over one period at least.
+    period : float
+        Of the orbit.
+
+    Returns
+    -------
+    MetSection
+    """
+    if system.structure.forcing:
+        return _forced(system, motion, period)
+    return min(_passed(system, motion), key=lambda met: (len(met.point), met.iterates))
+
+
+def _forced(system: EnclosedSystem, motion: Trajectory, period: float) -> MetSection:
+    (c, s), structure = system.structure.forcing[0], system.structure
+    speed = float(motion.system.fields[0, s, c])
+    turn = 2 * np.pi / abs(speed)
+    first = np.arctan2(motion.states[0, s], motion.states[0, c])
+    found = []
+    for phase in phases(_PHASES):
+        cosine, sine = (float(x.p) / float(x.q) for x in phase)
+        angle = np.arctan2(sine, cosine)
+        time = np.array([((angle - first) / speed) % turn])
+        state, name = motion(time)[0], str(motion.configuration(time)[0])
+        configuration = structure.configuration(name)
+        rows = motion.system.rows[[b.row for b in structure.boundaries[configuration]]]
+        near = (rows[:, :-1] @ state + rows[:, -1]).max(initial=-np.inf)
+        found.append((near, phase, configuration, state))
+    _, phase, configuration, state = min(found, key=lambda entry: entry[0])
+    section = forcing_section(system, configuration, phase)
+    return MetSection(section, state[list(section.free)], max(1, round(period / turn)))
+
+
+def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[MetSection]:
+    run, count = motion.run, len(motion.run.times) - 1
+    ways = [
+        (
+            int(run.configurations[k]),
+            frozenset(members_of(int(run.sets[k + 1]))),
+            int(run.configurations[k + 1]),
+        )
+        for k in range(count)
+    ]
+    for k, way in enumerate(ways):
+        section = transition_section(system, *way)
+        if section.free:
+            yield MetSection(section, motion.states[k + 1][list(section.free)], ways.count(way))

@@ -1,0 +1,382 @@
+"""Certify part of a basin: starts from which every motion tends to one periodic orbit."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from itertools import count
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded
+from nonsmooth.runtime.core.resuming import check_same_question
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.events.leading_derivative import Undecided
+from nonsmooth.runtime.explore.finding.find import start_box
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.physical_parameters import physical_parameters
+from nonsmooth.runtime.proof.basin.attracting_core import AttractingCore, attracting_core
+from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
+from nonsmooth.runtime.proof.basin.basin_section import MetSection, section_of
+from nonsmooth.runtime.proof.chaos.h_sets import HSet
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants
+from nonsmooth.runtime.proof.orbit_to_prove import check_converged
+from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
+from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
+from nonsmooth.runtime.proof.sets.images import PassedTransition
+from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
+
+__all__ = ["certify_basin"]
+
+_BITS = 64  # of flows, before they are rounded to doubles
+_LONGEST = 16  # transitions from a tile to the section
+_EVERY = 10.0  # seconds between states that are kept
+_BATCH = 1024  # tiles, or boxes of the section, at once
+_FINEST_SECTION = 13  # powers of 1/2, in one dimension, of the section's range: its boxes
+_OF_CORE = 128  # part of the core's size that boxes of the section are to have
+_TILES = 128  # along the longest side of the box of starts
+_MOST_TILES = 50_000_000
+_SEED = 20  # of the order of tiles
+
+
+def certify_basin(
+    orbit: Orbit,
+    *,
+    box: Mapping[str, tuple[float, float]] | None = None,
+    side: float | None = None,
+    tiles: int = 20_000,
+    widest: float | None = None,
+    most: int = 60,
+    bits: int = 96,
+    resume: BasinCertificate | None = None,
+    progress: Callable[[float, int], object] = lambda share, tiles: None,
+    keep: Callable[[BasinCertificate], object] | None = None,
+) -> BasinCertificate:
+    """Prove that an orbit attracts every motion from a set of starts.
+
+    Around the orbit a set is proved to be contracted by a power of the map of a section. Then
+    boxes of the section are followed, and those whose images lie in what is proved already are
+    proved too, as long as there are any. Without a forcing, tiles of a box of starts are
+    followed to the section as well, in a random order. With a forcing the section holds all
+    states at one of its phases, and there are no further tiles.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        Stable, and strictly admissible.
+    box : mapping of state to (lower, upper), optional
+        The box of starts; states that are not named take the bounds that `find_orbits` uses. With
+        a forcing it bounds the boxes of the section.
+    side : float, optional
+        Tiles are no longer than this: a power of 2 at most so large is taken. By default a 128th
+        of the longest side of the box.
+    tiles : int
+        How many tiles are looked at, beyond those that were looked at before.
+    widest : float, optional
+        Sets that become wider are divided on the way; twice the side by default.
+    most : int
+        Parts of one tile, at most.
+    bits : int
+        Working precision of the proof around the orbit, 64 to 4096.
+    resume : BasinCertificate, optional
+        What was proved before of the same question.
+    progress : callable
+        Told which share is done, and how many tiles are attracted.
+    keep : function of a BasinCertificate, optional
+        Is given the state every ten seconds.
+
+    Returns
+    -------
+    BasinCertificate
+        Proved, or undecided with the reason.
+
+    Raises
+    ------
+    InputError
+        For wrong names or numbers, an orbit that has not converged, parameters that are not
+        rational or that its orbit leaves open, several forcings, or a state that belongs to
+        another question.
+    Interrupted
+        By Ctrl-C; its `partial` is what is proved until then.
+
+    References
+    ----------
+    S. M. Rump, Verification methods, Acta Numerica 19 (2010) 287-449; A. Girard, Reachability of
+    uncertain linear systems using zonotopes, HSCC 2005; S. Banach, Fund. Math. 3 (1922) 133-181.
+
+    Examples
+    --------
+    >>> import nonsmooth as ns
+    >>> data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")
+    >>> found = ns.certify_basin(ns.solve("dry-friction/global-stick", data), tiles=64)
+    >>> found.proved, found.coordinates, found.attracted.any()
+    (True, ('x2',), np.True_)
+    """
+    for name, number, least, largest in (
+        ("tiles", tiles, 0, _MOST_TILES),
+        ("most", most, 1, 100_000),
+        ("bits", bits, 64, 4096),
+    ):
+        if (
+            isinstance(number, bool)
+            or not isinstance(number, int)
+            or not least <= number <= largest
+        ):
+            raise InputError(f"{name} = {number!r} is not an integer from {least} to {largest}")
+    for name, length in (("side", side), ("widest", widest)):
+        if length is not None and not (np.isfinite(length) and length > 0):
+            raise InputError(f"{name} = {length!r} is not a positive number")
+    check_converged(orbit)
+    point = physical_parameters(orbit)
+    if point.chosen:
+        raise InputError(
+            f"{orbit.name} leaves {', '.join(point.chosen)} open, on which its basin depends: give"
+            " the parameters of the system"
+        )
+    at = enclosed_system(orbit.system, point.values)
+    motion = orbit.trajectory()
+    limits, whole = start_box(motion.system, box), start_box(motion.system)
+    question = _BasinQuestion(orbit, at, limits, whole, side, widest, most, bits, progress)
+    with flint_precision(bits):
+        enclosed = at(bits)
+        if len(enclosed.structure.forcing) > 1:
+            raise InputError(f"{enclosed.structure.name} has several forcings: a basin needs one")
+        met = section_of(enclosed, motion, float(orbit.period))
+        scale = float(np.abs(whole[list(met.section.free)]).max())
+        try:
+            core = attracting_core(enclosed, met.section, met.iterates, met.point, scale)
+        except Undecided as reason:
+            return question.undecided(met, reason.reason)
+    if resume is not None:
+        question.check_same(resume, met)
+        return question.tiled(met, resume, tiles, keep)
+    return question.tiled(met, question.on_section(met, core), tiles, keep)
+
+
+class _BasinQuestion:
+    """One orbit, one box of starts, and how they are followed."""
+
+    def __init__(
+        self,
+        orbit: Orbit,
+        at: Callable[[int], EnclosedSystem],
+        limits: Floats,
+        whole: Floats,
+        side: float | None,
+        widest: float | None,
+        most: int,
+        bits: int,
+        progress: Callable[[float, int], object],
+    ) -> None:
+        self.orbit, self.limits, self.whole = orbit, limits, whole
+        self.most, self.bits = most, bits
+        self.progress = progress
+        with flint_precision(_BITS):
+            self.system = at(_BITS)
+        lengths = limits[:, 1] - limits[:, 0]
+        self.side = float(lengths.max() / _TILES if side is None else side)
+        self.widest = 2 * self.side if widest is None else widest
+
+    def _mapped(self, met: MetSection) -> BranchingMap:
+        count = len(self.limits)
+        with flint_precision(_BITS):
+            return BranchingMap(
+                self.system, met.section, np.ones(count), self.widest, self.most, _LONGEST
+            )
+
+    @property
+    def _tiles(self) -> BoxGrid:
+        low, high = self.limits.T
+        return BoxGrid.around(low, high, np.full(len(low), self.side))
+
+    def on_section(self, met: MetSection, core: AttractingCore) -> BasinCertificate:
+        """What is proved on the section."""
+        free = list(met.section.free)
+        if met.section.phase is None:
+            low, high = self.whole[free].T
+            # as fine as its dimension allows: a box next to the core has to be mapped into it
+            power = _FINEST_SECTION // len(free)
+            reach = np.abs(core.h_set.near[1]).sum(axis=1)
+            finest = (high - low) / 2.0**power
+            grid = BoxGrid.around(low, high, np.clip(reach / _OF_CORE, finest, 8 * finest))
+        else:
+            low, high = self.limits[free].T
+            grid = BoxGrid.around(low, high, np.full(len(free), self.side))
+        mapped = self._mapped(met)
+        with flint_precision(_BITS):
+            ranks = _ranks(mapped, core.h_set, grid, self.progress)
+        empty = self.undecided(met, "")
+        if met.section.phase is None:
+            tiles: BoxGrid | None = self._tiles
+        else:
+            tiles = None
+        if tiles is not None and len(tiles) > _MOST_TILES:
+            raise InputError(
+                f"{len(tiles)} tiles of the side {self.side:g} are too many: take a longer one"
+            )
+        size = 0 if tiles is None else len(tiles)
+        return replace(
+            empty,
+            claim="proved",
+            core=core.h_set,
+            iterates=core.iterates,
+            contraction=str(core.contraction),
+            grid=grid,
+            ranks=ranks,
+            tiles=tiles,
+            states=() if tiles is None else self.system.structure.states,
+            looked=np.zeros(size, dtype=bool),
+            attracted=np.zeros(size, dtype=bool),
+            declaration=self._declaration(),
+        )
+
+    def tiled(
+        self,
+        met: MetSection,
+        known: BasinCertificate,
+        more: int,
+        keep: Callable[[BasinCertificate], object] | None,
+    ) -> BasinCertificate:
+        """The same with more tiles."""
+        grid, tiles = known.grid, known.tiles
+        if tiles is None or grid is None:
+            return known
+        looked, attracted = known.looked.copy(), known.attracted.copy()
+        mapped = self._mapped(met)
+        # in a random order, so that the share among those that were looked at is that of all
+        order = np.random.default_rng(_SEED).permutation(len(tiles))
+        order = order[~looked[order]][:more]
+        sums, kept = grid.sums(known.ranks >= 0), time.monotonic()
+        configurations = [c for c, held in enumerate(self.system.structure.constraints) if not held]
+
+        try:
+            for begin in range(0, len(order), _BATCH):
+                numbers = order[begin : begin + _BATCH]
+                self.progress(begin / len(order), int(attracted.sum()))
+                with flint_precision(_BITS):
+                    good = _attracted(mapped, tiles.sets(numbers), configurations, grid, sums)
+                looked[numbers] = True
+                attracted[numbers] = good
+                if keep is not None and time.monotonic() - kept > _EVERY:
+                    keep(replace(known, looked=looked.copy(), attracted=attracted.copy()))
+                    kept = time.monotonic()
+        except KeyboardInterrupt:
+            raise Interrupted(replace(known, looked=looked, attracted=attracted)) from None
+        return replace(known, looked=looked, attracted=attracted)
+
+    def undecided(self, met: MetSection, reason: str) -> BasinCertificate:
+        """What is said where nothing is proved."""
+        structure, section = self.system.structure, met.section
+        names = structure.configurations
+        none = np.zeros(0, dtype=bool)
+        shapes = structure.boundaries[section.source] if section.phase is None else ()
+        return BasinCertificate(
+            system=structure.name,
+            orbit=self.orbit.name,
+            parameters=self.system.values,
+            claim="undecided",
+            reason=reason,
+            configuration=names[section.configuration],
+            phase=() if section.phase is None else tuple(map(str, section.phase)),
+            source="" if section.phase is not None else names[section.source],
+            boundary="+".join(sorted(shapes[b].name for b in section.boundaries)),
+            coordinates=tuple(structure.states[k] for k in section.free),
+            core=None,
+            iterates=0,
+            contraction="1",
+            grid=None,
+            ranks=np.zeros(0, dtype=int),
+            tiles=None,
+            states=(),
+            looked=none,
+            attracted=none,
+            widest=self.widest,
+            most=self.most,
+            bits=self.bits,
+            declaration={},
+        )
+
+    def check_same(self, known: BasinCertificate, met: MetSection) -> None:
+        """Refuse a state of another question."""
+        asked = self.undecided(met, "")
+        names = ("system", "orbit", "parameters", "configuration", "source", "boundary", "widest")
+        check_same_question(
+            "basin",
+            {name: getattr(asked, name) for name in names},
+            {name: getattr(known, name) for name in names},
+        )
+        if known.tiles is not None:
+            check_same_question("basin", {"box or side": self._tiles}, {"box or side": known.tiles})
+
+    def _declaration(self) -> dict[str, Any]:
+        """The system with all transitions that it lists."""
+        structure = self.system.structure
+        passages = [
+            PassedTransition(source, tuple(sorted(t.boundaries)), t.target)
+            for source, transitions in enumerate(structure.transitions)
+            for t in transitions
+            if t.path is None
+        ]
+        return visited_declaration(self.orbit.system, self.system, passages)
+
+
+def _ranks(
+    mapped: BranchingMap, core: HSet, grid: BoxGrid, progress: Callable[[float, int], object]
+) -> NDArray[np.int_]:
+    """In how many steps boxes of the section are seen to lie in the core; -1 if they are not."""
+    inward = Rounded.of(core.inward)
+
+    def in_core(boxes: ManySets) -> NDArray[np.bool_]:
+        low, high = boxes.ranges(inward)
+        inside: NDArray[np.bool_] = np.all((low > -1) & (high < 1), axis=1)
+        return inside
+
+    ranks = np.where(in_core(grid.sets(np.arange(len(grid)))), 0, -1)
+    parts = []
+    for begin in range(0, len(grid), _BATCH):
+        progress(0.0, 0)
+        numbers = np.arange(begin, min(begin + _BATCH, len(grid)))
+        found = mapped.leaves(grid.sets(numbers))
+        parts.append(found._replace(origin=found.origin + begin))
+    leaves = Leaves(*(np.concatenate(x) for x in zip(*parts, strict=True)))
+    inner = np.zeros(0, dtype=bool)
+    if len(leaves.origin):
+        inner = in_core(ManySets.of_boxes(leaves.low, leaves.high))
+    seen = np.isin(np.arange(len(grid)), leaves.origin)
+    for rank in count(1):
+        known = inner | grid.covered(grid.sums(ranks >= 0), leaves.low, leaves.high)
+        bad = np.bincount(leaves.origin[~known], minlength=len(grid)) > 0
+        new = (ranks < 0) & seen & ~leaves.lost & ~bad
+        if not new.any():
+            return ranks
+        ranks[new] = rank
+    raise AssertionError
+
+
+def _attracted(
+    mapped: BranchingMap,
+    tiles: ManySets,
+    configurations: Sequence[int],
+    grid: BoxGrid,
+    sums: NDArray[np.int64],
+) -> NDArray[np.bool_]:
+    """Whether every motion from tiles comes to boxes of the section that are known."""
+    states, none = _timed(tiles), Invariants((), ())
+    good = np.ones(len(tiles), dtype=bool)
+    for configuration in configurations:
+        leaves = mapped.leaves_of(states, configuration, none)
+        outside = ~grid.covered(sums, leaves.low, leaves.high)
+        good &= ~leaves.lost
+        good[leaves.origin[outside]] = False
+    return good
+
+
+def _timed(boxes: ManySets) -> ManySets:
+    """States (y, 1) at the time 0: (y, 0, 1)."""
+    parts = (np.insert(x, x.shape[1] - 1, 0.0, axis=1) for x in vars(boxes).values())
+    return ManySets(*parts)

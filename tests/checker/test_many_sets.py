@@ -1,0 +1,283 @@
+"""The check's own carrying of sets that divide: no state goes where no box is."""
+
+import copy
+
+import numpy as np
+import pytest
+from flint import fmpq
+
+import nonsmooth as ns
+from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.many_sets import ManyMotions
+from nonsmooth.runtime.checker.switching import StatedSection
+from nonsmooth.runtime.core.float_sets import ManySets
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+from nonsmooth.runtime.proof.motion.exact_rows import Invariants
+from nonsmooth.runtime.proof.sets.branching import BranchingMap
+from nonsmooth.runtime.proof.sets.sections import forcing_section, transition_section
+from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
+from tests.places import GALLERY
+
+DATA = {
+    "chi": "0.5",
+    "eta": "1",
+    "V": "1",
+    "us1": "1",
+    "us2": "1",
+    "ur1": "4.0195",
+    "ur2": "1.4831",
+}
+FORCED = {"r": "0.65", "sigma": "0", "w": "2.8"}
+SECTION = StatedSection("slip-stick", source="stick-stick", boundary="first-breaks-forward")
+SCALES = np.ones(4)
+KINDS = (("slip-slip", (-1, -1)), ("overshoot-slip", (1, -1)))
+
+
+def anywhere(low, high):
+    """Boxes of states at the time 0."""
+    boxes = ManySets.of_boxes(np.atleast_2d(low), np.atleast_2d(high))
+
+    def timed(x):
+        return np.insert(x, -1, 0.0, axis=1)
+
+    return ManySets(timed(boxes.centre), timed(boxes.sides), timed(boxes.box))
+
+
+def boxes_of(name, sign, count=30):
+    random = np.random.default_rng(len(name))
+    middles = random.uniform((-4, -8, 0.2, 0.2), (4, 8, 2, 2), (count, 4))
+    middles[:, 2:] = 1 + middles[:, 2:] * sign
+    half = random.choice([0.03, 0.06, 0.12], count)[:, None]
+    return middles, half
+
+
+@pytest.fixture(scope="module")
+def proved():
+    """The declaration of what the prover's sets pass, and its boxes."""
+    kernels = load_system("dry-friction")
+    with flint_precision(64):
+        system = enclosed_system(kernels, DATA)(64)
+        structure = system.structure
+        source, target = map(structure.configuration, ("stick-stick", "slip-stick"))
+        boundary = structure.boundary(source, "first-breaks-forward")
+        section = transition_section(system, source, frozenset({boundary}), target)
+        mapped = BranchingMap(system, section, SCALES, 0.25, 400, longest=16)
+        leaves = {}
+        for name, sign in KINDS:
+            middles, half = boxes_of(name, sign)
+            starts = anywhere(middles - half, middles + half)
+            number = structure.configuration(name)
+            leaves[name] = mapped.leaves_of(starts, number, Invariants((), ()))
+        mapped.leaves(ManySets.of_boxes(np.array([[4.3]]), np.array([[4.31]])))
+        declared = visited_declaration(kernels, system, sorted(mapped.passages))
+    return declared, leaves
+
+
+def motions(declared, widest=0.25):
+    return ManyMotions(declared, DATA, SECTION, SCALES, widest, 400, 16)
+
+
+@pytest.fixture(scope="module")
+def found(proved):
+    own = motions(proved[0])
+    found = {}
+    for name, sign in KINDS:
+        middles, half = boxes_of(name, sign)
+        found[name] = own.leaves(anywhere(middles - half, middles + half), name, [])
+    return found
+
+
+def arrival(start, configuration):
+    """x2 where the motion from a state first comes to the section."""
+    motion = ns.simulate("dry-friction", DATA, list(start), configuration, transitions=60)
+    names = motion.configurations
+    for k in range(1, len(names)):
+        if names[k - 1 : k + 1] == ("stick-stick", "slip-stick"):
+            return motion.states[k][1]
+    return None
+
+
+def corner(random, size):
+    """Where in a box: corners and faces are where states first go another way."""
+    share = random.uniform(-1, 1, size)
+    return np.where(random.random(size) < 0.4, np.sign(share) * (1 - 1e-9), share)
+
+
+def inside(leaves, number, point):
+    own = leaves.origin == number
+    return ((leaves.low[own] - 1e-9 <= point) & (point <= leaves.high[own] + 1e-9)).all(axis=1)
+
+
+def missed(leaves, name, each):
+    """Of motions from states of boxes, how many end in no leaf; how many ran, and divided sets."""
+    random = np.random.default_rng(7)
+    middles, half = boxes_of(name, dict(KINDS)[name])
+    away = ran = several = 0
+    for k in np.flatnonzero(~leaves.lost):
+        ways = set()
+        for _ in range(each):
+            state = middles[k] + half[k] * corner(random, 4)
+            away += not inside(leaves, k, arrival(state, name)).any()
+            motion = ns.simulate("dry-friction", DATA, state, name, transitions=12)
+            ways.add(motion.configurations)
+            ran += 1
+        several += len(ways) > 1
+    return away, ran, several
+
+
+@pytest.mark.parametrize("name", [name for name, _ in KINDS])
+def test_every_state_comes_to_a_box(found, name):
+    away, ran, several = missed(found[name], name, 6)
+    assert not away
+    assert ran >= 120
+    assert several >= 2
+
+
+@pytest.mark.parametrize("name", [name for name, _ in KINDS])
+def test_boxes_are_those_of_the_prover(proved, found, name):
+    ours, others = found[name], proved[1][name]
+    assert ours.lost.sum() <= others.lost.sum()
+    ratios = []
+    for k in np.flatnonzero(~ours.lost & ~others.lost):
+        spans = []
+        for leaves in (ours, others):
+            own = leaves.origin == k
+            spans.append(leaves.high[own].max() - leaves.low[own].min())
+        ratios.append(spans[0] / spans[1])
+    assert 0.5 <= np.median(ratios) <= 1.05
+    assert max(ratios) <= 1.3
+
+
+def test_both_ways_are_taken_where_the_friction_force_is_about_the_static_limit(proved):
+    # the second mass comes to the belt and sticks, or slips on, as chi (x2 - x1) is below ur2
+    low, high = np.array([(0.99, 1.01), (3.94, 3.99), (-0.01, 0.01), (1.02, 1.03)]).T
+    leaves = motions(proved[0]).leaves(anywhere(low, high), "slip-overshoot", [])
+    random, ways = np.random.default_rng(2), set()
+    assert not leaves.lost.any()
+    for _ in range(40):
+        state = random.uniform(low, high)
+        motion = ns.simulate("dry-friction", DATA, state, "slip-overshoot", transitions=1)
+        ways.add(motion.configurations[1])
+        assert inside(leaves, 0, arrival(state, "slip-overshoot")).any()
+    assert ways == {"slip-stick", "slip-slip"}
+
+
+def test_a_set_on_the_section_comes_back(proved):
+    places = np.array([4.3, 4.302, 4.304])[:, None]
+    own = motions(proved[0])
+    assert [own.system.states[k] for k in own.free] == ["x2"]
+    leaves = own.arrivals(ManySets.of_boxes(places - 2**-10, places + 2**-10))
+    assert leaves.origin.tolist() == [0, 1, 2]
+    matrix = own.lift(own.facts, timed=False).middle
+    for k in range(3):
+        for x2 in np.linspace(places[k, 0] - 2**-10, places[k, 0] + 2**-10, 5):
+            state = (matrix @ [x2, 1.0])[:4]
+            assert inside(leaves, k, arrival(state, "slip-stick")).any()
+
+
+def changed(declared, change):
+    own = copy.deepcopy(declared)
+    change(own)
+    return own
+
+
+def test_sets_are_lost_where_nothing_is_stated(proved, found):
+    name = "slip-slip"
+
+    def drop(declared):
+        declared["transitions"] = [
+            t for t in declared["transitions"] if t["boundaries"] != ["first-reaches-belt"]
+        ]
+
+    middles, half = boxes_of(name, KINDS[0][1])
+    starts = anywhere(middles - half, middles + half)
+    leaves = motions(changed(proved[0], drop)).leaves(starts, name, [])
+    assert leaves.lost.sum() > found[name].lost.sum() + 10
+
+
+def test_a_boundary_that_is_dropped_leads_elsewhere(proved):
+    name = "slip-slip"
+
+    def drop(declared):
+        del declared["configurations"]["slip-slip"]["boundaries"]["second-reaches-belt"]
+
+    middles, half = boxes_of(name, KINDS[0][1])
+    starts = anywhere(middles - half, middles + half)
+    leaves = motions(changed(proved[0], drop)).leaves(starts, name, [])
+    assert missed(leaves, name, 2)[0] >= 3
+
+
+def test_a_condition_that_is_flipped_leads_elsewhere(proved, found):
+    name = "overshoot-slip"
+
+    def flip(declared):
+        for own in declared["transitions"]:
+            if own["source"] == "stick-slip" and own["boundaries"] == ["second-reaches-belt"]:
+                own["conditions"] = [[row, along, not h] for row, along, h in own["conditions"]]
+
+    middles, half = boxes_of(name, KINDS[1][1])
+    starts = anywhere(middles - half, middles + half)
+    leaves = motions(changed(proved[0], flip)).leaves(starts, name, [])
+    away = missed(leaves, name, 2)[0]
+    assert away + (leaves.lost & ~found[name].lost).sum() >= 5
+
+
+@pytest.fixture(scope="module")
+def forced():
+    kernels = load_system(str(GALLERY / "impact_oscillator.py"))
+    random = np.random.default_rng(5)
+    middles = random.uniform((-1.5, -1), (-0.06, 1), (160, 2))
+    with flint_precision(64):
+        system = enclosed_system(kernels, FORCED)(64)
+        section = forcing_section(system, 0, (fmpq(1), fmpq(0)))
+        mapped = BranchingMap(system, section, SCALES, 0.2, most=200, longest=12)
+        leaves = mapped.leaves(ManySets.of_boxes(middles - 0.02, middles + 0.02))
+        declared = visited_declaration(kernels, system, sorted(mapped.passages))
+    return kernels, declared, middles, leaves
+
+
+def stroboscopic(forced, data):
+    """Of motions over a period how many end in no leaf; how many ran, divided sets, lost ones."""
+    kernels, declared, middles, _ = forced
+    section = StatedSection("free", phase=("1", "0"))
+    own = ManyMotions(declared, data, section, SCALES, 0.2, 200, 12)
+    leaves = own.arrivals(ManySets.of_boxes(middles - 0.02, middles + 0.02))
+    random = np.random.default_rng(6)
+    away = ran = several = 0
+    divided = np.bincount(leaves.origin, minlength=160) > 1
+    for k in np.flatnonzero(~leaves.lost & (divided | (np.arange(160) % 16 == 0))):
+        counts = set()
+        for _ in range(12):
+            state = [*(middles[k] + 0.02 * corner(random, 2)), 1.0, 0.0]
+            motion = ns.simulate(kernels, FORCED, state, "free", until=2 * np.pi / 2.8)
+            end = motion(np.array([motion.end]))[0]
+            counts.add(len(motion.times))
+            away += not inside(leaves, k, end[:2]).any()
+            ran += 1
+        several += len(counts) > 1
+    return away, ran, several, leaves.lost.sum()
+
+
+@pytest.mark.compiled
+def test_every_state_comes_to_a_box_at_the_phase_of_a_forcing(forced):
+    away, ran, several, lost = stroboscopic(forced, FORCED)
+    assert not away
+    assert ran >= 120
+    assert several >= 2
+    assert lost <= forced[3].lost.sum() + 2
+
+
+@pytest.mark.compiled
+def test_another_restitution_leads_elsewhere(forced):
+    away, ran, _, _ = stroboscopic(forced, {**FORCED, "r": "0.4"})
+    assert away >= ran / 10
+
+
+@pytest.mark.compiled
+def test_states_at_another_phase_are_refused(forced):
+    section = StatedSection("free", phase=("1", "0"))
+    own = ManyMotions(forced[1], FORCED, section, SCALES)
+    with pytest.raises(Failure, match="another phase"):
+        own.leaves(anywhere([[-1, 0, 1, 0]], [[-1, 0, 1, 0]]), "free", [])

@@ -1,0 +1,83 @@
+"""Horseshoes whose sets are given: they are proved in seconds, without the search."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from flint import fmpq
+
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.kernels import SystemKernels, load_system
+from nonsmooth.runtime.proof.chaos.certify_chaos import _ChaosQuestion
+from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
+from nonsmooth.runtime.proof.chaos.h_sets import HSet
+from nonsmooth.runtime.proof.chaos.search import Horseshoe
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.sets.sections import MapSection, forcing_section, transition_section
+
+INVERTED = Path(__file__).with_name("inverted_oscillator.py")
+INVERTED_DATA = {"r": "0.7", "a": "2", "w": "4"}
+_INVERTED_SETS = (
+    HSet("A", ("-0.5111", "-0.0990"), (("-0.0452", "-0.0597"), ("0.0674", "-0.0901"))),
+    HSet("B", ("-0.8590", "-0.4984"), (("0.0453", "0.0594"), ("0.0028", "0.1361"))),
+)
+
+# two masses on a belt, both of which stick in turn
+FRICTION_DATA = {
+    "chi": "0.34",
+    "eta": "2.88",
+    "V": "1.23",
+    "us1": "0.75",
+    "us2": "1.19",
+    "ur1": "2.04",
+    "ur2": "1.83",
+}
+_FRICTION_SETS = (
+    HSet("A", ("10.7007",), (("0.1006",),)),
+    HSet("B", ("10.9712",), (("0.1006",),)),
+)
+
+
+def inverted_horseshoe(*, exponents: bool) -> ChaosCertificate:
+    """Two sets on a section of two coordinates: A covers A and B, which covers A."""
+
+    def section(system: EnclosedSystem) -> MapSection:
+        return forcing_section(system, 0, (fmpq(-1), fmpq(0)))
+
+    guess = Horseshoe(1, _INVERTED_SETS, ((0, 0), (0, 1), (1, 0)), 0.0)
+    return proved(load_system(str(INVERTED)), INVERTED_DATA, section, guess, exponents=exponents)
+
+
+def friction_horseshoe(*, exponents: bool) -> ChaosCertificate:
+    """Two sets on a section of one coordinate: A covers B, which covers both."""
+
+    def section(system: EnclosedSystem) -> MapSection:
+        structure = system.structure
+        source = structure.configuration("stick-stick")
+        boundary = structure.boundary(source, "first-breaks-forward")
+        target = structure.configuration("slip-stick")
+        return transition_section(system, source, frozenset({boundary}), target)
+
+    guess = Horseshoe(2, _FRICTION_SETS, ((0, 1), (1, 0), (1, 1)), 0.0)
+    kernels = load_system("dry-friction")
+    return proved(kernels, FRICTION_DATA, section, guess, exponents=exponents)
+
+
+def proved(
+    kernels: SystemKernels,
+    data: Mapping[str, str],
+    section: Callable[[EnclosedSystem], MapSection],
+    guess: Horseshoe,
+    *,
+    exponents: bool = False,
+) -> ChaosCertificate:
+    """What is proved of given sets."""
+    with flint_precision(80):
+        enclosed = enclosed_system(kernels, data)(80)
+        question = _ChaosQuestion(
+            kernels, enclosed, guess.iterates, 3000, exponents, lambda done: None
+        )
+        found = question.prove(section(enclosed), guess)
+    assert found is not None, question.tried
+    return found

@@ -1,0 +1,369 @@
+"""What begins where a branch meets a border: proved, checked again, and seen by other means."""
+
+import copy
+import hashlib
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from flint import ctx
+
+import nonsmooth as ns
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    FirstOrder,
+    Harmonic,
+    SoftStop,
+    System,
+    Transition,
+    oscillator,
+)
+from nonsmooth.runtime.checker import Failure, check_branch
+from nonsmooth.runtime.checker.beyond import _CheckedState, _Met
+from nonsmooth.runtime.checker.branch import checked_tiles
+from nonsmooth.runtime.checker.motion import Border
+from nonsmooth.runtime.core.arithmetic import exact_ball
+from nonsmooth.runtime.core.values import as_value, flint_precision
+from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.proof.admissibility import OpenInequality
+from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
+from nonsmooth.runtime.proof.branch import beyond_border
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch, OrbitBeyond
+from nonsmooth.runtime.proof.branch.crossing import SHARP
+from nonsmooth.runtime.proof.branch.curve import OrbitCurve
+from nonsmooth.runtime.proof.branch.same_motion import is_same_motion
+from nonsmooth.runtime.proof.branch.tube import BranchTube
+from tests.proof.test_branch_borders import HOT, SYSTEMS, THRESHOLD, WIDTH, A, B
+
+PAD = oscillator(
+    "pad", ["x"], mass=[[1]], damping=[["1/5"]], stiffness=[[1]],
+    forcing=[Harmonic(sp.symbols("Omega"), cosine=["2/5"])],
+    elements=[SoftStop("x", at=1, stiffness="1/2", damping="1/20", name="pad")],
+)  # fmt: skip
+GRAZING = 0.665294576295129867
+
+
+@pytest.fixture(scope="module")
+def symmetric(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path]:
+    """The paper's orbit: at its grazing a mass begins to stick for a moment."""
+    branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
+    found = ns.certify_branch(branch, interval=("0.6", "1.3"), beyond=True)
+    path = tmp_path_factory.mktemp("symmetric") / "branch.json"
+    found.save(path)
+    return found, path
+
+
+@pytest.fixture(scope="module")
+def relay(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path]:
+    """Two boundaries are reached together: beyond it the other one ends the phase."""
+    system, value, low, high = SYSTEMS["simultaneous"]
+    itinerary = [("on", "warm"), ("off", "cold")]
+    orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
+    branch = ns.continue_orbit(orbit, "w", (low, high))
+    found = ns.certify_branch(branch, interval=(str(low), str(high)), beyond=True)
+    path = tmp_path_factory.mktemp("relay") / "branch.json"
+    found.save(path)
+    return found, path
+
+
+def only(found: CertifiedBranch) -> OrbitBeyond:
+    """What begins at its one border."""
+    (beyond,) = (beyond for event in found.events for beyond in event.beyond)
+    return beyond
+
+
+def test_a_contact_that_grazes_begins_to_stick(symmetric: Any) -> None:
+    found, path = symmetric
+    assert found.complete
+    beyond = only(found)
+    assert (beyond.side, beyond.own, beyond.verdict) == ("below", "above", "stable")
+    assert beyond.scenario == "persistence"
+    assert [c for c, _ in beyond.itinerary].count("stick-slip") == 1
+    assert beyond.reach < GRAZING
+    assert "stick-slip -> slip-slip begins, stable, below it" in found.statement
+    told = beyond.branch.events[0].enclosures["V"]
+    assert told.ball.overlaps(found.events[0].enclosures["V"].ball)
+    assert ns.check_certificate(path).claims == {"branch": "proved"}
+    assert ns.load(path).statement == found.statement
+
+
+def test_motions_beside_the_border_are_those_that_are_proved(symmetric: Any) -> None:
+    """Simulated: a motion settles on the other itinerary below, the dwell time in its tube."""
+    found, _ = symmetric
+    beyond = only(found)
+    system = ns.solve("dry-friction/symmetric").system
+    given = {name: value for name, value in beyond.branch.parameters.items()}
+    tile = beyond.branch.tiles[0]
+    names = [*beyond.branch.unknown_names, "V"]
+    place = names.index(tile.coordinate)
+    for e in (0.2, 0.9):  # along the tile
+        rows = [float(np.polynomial.polynomial.polyval(e, row)) for row in tile.centre]
+        middle, half = (tile.upper + tile.lower) / 2, (tile.upper - tile.lower) / 2
+        point = [*rows[:place], float(middle + half * Fraction(e)), *rows[place:]]
+        about = dict(zip(names, point, strict=True))
+        assert beyond.reach < about["V"] < GRAZING
+        x1, x2, v1, _ = (about[name] for name in names[:4])
+        start = [x1 * (1 + 1e-7), x2, v1, about["V"]]  # the second mass sticks
+        motion = ns.simulate(
+            system, {**given, "V": as_value(about["V"])},
+            start, beyond.itinerary[0][0], transitions=2000,
+        )  # fmt: skip
+        dwell = np.diff(motion.times)[-4:]
+        wanted = sorted(about[name] for name in beyond.branch.unknown_names[4:])
+        assert np.allclose(sorted(dwell), wanted, atol=1e-9)
+
+
+def test_the_other_boundary_takes_over(relay: Any) -> None:
+    found, path = relay
+    beyond = only(found)
+    assert beyond.itinerary == (("off", "cold"), ("on", "hot"))
+    assert (beyond.side, beyond.own, beyond.scenario) == ("below", "above", "persistence")
+    assert ns.check_certificate(path).difference is None
+    # by an orbit at a point that is proved on its own
+    system = SYSTEMS["simultaneous"][0]
+    for value, verdict in (("0.5207", "proved"), ("0.521", "refuted")):
+        orbit = ns.solve(system, {"w": value}, [1.15, 1.15], itinerary=beyond.itinerary)
+        assert ns.certify(orbit).claims["admissibility"] == verdict
+
+
+def corner(push: float) -> System:
+    """The relay, but its input jumps by this where the threshold is passed, till it switches."""
+    lags = [[-1, 0], [1, -1]]
+    warm, cold = Boundary("warm", B - WIDTH), Boundary("cold", -B - WIDTH)
+    return System(
+        name="corner",
+        description="two lags and a relay with a second stage; nondimensional",
+        states=(A, B),
+        parameters=(THRESHOLD,),
+        configurations=(
+            Configuration("on", FirstOrder(lags, [1, 0]), (warm, HOT)),
+            Configuration("push", FirstOrder(lags, [1 + push, 0]), (warm,)),
+            Configuration("off", FirstOrder(lags, [-1, 0]), (cold,)),
+        ),
+        transitions=(
+            Transition("on", frozenset({"warm"}), "off"),
+            Transition("on", frozenset({"hot"}), "push"),
+            Transition("push", frozenset({"warm"}), "off"),
+            Transition("off", frozenset({"cold"}), "on"),
+        ),
+    )
+
+
+@pytest.mark.parametrize(
+    ("push", "side", "verdict", "scenario"),
+    [
+        (44, "below", "stable", "persistence"),
+        (-200, "below", "unstable", "persistence"),
+        # another orbit of the itinerary is near, and does not begin here
+        (60, "above", "unstable", "nonsmooth fold"),
+        (200, "above", "unstable", "nonsmooth fold"),
+    ],
+)
+def test_itineraries_follow_each_other_or_end_together(
+    push: int, side: str, verdict: str, scenario: str, tmp_path: Path
+) -> None:
+    system = corner(push)
+    orbit = ns.solve(system, {"w": "0.522"}, [1, 1], itinerary=[("on", "warm"), ("off", "cold")])
+    branch = ns.continue_orbit(orbit, "w", (0.518, 0.524))
+    found = ns.certify_branch(branch, interval=("0.518", "0.524"), beyond=True)
+    beyond = only(found)
+    assert (beyond.side, beyond.own) == (side, "above")
+    assert (beyond.verdict, beyond.scenario) == (verdict, scenario)
+    found.save(tmp_path / "branch.json")
+    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+    # on that side it is an orbit that is proved on its own, of a short new phase
+    at = float(found.events[0].enclosures["w"])
+    value = as_value(at + (beyond.reach - at) / 2)
+    other = ns.solve(system, {"w": value}, [1.155, 1.155, 1e-5], itinerary=beyond.itinerary)
+    assert other.dwell_times[2] < 1e-3
+    claims = ns.certify(other).claims
+    told = "proved" if verdict == "stable" else "refuted"
+    assert claims == {"existence": "proved", "admissibility": "proved", "stability": told}
+
+
+@pytest.mark.parametrize("kind", ["entry", "condition", "tangent"])
+def test_nothing_is_claimed_where_nothing_is_found(kind: str) -> None:
+    system, value, low, high = SYSTEMS[kind]
+    itinerary = [("on", "warm"), ("off", "cold")]
+    orbit = ns.solve(system, {"w": value}, [1.0, 1.0], itinerary=itinerary)
+    branch = ns.continue_orbit(orbit, "w", (low, high))
+    found = ns.certify_branch(branch, interval=(str(low), str(high)), beyond=True)
+    assert found.complete
+    assert [event.beyond for event in found.events] == [()]
+
+
+@pytest.fixture(scope="module")
+def pad(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path]:
+    """A motion that reaches nothing, until it touches a soft stop."""
+    orbit = ns.find_orbits(PAD, {"Omega": "0.79"}, 10, transitions=300).orbits[0].orbit
+    branch = ns.continue_orbit(orbit, "Omega", (0.79, 0.8))
+    found = ns.certify_branch(branch, interval=("0.79", "0.8"), beyond=True)
+    path = tmp_path_factory.mktemp("pad") / "branch.json"
+    found.save(path)
+    return found, path
+
+
+def test_a_contact_begins_where_a_soft_stop_is_touched(pad: Any) -> None:
+    found, path = pad
+    beyond = only(found)
+    assert (beyond.side, beyond.own, beyond.verdict) == ("above", "below", "stable")
+    assert beyond.scenario == "persistence"
+    assert ns.check_certificate(path).difference is None
+    # without the stop the amplitude is 2/5 / |1 - Omega^2 + i Omega / 5|: 1 at the event
+    (event,) = found.events
+    with mpmath.workprec(200):
+        square = (
+            mpmath.mpf(49) / 25 + mpmath.sqrt((mpmath.mpf(49) / 25) ** 2 - 4 * mpmath.mpf(21) / 25)
+        ) / 2
+        lower = mpmath.mpf(49) / 25 - square
+        assert event.enclosures["Omega"].ball.contains(exact_ball(mpmath.sqrt(lower)))
+    value = as_value((beyond.reach + float(event.enclosures["Omega"])) / 2)
+    motion = ns.simulate(PAD, {"Omega": value}, {"x": 0, "v": 0}, until=800.0)
+    names, tile = [*beyond.branch.unknown_names, "Omega"], beyond.branch.tiles[0]
+    assert tile.coordinate == names[-2]
+    contact = float(np.diff(motion.times)[-2:].min())
+    place = (contact - float(tile.lower)) / float(tile.upper - tile.lower) * 2 - 1
+    told = np.polynomial.polynomial.polyval(place, tile.centre[-1])
+    assert abs(told - float(value)) < 1e-8
+
+
+def test_a_contact_that_vanishes_leaves_the_motion_without_it(tmp_path: Path) -> None:
+    orbit = ns.find_orbits(PAD, {"Omega": "0.8"}, 10, transitions=300).orbits[0].orbit
+    branch = ns.continue_orbit(orbit, "Omega", (0.79, 0.8))
+    found = ns.certify_branch(branch, interval=("0.79", "0.8"), beyond=True)
+    beyond = only(found)
+    assert beyond.itinerary == (("free", "forcing-phase"),)
+    assert (beyond.side, beyond.own, beyond.verdict) == ("below", "above", "stable")
+    found.save(tmp_path / "branch.json")
+    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+
+
+def forged(path: Path, change: Callable[[dict[str, Any], dict[str, Any]], None]) -> dict[str, Any]:
+    """A file whose claims about what is beyond were edited, with its checksum."""
+    content: dict[str, Any] = json.loads(path.read_text())
+    del content["sha256"]
+    event = next(t["event"] for t in content["tiles"] if (t["event"] or {}).get("beyond"))
+    change(event, event["beyond"][0])
+    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+    return {**content, "sha256": digest}
+
+
+def _flipped(beyond: dict[str, Any], name: str) -> None:
+    beyond[name] = {"above": "below", "below": "above"}[beyond[name]]
+
+
+def _worse(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    beyond["verdict"] = "unstable"
+    tile = beyond["branch"]["tiles"][0]
+    for side in ("before", "after"):
+        tile[side] = tile[side].replace("stable", "unstable")
+
+
+def _swapped(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    tile = beyond["branch"]["tiles"][0]
+    tile["before"], tile["after"] = tile["after"], tile["before"]
+
+
+def _other_field(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    beyond["branch"]["declaration"]["configurations"]["slip-slip"]["field"][2][0] = "-1.0000001"
+
+
+def _elsewhere(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    beyond["branch"]["parameter"] = "W"
+
+
+def _undivided(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    beyond["branch"]["tiles"][0]["divided"] = None
+
+
+def _fewer(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    also = beyond["branch"]["tiles"][0]["event"]["also"]
+    del also[[kind for kind, *_ in also].index("tangent")]
+
+
+FORGERIES: dict[str, Any] = {
+    "another side": (lambda event, beyond: _flipped(beyond, "side"), "another side"),
+    "the other side of its own": (lambda event, beyond: _flipped(beyond, "own"), "another side"),
+    "another verdict": (_worse, "it is stable"),
+    "verdicts swapped": (_swapped, "other verdicts"),
+    "another field": (_other_field, None),
+    "another parameter": (_elsewhere, "another system's branch"),
+    "not divided": (_undivided, "in tile 1"),
+    "a border less": (_fewer, "but for the event"),
+    "twice": (lambda event, beyond: event["beyond"].append(copy.deepcopy(beyond)), "twice"),
+}
+
+
+@pytest.mark.parametrize("name", FORGERIES)
+def test_edited_files_are_refused(symmetric: Any, name: str) -> None:
+    change, reason = FORGERIES[name]
+    with pytest.raises(Failure, match=reason):
+        check_branch(forged(symmetric[1], change))
+
+
+def test_a_border_where_a_phase_began_is_not_met_where_it_ends(relay: Any) -> None:
+    """The state at the end of a phase says nothing of its start."""
+    with ctx.workprec(192):
+        met = _Met(checked_tiles(json.loads(relay[1].read_text()))[4])
+        state = _CheckedState(met, 0)
+        first = Border("entry", 0, "warm", "start")
+        assert any(met.row(met.borders[0], state.before, state.behind))
+        with pytest.raises(Failure, match="elsewhere"):
+            met.row(first, state.before, state.behind)
+
+
+def test_a_branch_is_not_beyond_itself(relay: Any) -> None:
+    """A tile of the branch itself meets the border too, on its own side: no itinerary begins."""
+
+    def itself(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+        content = json.loads(relay[1].read_text())
+        branch = {name: content[name] for name in beyond["branch"]}
+        tile = next(tile for tile in branch["tiles"] if tile["event"])
+        del tile["event"]["beyond"]
+        branch |= {"tiles": [tile], "start": 0, "ends": ["", ""], "claims": {"branch": "undecided"}}
+        beyond.update(branch=branch, side=beyond["own"])
+
+    with pytest.raises(Failure, match="two motions"):
+        check_branch(forged(relay[1], itself))
+
+
+def test_orbits_beside_the_event_are_not_its_motion(symmetric: Any) -> None:
+    """The exact conditions hold for any such itinerary: the tube tells the orbits apart."""
+    found, _ = symmetric
+    beyond = only(found)
+    tiles = [tile for tile in found.tiles if tile.event is not None and tile.event.beyond]
+    mets = []
+    for branch, tile in ((found, tiles[0]), (beyond.branch, beyond.branch.tiles[0])):
+        given = {**branch.parameters, branch.parameter: as_value("0.6653")}
+        if branch is found:
+            orbit = ns.solve("dry-friction/symmetric", {n: v.text for n, v in given.items()})
+        else:
+            names = [*branch.unknown_names, branch.parameter]
+            guess = [float(branch.events[0].enclosures[name]) for name in names]
+            guess[names.index(tile.coordinate)] = 0.01
+            system = ns.solve("dry-friction/symmetric").system
+            given[branch.parameter] = as_value("0.66525")
+            orbit = solve_itinerary(system, given, branch.itinerary, guess[4:-1], guess[:4])
+        curve = OrbitCurve(region_of(orbit, {"V": (Fraction("0.6"), Fraction("1.3"))}))
+        by = curve if tile.divided is None else curve.divided[tile.divided]
+        place = by.parameter if tile.coordinate == "V" else by.names.index(tile.coordinate)
+        tube = BranchTube(place, tile.lower, tile.upper, tile.centre, tile.radii)
+        mets.append(beyond_border._met(by, tile, tube))
+    own, other = mets
+    with flint_precision(SHARP):
+        assert is_same_motion(other, own)
+        moved = replace(other, point=[x + 1e-3 for x in other.point])
+        assert not is_same_motion(moved, own)
+        later = replace(own, window=tuple(x + 1 for x in own.window))
+        assert not is_same_motion(other, later)
+        # a border that is met elsewhere
+        more = (*other.borders, OpenInequality("tangent", 2, "second-reaches-belt", "end"))
+        assert not is_same_motion(replace(other, borders=more), own)
