@@ -6,11 +6,17 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth.runtime.checker.many_sets import ManyMotions
+from nonsmooth.runtime.checker.switching import StatedSection
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
+from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
-from nonsmooth.runtime.proof.sets.branching import Leaves
+from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
+from nonsmooth.runtime.proof.sets.sections import transition_section
+from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
 
 GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
 # the paper's orbit with a phase in which both masses stick
@@ -121,6 +127,33 @@ def test_motions_do_not_leave_trapping_regions(friction, impacts):
         assert np.isin(own.graph.targets[inner], own.trapping).all()
         assert not (own.graph.outside | own.graph.unknown)[own.trapping].any()
     assert any(own.attracting for own in impacts.components)
+
+
+def test_the_check_carries_no_state_out_of_what_is_trapping(friction):
+    boxes = friction.trapping
+    with flint_precision(64):
+        system = enclosed_system("dry-friction", DATA)(64)
+        structure = system.structure
+        source, target = map(structure.configuration, (friction.source, friction.configuration))
+        reached = frozenset({structure.boundary(source, friction.boundary)})
+        section = transition_section(system, source, reached, target)
+        mapped = BranchingMap(system, section, np.ones(4), 0.5)
+        mapped.leaves(friction.graph.grid.sets(boxes))
+        kernels = load_system("dry-friction")
+        declared = visited_declaration(kernels, system, sorted(mapped.passages))
+    stated = StatedSection(
+        friction.configuration, source=friction.source, boundary=friction.boundary
+    )
+    motions = ManyMotions(declared, DATA, stated, np.ones(4), 0.5)
+    found = motions.arrivals(friction.graph.grid.sets(boxes))
+    assert not found.lost.any()
+    _, met, inside = friction.graph.grid.numbers_met(found.low, found.high)
+    assert inside.all()
+    assert np.isin(met, boxes).all()
+    (attracting,) = (own.boxes for own in friction.components if own.attracting)
+    own = np.isin(boxes[found.origin], attracting)
+    _, met, _ = friction.graph.grid.numbers_met(found.low[own], found.high[own])
+    assert np.isin(met, attracting).all()
 
 
 def graph_of(edges, count, outside=(), unknown=()):
