@@ -30,6 +30,7 @@ functions. The table is in the order in which to read.
 `census`        orbits that were counted
 `sets`          sets of states through the phases of a motion
 `chaos`         sets that cover each other, and the entropy of their graph
+`basin`         a set that is contracted, and boxes of starts that lead to it
 `cones`         cone conditions along coverings: exponents from below
 `switching`     a system whose sets may divide, and its sections
 `exits`         where many sets of states leave one configuration
@@ -38,6 +39,7 @@ functions. The table is in the order in which to read.
 ==============  ===========================================================
 """
 
+from nonsmooth.runtime.checker.basin import check_basin
 from nonsmooth.runtime.checker.beyond import check_branch
 from nonsmooth.runtime.checker.census import check_census
 from nonsmooth.runtime.checker.chaos import check_chaos
@@ -52,6 +54,7 @@ __all__ = [
     "Failure",
     "Malformed",
     "check",
+    "check_basin",
     "check_branch",
     "check_cascade",
     "check_census",

@@ -28,7 +28,7 @@ from nonsmooth.runtime.checker.parameters import values_of
 from nonsmooth.runtime.checker.sets import CarryingPhase, StateSet, TooWide, matrix_of
 from nonsmooth.runtime.checker.shape import CHAOS, check_bits, check_shape
 
-__all__ = ["check_chaos"]
+__all__ = ["Box", "SectionMotions", "SectionPart", "check_chaos"]
 
 _BITS = 80
 _FINEST = fmpq(1, 2**22)  # of a set: narrower parts are not tried
@@ -65,14 +65,14 @@ def check_chaos(content: dict[str, Any]) -> None:
         return
     demand(not content["reason"], "a reason why it is not proved")
     with ctx.workprec(_BITS):
-        motions = _Motions(content)
+        motions = SectionMotions(content)
         _check_apart(motions.sets)
         for name in motions.sets:
             _check_coverings(motions, name)
         _check_entropy(content)
         if content.get("cones") is not None:
             size = len(motions.free)
-            own = partial(_MappedSet, motions)
+            own = partial(SectionPart, motions)
             check_cones(content["cones"], motions.targets, own, size, motions.iterates)
 
 
@@ -96,8 +96,14 @@ class _Set(NamedTuple):
         ]
 
 
-class _Motions:
-    """The system, section, sets and ways of a file, exactly."""
+class SectionMotions:
+    """The system, section, sets and ways of a file, exactly.
+
+    Parameters
+    ----------
+    content : dict
+        With the entries of a certificate of chaos that tell of them.
+    """
 
     def __init__(self, content: dict[str, Any]) -> None:
         declared = content["declaration"]
@@ -347,19 +353,29 @@ class _Motions:
         raise Failure("no transition follows")
 
 
-class _MappedSet:
-    """One set whose parts are mapped, with derivatives."""
+class SectionPart:
+    """One set whose parts are mapped, with derivatives.
 
-    def __init__(self, motions: _Motions, name: str) -> None:
+    Parameters
+    ----------
+    motions : SectionMotions
+    name : str
+        Of the set.
+    """
+
+    def __init__(self, motions: SectionMotions, name: str) -> None:
         self.motions, self.name = motions, name
 
     def image(self, box: Box) -> StateSet:
+        """Coordinates and 1 of the image of a part; see `MappedSet`."""
         return self.motions.image(self.name, box, sloped=True)
 
     def seen(self, target: str, image: StateSet) -> StateSet:
+        """The same in the coordinates of a target."""
         return image.through(self.motions.sets[target].inward)
 
     def lengths(self, box: Box) -> list[float]:
+        """How long the sides of a part are, about."""
         return self.motions.sets[self.name].lengths(box)
 
 
@@ -379,7 +395,7 @@ def _check_apart(sets: dict[str, _Set]) -> None:
             demand(found, f"{one} and {other} may have a point in common")
 
 
-def _check_coverings(motions: _Motions, name: str) -> None:
+def _check_coverings(motions: SectionMotions, name: str) -> None:
     """A set covers those that the file states."""
     targets, size = motions.targets[name], len(motions.free)
     whole: Box = ((fmpq(-1), fmpq(1)),) * size
@@ -400,7 +416,7 @@ def _check_coverings(motions: _Motions, name: str) -> None:
 
 
 def _images(
-    motions: _Motions, name: str, whole: Box, targets: Sequence[str], side: bool
+    motions: SectionMotions, name: str, whole: Box, targets: Sequence[str], side: bool
 ) -> Iterator[StateSet]:
     """Images of parts of a set that are all beyond its targets, or else between their sides."""
     boxes, looked = [whole], 0

@@ -193,11 +193,14 @@ class DividingPhase:
             if all(self.below[k] for k in chosen):
                 continue
             own = portions
-            for k in may:
-                own = own.where(self.begins[k] if k in chosen else negative(self.begins[k]))
+            for k in chosen:
+                own = own.where(self.begins[k])
             if len(chosen) == 3:
                 remaining.lose(own.origin)
-            elif len(own.origin):
+                continue
+            for k in may:
+                own = own if k in chosen else own.where(negative(self.begins[k]))
+            if len(own.origin):
                 names = frozenset[str]().union(*(self.functions[k].names for k in chosen))
                 rising = tuple(self.first[k] for k in chosen)
                 yield Departure(own, names, list(self.known.facts), rising, True)

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from nonsmooth.runtime.checker.exact import NUMBER, Failure
 
 __all__ = [
+    "BASIN",
     "BRANCH",
     "CASCADE",
     "CENSUS",
@@ -332,6 +333,25 @@ CHAOS = {
     "bits": int,
     "declaration": Either(({}, _DECLARATION, {**_DECLARATION, **_CONSTANTS[1]})),
 }
+_GRID = Either((type(None), {"exponents": [int], "first": [int], "counts": [int]}))
+BASIN = {
+    **_FILE,
+    **{name: CHAOS[name] for name in (
+        "system", "tables", "parameters", "claim", "reason", "configuration", "phase", "source",
+        "boundary", "coordinates", "iterates", "bits", "declaration",
+    )},
+    "orbit": str,
+    "core": Either((type(None), {"name": str, "centre": [NUMBER], "sides": [[NUMBER]]})),
+    "itinerary": [(str, str, str)],
+    "contraction": NUMBER,
+    "grid": _GRID,
+    "ranks": [(int, int)],
+    "tiles": _GRID,
+    "states": [str],
+    "verdicts": [(int, int)],
+    "widest": float,
+    "most": int,
+}  # fmt: skip
 _BOUNDS = Named((NUMBER, NUMBER))
 CENSUS = {
     **_FILE,

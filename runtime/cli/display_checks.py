@@ -8,6 +8,7 @@ from typing import Any
 from rich.console import Console
 from rich.text import Text
 
+from nonsmooth.runtime.cli.display_basins import basin_lines
 from nonsmooth.runtime.cli.display_certificates import (
     STYLES,
     UNIFORM,
@@ -23,6 +24,7 @@ from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.present.checking.check_file import Check
+from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
@@ -66,6 +68,8 @@ def show_check(found: Check) -> None:
             _show_cascade(out, cascade, compared=found.compared)
         case Census() as census:
             _show_census(out, census, compared=found.compared)
+        case BasinCertificate() as basin:
+            _show_basin(out, basin)
         case ChaosCertificate() as chaos:
             _show_chaos(out, chaos)
         case tuple() as events:
@@ -177,6 +181,16 @@ def _show_census(out: Console, census: Census, *, compared: bool) -> None:
         show_table(table, out)
     for certificate in found[:1]:
         _show_point_values(out, certificate, compared=compared)
+
+
+def _show_basin(out: Console, found: BasinCertificate) -> None:
+    if not found.proved:
+        out.print(Text("nothing is claimed", style="bold"))
+        return
+    out.print(Text(shown_name(found.system), style="bold"))
+    _show_values(out, found.parameters)
+    for line in basin_lines(found):
+        out.print(line)
 
 
 def _show_chaos(out: Console, found: ChaosCertificate) -> None:

@@ -3,6 +3,7 @@
 =========================  ==================================================================
 `values`                   exact values of parameters, and decimal printing
 `arithmetic`               one set of functions for floats, mpmath and balls
+`box_grid`                 grids of boxes, and which of them others meet
 `complex_steps`            derivatives by tiny imaginary parts, in doubles and in any digits
 `differentiable`           functions with exact derivatives, as optimisers take them
 `errors`                   the exceptions of the package, under one root

@@ -1,6 +1,7 @@
 """Theorems about periodic orbits and motions, proved in ball arithmetic.
 
 ==========================  =======================================================================
+`basin`                     starts from which every motion tends to an orbit
 `boxes`                     proofs for all parameters of a box
 `branch`                    whole branches: every interval, every event, and that there is no other
 `chaos`                     symbolic dynamics by sets that cover each other, and its entropy

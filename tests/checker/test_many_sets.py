@@ -281,3 +281,91 @@ def test_states_at_another_phase_are_refused(forced):
     own = ManyMotions(forced[1], FORCED, section, SCALES)
     with pytest.raises(Failure, match="another phase"):
         own.leaves(anywhere([[-1, 0, 1, 0]], [[-1, 0, 1, 0]]), "free", [])
+
+
+def configuration(boundaries):
+    """x' = 1, y' = 0."""
+    return {"field": [["0", "0", "1"], ["0", "0", "0"]], "boundaries": boundaries, "held": []}
+
+
+def transition(source, boundaries, reset, target):
+    told = {"source": source, "boundaries": boundaries, "conditions": []}
+    return {**told, "reset": reset, "target": target}
+
+
+def handmade(*more, side=None):
+    """From (-1, y) to x = 0, on from (y, y) to x = 0, where y takes the value of x; and back."""
+    x, last = ["1", "0", "0"], ["0", "0", "-1"]
+    middle = {"top": x} if side is None else {"top": x, "side": side}
+    return {
+        "parameters": [],
+        "states": ["x", "y"],
+        "forcing": [],
+        "configurations": {
+            "first": configuration({"end": x}),
+            "middle": configuration(middle),
+            "last": configuration({"back": x}),
+        },
+        "transitions": [
+            transition("first", ["end"], [["0", "1", "0"], ["0", "1", "0"]], "middle"),
+            transition("middle", ["top"], [last, ["1", "0", "0"]], "last"),
+            transition("last", ["back"], [last, ["0", "1", "0"]], "first"),
+            *more,
+        ],
+    }
+
+
+def carried(declared, low, high):
+    section = StatedSection("first", source="last", boundary="back")
+    own = ManyMotions(declared, {}, section, [1, 1], 0.5)
+    return own.arrivals(ManySets.of_boxes(np.array(low)[:, None], np.array(high)[:, None]))
+
+
+def test_states_that_begin_beyond_a_boundary_leave_at_once():
+    leaves = carried(handmade(), [-0.2, 0.1, -0.1], [-0.1, 0.2, 0.1])
+    assert not leaves.lost.any()
+    for number, least, most in ((0, 0, 0), (1, 0.1, 0.2), (2, 0, 0.1)):
+        own = leaves.origin == number
+        assert leaves.low[own].min() == pytest.approx(least, abs=1e-9)
+        assert leaves.high[own].max() == pytest.approx(most, abs=1e-9)
+
+
+@pytest.mark.parametrize("side", [["0", "1", "0"], ["-1", "2", "0"]])
+def test_two_boundaries_together_are_followed_where_that_is_stated(side):
+    # y > 0 is beyond both; the second is 2 y - x, which falls
+    both = transition("middle", ["side", "top"], [["0", "0", "-1"], ["0", "0", "5"]], "last")
+    low, high = [-0.2, 0.1, -0.1], [-0.1, 0.2, 0.1]
+    leaves = carried(handmade(both, side=side), low, high)
+    assert not leaves.lost[:2].any()
+    assert leaves.high[leaves.origin == 0].max() == pytest.approx(0, abs=1e-9)
+    assert leaves.low[leaves.origin == 1].min() == pytest.approx(5, abs=1e-9)
+    if not leaves.lost[2]:
+        assert inside(leaves, 2, [0.0]).any()
+        assert inside(leaves, 2, [5.0]).any()
+    assert carried(handmade(side=side), low, high).lost.tolist() == [False, True, True]
+
+
+def test_two_boundaries_that_are_reached_at_one_time_are_followed():
+    # x and x + y are zero together where y is, of a set around that some states by either alone
+    both = transition("middle", ["side", "top"], [["0", "0", "-1"], ["0", "0", "5"]], "last")
+    alone = transition("middle", ["side"], [["0", "0", "-1"], ["0", "0", "7"]], "last")
+    declared = handmade(both, alone, side=["1", "1", "0"])
+    declared["transitions"][0]["reset"][0] = ["0", "0", "-1"]  # the middle begins at x = -1
+    leaves = carried(declared, [-0.1, -0.1, 0.05], [0.1, -0.05, 0.1])
+    assert not leaves.lost.any()
+    for value in (0.0, 5.0, 7.0):
+        assert inside(leaves, 0, [value]).any()
+    assert set(np.round(leaves.low[leaves.origin == 1].ravel(), 6)) == {0.0}
+    assert set(np.round(leaves.low[leaves.origin == 2].ravel(), 6)) == {7.0}
+
+
+@pytest.mark.parametrize("count", [3, 4])
+def test_more_boundaries_together_are_lost(count):
+    names = [f"side {number}" for number in range(count)]
+    told = [["0", "0", "-1"], ["0", "0", "5"]]
+    both = [transition("middle", names[:many], told, "last") for many in range(1, count + 1)]
+    declared = handmade(*both)
+    rows = {name: ["1", str(number), "0"] for number, name in enumerate(names)}
+    declared["configurations"]["middle"]["boundaries"] = rows
+    # y > 0 is beyond all of them; from y < 0 on the first one is reached before the others
+    assert carried(declared, [-0.2, 0.1], [-0.1, 0.2]).lost.tolist() == [False, True]

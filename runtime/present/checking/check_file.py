@@ -18,6 +18,7 @@ from nonsmooth.runtime.checker import (
     Failure,
     Malformed,
     check,
+    check_basin,
     check_branch,
     check_cascade,
     check_census,
@@ -34,6 +35,7 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.present.checking.compare_declarations import compare
+from nonsmooth.runtime.present.files.basin_certificates import BASIN, basin_entries, basin_of
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
 from nonsmooth.runtime.present.files.censuses import CENSUS, census_entries, census_of
 from nonsmooth.runtime.present.files.certificates import (
@@ -57,6 +59,7 @@ from nonsmooth.runtime.present.files.event_certificates import (
     event_entries,
     events_of,
 )
+from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
@@ -74,6 +77,7 @@ Proven = (
     | CertifiedCascade
     | Census
     | ChaosCertificate
+    | BasinCertificate
     | tuple[EventCertificate, ...]
 )
 _HELD = "{} is the system as the file holds it: no declaration was run"
@@ -92,7 +96,7 @@ class Check(Shown):
     note : str or None
         What is not compared, or not proved again.
     certificate : Certificate, BoxCertificate, CertifiedBranch, CertifiedCascade, Census,
-        ChaosCertificate, tuple, or None
+        ChaosCertificate, BasinCertificate, tuple, or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
         Reasons why a claim is undecided, which parameters were chosen, and of a census all but
         its orbits are as the file says.
@@ -140,6 +144,7 @@ _KINDS = {
         _Kind(CASCADE, check_cascade, certified_cascade_of, certified_cascade_entries, _own),
         _Kind(EVENTS, check_events, events_of, event_entries, events_claim),
         _Kind(CENSUS, check_census, census_of, census_entries, _listed),
+        _Kind(BASIN, check_basin, basin_of, basin_entries, _own),
         _Kind(CHAOS, check_chaos, chaos_of, chaos_entries, lambda found: {"chaos": found.claim}),
     )
 }
@@ -155,7 +160,8 @@ def check_certificate(path: str | os.PathLike[str], declared: str | None = None)
     ----------
     path : str or path
         What `save` of a `Certificate`, `BoxCertificate`, `CertifiedBranch`, `CertifiedCascade`,
-        `EventCertificate`, `ChaosCertificate` or `Census` wrote.
+        `EventCertificate`, `ChaosCertificate`, `BasinCertificate` or `Census`
+        wrote.
     declared : str, optional
         A system or an orbit by name, such as ``FILE.py:ORBIT``: its tables have to be those of
         the file. Without it nothing that a user declares is run.

@@ -17,11 +17,12 @@ from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.core.json_codec import decode, given_value
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.model.completion import complete, system_parameters
+from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in
 from nonsmooth.runtime.proof.certificate import GUARD
 from nonsmooth.runtime.proof.exact_tables import exact_tables, irrational_texts
-from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, physical_values
 from nonsmooth.runtime.proof.parametric_declaration import (
     PERIOD,
@@ -29,7 +30,7 @@ from nonsmooth.runtime.proof.parametric_declaration import (
     system_declaration,
 )
 from nonsmooth.runtime.proof.sets.images import PassedTransition
-from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
+from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration, visited_declaration
 from nonsmooth.runtime.proof.statement import rational
 
 __all__ = ["compare"]
@@ -135,15 +136,31 @@ def _census(content: Content) -> bool:
     return True
 
 
-def _chaos(content: Content) -> bool:
-    """Compare the system of a certificate of chaos."""
+def _system_of(content: Content) -> tuple[SystemKernels, EnclosedSystem]:
+    """The system of a file of sets, at its parameters and the working precision."""
     tables = content["tables"]
     kernels = system_in(content["system"], None if tables is None else decode(SavedSystem, tables))
     given = system_parameters(kernels, _given_values(content["parameters"]))
-    if content["claim"] != "proved":
-        return True
+    return kernels, enclosed_system(kernels, given)(content["bits"])
+
+
+def _basin(content: Content) -> bool:
+    """Compare the system of a certificate of a basin."""
     with flint_precision(content["bits"]):
-        system = enclosed_system(kernels, given)(content["bits"])
+        kernels, system = _system_of(content)
+        if content["claim"] != "proved":
+            return True
+        if listed_declaration(kernels, system) != content["declaration"]:
+            raise Failure(f"the declaration is not that of {content['system']}")
+    return True
+
+
+def _chaos(content: Content) -> bool:
+    """Compare the system of a certificate of chaos."""
+    with flint_precision(content["bits"]):
+        kernels, system = _system_of(content)
+        if content["claim"] != "proved":
+            return True
         structure = system.structure
 
         def passed(source: str, boundary: str, target: str) -> PassedTransition:
@@ -255,5 +272,6 @@ _COMPARISONS: Mapping[str, Callable[[Content], bool]] = {
     "nonsmooth certified branch": _branch,
     "nonsmooth certified cascade": _cascade,
     "nonsmooth census": _census,
+    "nonsmooth basin certificate": _basin,
     "nonsmooth chaos certificate": _chaos,
 }

@@ -10,6 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.result_files import FileFormat
@@ -20,7 +21,6 @@ from nonsmooth.runtime.present.files.chaos_certificates import HSetEntries
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.certificate import VERSION
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
-from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
 
 __all__ = ["BASIN", "basin_entries", "basin_of", "load_basin_certificate", "save_basin"]
 
@@ -57,6 +57,7 @@ class BasinEntries:
     coordinates: tuple[str, ...]
     core: HSetEntries | None
     iterates: int
+    itinerary: tuple[tuple[str, str, str], ...]
     contraction: Exact
     grid: GridEntries | None
     ranks: tuple[tuple[int, int], ...]
@@ -112,7 +113,7 @@ def basin_entries(found: BasinCertificate) -> BasinEntries:
         Ready to be written.
     """
     name, _, saved = named(known_system(found.system, None))
-    core, numbers = found.core, ("iterates", "most", "bits", "widest")
+    core, numbers = found.core, ("iterates", "itinerary", "most", "bits", "widest")
     texts = ("orbit", "claim", "reason", "configuration", "source", "boundary")
     return BasinEntries(
         system=name,

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.units import units_of
 from nonsmooth.runtime.present.pictures.drawing import check_picture, given_axes
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
-from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -18,7 +18,7 @@ from nonsmooth.runtime.proof.chaos.h_sets import Box, HSet, decimal_set, piece
 from nonsmooth.runtime.proof.chaos.parts import coordinates, slices
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.sets.affine_sets import AffineSet
-from nonsmooth.runtime.proof.sets.images import SectionMap
+from nonsmooth.runtime.proof.sets.images import PassedTransition, SectionMap
 from nonsmooth.runtime.proof.sets.sections import MapSection
 
 if TYPE_CHECKING:
@@ -34,11 +34,15 @@ _UP = 2**20
 
 
 class AttractingCore(NamedTuple):
-    """A set, how often the map is applied, and by what it contracts: a fraction below 1."""
+    """A set, how often the map is applied, and by what it contracts: a fraction below 1.
+
+    And the transitions on the way, the same for all of it.
+    """
 
     h_set: HSet
     iterates: int
     contraction: Fraction
+    passages: tuple[PassedTransition, ...]
 
 
 def attracting_core(
@@ -78,11 +82,11 @@ def attracting_core(
         for size in range(_LARGEST, _SMALLEST):
             h_set = decimal_set("core", centre.tolist(), frame * scale * 2.0**-size)
             try:
-                contraction = _contraction(mapped, h_set)
+                contraction, passages = _contraction(mapped, h_set)
             except Undecided as reason:
                 trouble = reason
                 continue
-            return AttractingCore(h_set, iterates * power, contraction)
+            return AttractingCore(h_set, iterates * power, contraction, passages)
     raise trouble
 
 
@@ -120,29 +124,36 @@ def _frame(slope: Floats) -> Floats:
     return frame if np.linalg.cond(frame) < 1e6 else np.eye(len(slope))
 
 
-def _contraction(mapped: SectionMap, h_set: HSet) -> Fraction:
+def _contraction(mapped: SectionMap, h_set: HSet) -> tuple[Fraction, tuple[PassedTransition, ...]]:
     """By what the map contracts a set, into itself; Undecided if it is not shown to.
 
     The set is convex: bounds of the derivative over parts of it bound how far two states part.
     """
     boxes: list[Box] = [((-1.0, 1.0),) * len(h_set.centre)]
     largest, looked = Fraction(0), 0
+    ways: set[tuple[PassedTransition, ...]] = set()
     while boxes:
         box = boxes.pop()
         looked += 1
         try:
-            largest = max(largest, _over(mapped, h_set, box))
+            found, passages = _over(mapped, h_set, box)
+            largest = max(largest, found)
+            ways.add(passages)
         except Undecided:
             longest = max(range(len(box)), key=lambda k: box[k][1] - box[k][0])
             if box[longest][1] - box[longest][0] < _FINEST or looked > _MOST:
                 raise
             boxes += slices(box, longest)
-    return largest
+    if len(ways) > 1:
+        raise Undecided("states around the orbit do not go one way", digits=False)
+    return largest, ways.pop()
 
 
-def _over(mapped: SectionMap, h_set: HSet, box: Box) -> Fraction:
-    """A bound of the derivative over a part, which is mapped into the set."""
-    states = mapped.image(piece(h_set, mapped.section, box, sloped=True)).states
+def _over(
+    mapped: SectionMap, h_set: HSet, box: Box
+) -> tuple[Fraction, tuple[PassedTransition, ...]]:
+    """A bound of the derivative over a part, which is mapped into the set, and its way."""
+    states, passages = mapped.image(piece(h_set, mapped.section, box, sloped=True))
     seen = coordinates(states, mapped.section.free).mapped(h_set.inward)
     if not all(abs(x) < 1 for x in seen.ranges):
         raise Undecided("a set around the orbit is not mapped into itself", digits=False)
@@ -151,7 +162,7 @@ def _over(mapped: SectionMap, h_set: HSet, box: Box) -> Fraction:
     found = max(_above(x) for x in sums)
     if found >= 1:
         raise Undecided("a set around the orbit is not contracted", digits=False)
-    return found
+    return found, passages
 
 
 def _above(ball: arb) -> Fraction:

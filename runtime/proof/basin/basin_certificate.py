@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
-from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
 
 __all__ = ["BasinCertificate"]
 
@@ -49,6 +49,8 @@ class BasinCertificate(Kept):
         What the map contracts.
     iterates : int
         The power of P that contracts it.
+    itinerary : tuple of (configuration, boundary, configuration)
+        The transitions on the way, the same for all of the core.
     contraction : str
         By which, at least: a fraction below 1.
     grid : BoxGrid
@@ -86,6 +88,7 @@ class BasinCertificate(Kept):
     coordinates: tuple[str, ...]
     core: HSet | None
     iterates: int
+    itinerary: tuple[tuple[str, str, str], ...]
     contraction: Exact
     grid: BoxGrid | None
     ranks: NDArray[np.int_] = field(repr=False)
@@ -160,6 +163,7 @@ class BasinCertificate(Kept):
             if self.core is None
             else {"centre": list(self.core.centre), "sides": [*map(list, self.core.sides)]},
             "iterates": self.iterates,
+            "itinerary": [*map(list, self.itinerary)],
             "contraction": str(self.contraction),
             "share": self.share,
             "tiles": {

@@ -6,11 +6,11 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import count
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded
 from nonsmooth.runtime.core.resuming import check_same_question
@@ -26,10 +26,9 @@ from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.proof.orbit_to_prove import check_converged
-from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
 from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
 from nonsmooth.runtime.proof.sets.images import PassedTransition
-from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
+from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration
 
 __all__ = ["certify_basin"]
 
@@ -225,6 +224,7 @@ class _BasinQuestion:
             claim="proved",
             core=core.h_set,
             iterates=core.iterates,
+            itinerary=self._told(core.passages),
             contraction=str(core.contraction),
             grid=grid,
             ranks=ranks,
@@ -232,7 +232,7 @@ class _BasinQuestion:
             states=() if tiles is None else self.system.structure.states,
             looked=np.zeros(size, dtype=bool),
             attracted=np.zeros(size, dtype=bool),
-            declaration=self._declaration(),
+            declaration=listed_declaration(self.orbit.system, self.system),
         )
 
     def tiled(
@@ -288,6 +288,7 @@ class _BasinQuestion:
             coordinates=tuple(structure.states[k] for k in section.free),
             core=None,
             iterates=0,
+            itinerary=(),
             contraction="1",
             grid=None,
             ranks=np.zeros(0, dtype=int),
@@ -313,16 +314,18 @@ class _BasinQuestion:
         if known.tiles is not None:
             check_same_question("basin", {"box or side": self._tiles}, {"box or side": known.tiles})
 
-    def _declaration(self) -> dict[str, Any]:
-        """The system with all transitions that it lists."""
+    def _told(self, passages: Sequence[PassedTransition]) -> tuple[tuple[str, str, str], ...]:
+        """Transitions by names."""
         structure = self.system.structure
-        passages = [
-            PassedTransition(source, tuple(sorted(t.boundaries)), t.target)
-            for source, transitions in enumerate(structure.transitions)
-            for t in transitions
-            if t.path is None
-        ]
-        return visited_declaration(self.orbit.system, self.system, passages)
+        names = structure.configurations
+        return tuple(
+            (
+                names[p.source],
+                "+".join(structure.boundaries[p.source][b].name for b in p.boundaries),
+                names[p.target],
+            )
+            for p in passages
+        )
 
 
 def _ranks(

@@ -6,7 +6,6 @@
 `images`                `SectionMap`: images of sets on a section, and the transitions on the way
 `branching`             `BranchingMap`: images of many sets whose states go different ways
 `phase_ends`            where the sets of one phase reach boundaries
-`box_grid`              grids of boxes on a section, and which of them others meet
 `visited_declaration`   the system as far as the motions visit it, for a file
 ======================  =====================================================================
 """

@@ -12,7 +12,7 @@ from nonsmooth.runtime.proof.parametric_declaration import system_declaration
 from nonsmooth.runtime.proof.sets.images import PassedTransition
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
-__all__ = ["visited_declaration"]
+__all__ = ["listed_declaration", "visited_declaration"]
 
 
 def visited_declaration(
@@ -58,6 +58,28 @@ def visited_declaration(
     dwell = [f"phase {number}" for number in range(1, len(found) + 1)]
     start = structure.states
     return system_declaration(kernels, cycle, system.exact, start, dwell, timed=False)
+
+
+def listed_declaration(kernels: SystemKernels, system: EnclosedSystem) -> dict[str, Any]:
+    """The declaration of a system with all transitions that it lists.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+    system : EnclosedSystem
+
+    Returns
+    -------
+    dict
+        As `visited_declaration` gives it.
+    """
+    passages = [
+        PassedTransition(source, tuple(sorted(t.boundaries)), t.target)
+        for source, transitions in enumerate(system.structure.transitions)
+        for t in transitions
+        if t.path is None
+    ]
+    return visited_declaration(kernels, system, passages)
 
 
 def _transition(system: EnclosedSystem, passage: PassedTransition) -> TransitionShape | None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
+from nonsmooth.runtime.core.box_grid import BoxGrid
 
 GRID = BoxGrid((-2, -1), (-3, 2), (7, 5))
 

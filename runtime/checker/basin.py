@@ -1,0 +1,212 @@
+"""The check of a basin: a core that is contracted, and boxes of starts that lead to it.
+
+P^k maps the core into itself and shortens distances there, in the norm of the core: so it has one
+fixed point in it, to which all of the core tends. A box of the section of the rank r is shown to
+come to the core or to boxes of smaller ranks, and so to the core in at most r steps. Tiles are
+shown to come to boxes of the section that have a rank.
+"""
+
+from collections.abc import Callable, Sequence
+from math import prod
+from typing import Any
+
+import numpy as np
+from flint import arb, ctx, fmpq
+
+from nonsmooth.runtime.checker.chaos import Box, SectionMotions, SectionPart
+from nonsmooth.runtime.checker.exact import check_sum, demand, exact
+from nonsmooth.runtime.checker.many_sets import Arrivals, ManyMotions
+from nonsmooth.runtime.checker.sets import TooWide
+from nonsmooth.runtime.checker.shape import BASIN, check_bits, check_shape
+from nonsmooth.runtime.checker.switching import StatedSection
+from nonsmooth.runtime.core.box_grid import BoxGrid
+from nonsmooth.runtime.core.float_sets import ManySets, Rounded
+
+__all__ = ["check_basin"]
+
+_BITS = 80
+_MOST, _FINEST = 4000, fmpq(1, 2**10)  # parts of the core, and of their sides
+_BATCH = 1024
+_LONGEST = 24  # transitions on one way
+_MORE = 8  # times the parts of one set that the file states
+_HALVINGS = 4  # of a box that is lost or comes elsewhere too, as a whole
+_LARGEST = 10**8  # boxes of a grid
+_SIDES = 40  # powers of 2: of a side
+
+
+def check_basin(content: dict[str, Any]) -> None:
+    """Prove a basin again; Failure says what cannot be.
+
+    Parameters
+    ----------
+    content : dict
+        The file, read as JSON.
+
+    Raises
+    ------
+    Failure
+        If something that is claimed is not proved.
+    Malformed
+        If the file has another shape.
+    """
+    check_shape(content, BASIN)
+    check_sum(content)
+    check_bits(content)
+    if content["claim"] != "proved":
+        told = ("core", "grid", "tiles", "ranks", "verdicts", "itinerary", "states", "declaration")
+        demand(not any(content[name] for name in told), "numbers of no claim")
+        demand(content["contraction"] == "1" and not content["iterates"], "numbers of no claim")
+        return
+    demand(not content["reason"], "a reason why it is not proved")
+    demand(content["core"] is not None, "there is no core")
+    widest = content["widest"]
+    demand(0 < widest < float("inf") and 0 < content["most"] <= 10**5, "no limits of sets")
+    with ctx.workprec(_BITS):
+        core = _check_core(content)
+        section = StatedSection(
+            content["configuration"], tuple(content["phase"]), content["source"],
+            content["boundary"],
+        )  # fmt: skip
+        declared, count = content["declaration"], len(content["declaration"]["states"])
+        motions = ManyMotions(
+            declared, content["parameters"], section, [1.0] * count, widest,
+            _MORE * content["most"], _LONGEST,
+        )  # fmt: skip
+        grid, ranks = _check_ranks(content, motions, core)
+        _check_tiles(content, motions, grid, grid.sums(ranks >= 0))
+
+
+def _check_core(content: dict[str, Any]) -> Rounded:
+    """The core is mapped into itself and contracted; gives the matrix to its coordinates."""
+    declared, core = content["declaration"], {**content["core"], "name": "core"}
+    alone = [entry for entry in declared["transitions"] if len(entry["boundaries"]) == 1]
+    motions = SectionMotions(
+        {
+            **content,
+            "declaration": {**declared, "transitions": alone},
+            "h_sets": [core],
+            "coverings": [],
+            "itineraries": {"core": content["itinerary"]},
+        }
+    )
+    part, told = SectionPart(motions, "core"), exact(content["contraction"])
+    demand(0 < told < 1, "the core is not contracted")
+    boxes: list[Box] = [((fmpq(-1), fmpq(1)),) * len(motions.free)]
+    for _ in range(_MOST):
+        if not boxes:
+            return Rounded.of(motions.sets["core"].inward)
+        box = boxes.pop()
+        try:
+            if _contracted(part, box, told):
+                continue
+        except TooWide:
+            pass
+        k = max(range(len(box)), key=lambda place: box[place][1] - box[place][0])
+        low, high = box[k]
+        demand(high - low > _FINEST, "the core is not shown to be contracted")
+        for half in ((low, (low + high) / 2), ((low + high) / 2, high)):
+            boxes.append((*box[:k], half, *box[k + 1 :]))
+    demand(not boxes, "the core has too many parts")
+    return Rounded.of(motions.sets["core"].inward)
+
+
+def _contracted(part: SectionPart, box: Box, told: Any) -> bool:
+    """Whether a part of the core is mapped into it, with derivatives that shorten all."""
+    seen = part.seen("core", part.image(box))
+    if not all(abs(x) < 1 for x in seen.hull.entries()):
+        return False
+    columns = [tangent.hull.entries() for tangent in seen.tangents]
+    sums = [sum((abs(x) for x in row), arb(0)) for row in zip(*columns, strict=True)]
+    return all(bool(total < arb(told)) for total in sums)
+
+
+def _check_ranks(
+    content: dict[str, Any], motions: ManyMotions, core: Rounded
+) -> tuple[BoxGrid, Any]:
+    """Boxes of the section have the ranks that are stated."""
+    named = [motions.system.states[k] for k in motions.free]
+    demand(content["coordinates"] == named, "the coordinates are not those of the section")
+    grid = _grid(content["grid"], len(named))
+    ranks = _listed(content["ranks"], grid)
+    demand(ranks.min() >= -1 and ranks.max() < len(grid), "no such ranks")
+
+    def in_core(low: Any, high: Any) -> Any:
+        if not len(low):
+            return np.zeros(0, dtype=bool)
+        least, most = ManySets.of_boxes(low, high).ranges(core)
+        return np.all((least > -1) & (most < 1), axis=1)
+
+    inner = np.flatnonzero(ranks == 0)
+    demand(in_core(*grid.bounds(inner)).all(), "a box of the rank 0 is not in the core")
+    for rank in range(1, int(ranks.max()) + 1):
+        sums = grid.sums((ranks >= 0) & (ranks < rank))
+
+        def known(low: Any, high: Any, sums: Any = sums) -> Any:
+            return in_core(low, high) | grid.covered(sums, low, high)
+
+        left = np.flatnonzero(ranks == rank)
+        for begin in range(0, len(left), _BATCH):
+            starts = grid.sets(left[begin : begin + _BATCH])
+            lifted = starts.mapped(motions.lift(motions.facts, timed=False))
+            good = _lead(motions, lifted, motions.section.configuration, motions.facts, known)
+            demand(good, f"a box of the rank {rank} may lead elsewhere")
+    return grid, ranks
+
+
+def _check_tiles(content: dict[str, Any], motions: ManyMotions, grid: BoxGrid, sums: Any) -> None:
+    """From tiles that are stated to be attracted all motions come to boxes with a rank."""
+    if content["tiles"] is None:
+        demand(not content["verdicts"] and not content["states"], "verdicts of no tiles")
+        return
+    states = motions.system.states
+    demand(content["states"] == states and not motions.forced, "tiles of other states")
+    tiles = _grid(content["tiles"], len(states))
+    verdicts = _listed(content["verdicts"], tiles)
+    demand(verdicts.min() >= 0 and verdicts.max() <= 2, "no such verdicts")
+    whole = [name for name, rows in motions.system.held.items() if not rows]
+    demand(whole, "no configuration in which all states are free")
+    good = np.flatnonzero(verdicts == 2)
+    for begin in range(0, len(good), _BATCH):
+        boxes = tiles.sets(good[begin : begin + _BATCH])
+        parts = (np.insert(x, x.shape[1] - 1, 0.0, axis=1) for x in vars(boxes).values())
+        starts = ManySets(*parts)
+        for name in whole:
+            led = _lead(motions, starts, name, (), lambda *box: grid.covered(sums, *box))
+            demand(led, "a tile may lead elsewhere")
+
+
+def _lead(
+    motions: ManyMotions,
+    starts: ManySets,
+    configuration: str,
+    facts: Sequence[Any],
+    known: Callable[[Any, Any], Any],
+) -> bool:
+    """Whether all states of all sets come to what is known, in parts if need be."""
+    for _ in range(_HALVINGS + 1):
+        found: Arrivals = motions.leaves(starts, configuration, facts)
+        bad = found.lost.copy()
+        bad[found.origin[~known(found.low, found.high)]] = True
+        if not bad.any():
+            return True
+        starts = starts[bad]
+        lengths = np.abs(starts.sides).max(axis=1)
+        starts = starts.halves(np.argmax(lengths, axis=1))
+    return False
+
+
+def _grid(entries: Any, size: int) -> BoxGrid:
+    demand(entries is not None, "there is no grid")
+    exponents, first, counts = (tuple(entries[x]) for x in ("exponents", "first", "counts"))
+    demand(size > 0 and all(len(x) == size for x in (exponents, first, counts)), "no such grid")
+    small = all(abs(e) <= _SIDES for e in exponents) and all(abs(f) < 2**_SIDES for f in first)
+    demand(small and all(n > 0 for n in counts) and prod(counts) <= _LARGEST, "no such grid")
+    return BoxGrid(exponents, first, counts)
+
+
+def _listed(runs: Sequence[tuple[int, int]], grid: BoxGrid) -> Any:
+    """The numbers of all boxes, of runs of them."""
+    fits = all(n > 0 for _, n in runs) and sum(n for _, n in runs) == len(grid)
+    demand(fits, "another number of boxes than the grid has")
+    demand(all(abs(x) < 2**_SIDES for x, _ in runs), "no such numbers")
+    return np.repeat([x for x, _ in runs], [n for _, n in runs])
