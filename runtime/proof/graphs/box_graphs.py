@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.float_sets import Floats
-from nonsmooth.runtime.proof.sets.box_grid import BoxGrid
 from nonsmooth.runtime.proof.sets.branching import Leaves
 
 __all__ = ["BoxGraph"]
