@@ -23,11 +23,13 @@
 `display_certificates`  certificates, maps and events for people
 `display_checks`        checks of certificates for people
 `display_fits`          fits for people
+`display_graphs`        graphs of boxes for people
 `display_motions`       motions and found orbits for people
 `display_regions`       regions and curves of a map of two parameters
 `doctor`                `doctor`
 `fitting`               `fit`
 `generating`            `generate`
+`graphs`                `graph`
 `long_proofs`           how proofs that may run for long are kept, drawn and shown
 `motions`               `simulate`, `find`, `sweep`
 `ranges`                ranges of parameters, and the orbit or branch in them

@@ -9,6 +9,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from nonsmooth.runtime.cli.display_graphs import section_words
 from nonsmooth.runtime.cli.display_regions import show_regions
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.model.naming import shown_name
@@ -381,15 +382,8 @@ def chaos_lines(found: ChaosCertificate) -> list[str]:
     -------
     list of str
     """
-    if found.phase:
-        cosine, sine = found.phase
-        where = f"in {found.configuration} where the forcing has the phase ({cosine}, {sine})"
-        once = "over one period of the forcing"
-    else:
-        where = f"behind {found.source} by {found.boundary} for {found.configuration}"
-        once = "from one passage of this transition to the next"
     lines = [
-        f"the map P {once}, states {where}",
+        f"the map P {section_words(found)}",
         f"topological entropy of P at least {found.entropy}",
     ]
     power = "P" if found.iterates == 1 else f"P^{found.iterates}"

@@ -25,6 +25,7 @@ from nonsmooth.runtime.cli import (  # noqa: F401 - their commands join the appl
     doctor,
     fitting,
     generating,
+    graphs,
     motions,
 )
 from nonsmooth.runtime.cli.application import (

@@ -56,6 +56,8 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.doubling.certify_cascade import certify_cascade
     from nonsmooth.runtime.proof.events.certify_event import certify_event
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
+    from nonsmooth.runtime.proof.graphs.certify_graph import certify_graph
+    from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Proof
     from nonsmooth.runtime.proof.motion.validate import validate
     from nonsmooth.runtime.simulation.last_cycle import Recurrence, itinerary_of
@@ -85,6 +87,7 @@ __all__ = [
     "Experiment",
     "Fit",
     "Found",
+    "GraphCertificate",
     "InputError",
     "Interrupted",
     "Locus",
@@ -109,6 +112,7 @@ __all__ = [
     "certify_cascade",
     "certify_chaos",
     "certify_event",
+    "certify_graph",
     "chart",
     "check_certificate",
     "continue_event",
@@ -149,6 +153,7 @@ _HOMES = {
     "Experiment": "explore.fitting.measurements",
     "Fit": "explore.fitting.fit_record",
     "Found": "explore.finding.found",
+    "GraphCertificate": "proof.graphs.graph_certificate",
     "InputError": "core.errors",
     "Interrupted": "core.errors",
     "Locus": "explore.continuation.locus",
@@ -171,6 +176,7 @@ _HOMES = {
     "certify_basin": "proof.basin.certify_basin",
     "certify_chaos": "proof.chaos.certify_chaos",
     "certify_event": "proof.events.certify_event",
+    "certify_graph": "proof.graphs.certify_graph",
     "certify_all": "proof.counting.certify_all",
     "check_certificate": "present.checking.check_file",
     "chart": "explore.charting.chart",
@@ -203,6 +209,7 @@ register(
         "draw_basin": "present.pictures.certified_basins",
         "draw_box": "present.pictures.proven_maps",
         "draw_chaos": "present.pictures.horseshoes",
+        "draw_graph": "present.pictures.box_graphs",
         "draw_branch": "present.pictures.branches",
         "draw_certified_branch": "present.pictures.certified_branches",
         "draw_cascade": "present.pictures.certified_cascades",

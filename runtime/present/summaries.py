@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.proof.counting.census import Census
     from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
     from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
+    from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
     from nonsmooth.runtime.proof.motion.motion_proof import Enclosure, Proof
     from nonsmooth.runtime.simulation.last_cycle import Recurrence
     from nonsmooth.runtime.simulation.returns import PoincareMap
@@ -445,6 +446,19 @@ def _chaos(found: ChaosCertificate) -> Summary:
     return f"certificate of chaos of {shown_name(found.system)}", rows
 
 
+def _graph(found: GraphCertificate) -> Summary:
+    told = [
+        _many(sum(own.attracting for own in found.components), "attracting component"),
+        f"{len(found.trapping)} of {len(found.graph.grid)} boxes in the largest trapping region",
+    ]
+    return f"graph of boxes of {shown_name(found.system)}", [
+        ("proved", told),
+        ("components", [f"{len(own.boxes)} boxes" for own in found.components[:_MOST]]),
+        ("not known", [f"images of {len(found.unknown)} boxes"] if len(found.unknown) else []),
+        ("given", _given(found.parameters)),
+    ]
+
+
 def _proof(proof: Proof) -> Summary:
     rows = [("times", _first(_stated({"t": t})[0] for t in proof.times))]
     if proof.reason:
@@ -482,6 +496,7 @@ _KINDS: Mapping[str, Callable[[Any], Summary]] = {
     "Experiment": _experiment,
     "Fit": _fit,
     "Found": _found,
+    "GraphCertificate": _graph,
     "Locus": _locus,
     "Motion": _motion,
     "Orbit": _orbit,

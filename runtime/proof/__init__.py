@@ -8,6 +8,7 @@
 `counting`                  all orbits of an itinerary in a box of dwell times, each proved
 `doubling`                  orbits of twice the period beside flips, their side and stability
 `events`                    events of branches, enclosed to any precision
+`graphs`                    graphs of boxes: trapping regions, and where motions recur
 `motion`                    the sequence of configurations of a simulated motion, proved
 `sets`                      sets of states carried through the phases of a motion
 `certify_orbit`             `certify`: existence, admissibility and stability of one orbit

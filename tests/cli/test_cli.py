@@ -136,6 +136,7 @@ def _found_in_page() -> dict[str, bytes]:
 def engine_needed(example: str) -> bool:
     """Thousands of motions or orbits, which take minutes in Python."""
     slow = "nonsmooth chart", "nonsmooth find", "nonsmooth sweep", "nonsmooth chaos"
+    slow = *slow, "nonsmooth graph"
     return example.startswith(slow) or "found.json" in example
 
 

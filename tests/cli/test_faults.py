@@ -48,6 +48,7 @@ WRITERS = {
     ("certify", "--plot"): f"certify {ORBIT} V=0.99:1.01 --tiles 1 --plot TARGET.png",
     ("chaos", "--save"): f"{CHAOS} --save TARGET",
     ("chaos", "--plot"): f"{CHAOS} --plot TARGET.png",
+    ("graph", "--plot"): f"{CHAOS.replace('chaos', 'graph')} --boxes 32 --plot TARGET.png",
     ("chart", "--out"): f"chart {ORBIT} V=0.99:1.01:2 --out TARGET",
     ("continue", "--plot"): f"continue {ORBIT} V=0.99:1.01 --plot TARGET.png",
     ("continue", "--save"): f"continue {ORBIT} V=0.99:1.01 --save TARGET",
@@ -72,7 +73,10 @@ FAULTED = (
 )
 LONG = ("certify", "continue", "find", "sweep")  # what is done is kept before Ctrl-C is looked at
 # a basin is many motions, and sets that cover each other are looked for along many
-SLOW_IN_PYTHON = {("find", "--plot"), ("chaos", "--save"), ("chaos", "--plot")}
+SLOW_IN_PYTHON = {
+    *(("find", "--plot"), ("chaos", "--save"), ("chaos", "--plot")),
+    ("graph", "--plot"),
+}
 each = pytest.mark.parametrize(
     "writer",
     [pytest.param(w, marks=pytest.mark.compiled) if w in SLOW_IN_PYTHON else w for w in WRITERS],

@@ -87,6 +87,8 @@ def result(kind: str) -> Any:
         case "ChaosCertificate":
             words = {**DATA, "chi": "0.5"}
             return ns.certify_chaos("dry-friction", words, REST, iterates=1, attempts=1)
+        case "GraphCertificate":
+            return ns.certify_graph("dry-friction", {**DATA, "chi": "0.5"}, REST, boxes=16)
         case "Census":
             return ns.certify_all(ORBIT, {"us1": 1, "us2": 1}, {"tau": (1.9, 2.1), "tau1": (3, 4)})
         case "EventCertificate":

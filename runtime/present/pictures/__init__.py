@@ -16,6 +16,7 @@
 `found`               orbits that were found, a row for each
 `maps`                basins of attraction and bifurcation diagrams
 `horseshoes`          sets that cover each other, and their graph
+`box_graphs`          boxes where motions recur, trapping regions, Morse graphs
 `proven_maps`         proven maps: tiles of a plane or of a line
 `saved_files`         whatever is in a file
 `kinds`               kinds of pictures of an orbit or a motion: a new one is one entry

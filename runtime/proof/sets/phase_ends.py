@@ -28,7 +28,7 @@ CLOCK = -1  # stands for the boundary at which the forcing has the section's pha
 _CHUNK = 16  # windows at once
 _LONGEST = 1500  # windows of one phase
 _LOOSE = 0.5  # part of a set's size by which a pipe may be larger, if it can be shorter
-_LEAST, _PIPE = 1.0, 64.0  # windows of a pipe
+_LEAST, _PIPE = 0.125, 64.0  # windows of a pipe
 _REFINED = 3  # steps of Newton's method for the times of a pipe
 
 

@@ -1,0 +1,210 @@
+"""Graphs of boxes: motions go along edges, and what is called trapping is not left."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.checker.many_sets import ManyMotions
+from nonsmooth.runtime.checker.switching import StatedSection
+from nonsmooth.runtime.core.box_grid import BoxGrid
+from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
+from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
+from nonsmooth.runtime.proof.sets.sections import transition_section
+from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
+
+GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
+# the paper's orbit with a phase in which both masses stick
+DATA = {
+    "chi": "0.5",
+    "eta": "1",
+    "V": "1",
+    "us1": "1",
+    "us2": "1",
+    "ur1": "4.0195",
+    "ur2": "1.4831",
+}
+IMPACTS = {"r": "0.65", "sigma": "0", "w": "2.3"}
+
+
+@pytest.fixture(scope="module")
+def friction():
+    region = {"x2": (2, 13.5)}
+    return ns.certify_graph("dry-friction", DATA, [5, 4, 0.5, 0.25], boxes=512, region=region)
+
+
+@pytest.fixture(scope="module")
+def impacts():
+    system = load_system(str(GALLERY / "impact_oscillator.py"))
+    region = {"x": (-2, 0), "v": (-2, 2)}
+    return ns.certify_graph(system, IMPACTS, {"x": -0.7, "v": 0.1}, boxes=64, region=region)
+
+
+def returned(place):
+    """x2 where a motion from the section of `friction` comes back to it; None if it does not."""
+    start = [0.5 * place + float(DATA["ur1"]), place, 1, 1]
+    try:
+        motion = ns.simulate("dry-friction", DATA, start, "slip-stick", transitions=40)
+    except InputError:  # the second mass cannot stick there
+        return None
+    names = motion.configurations
+    for k in range(1, len(names)):
+        if names[k - 1 : k + 1] == ("stick-stick", "slip-stick"):
+            return motion.states[k][1]
+    return None
+
+
+def test_motions_go_along_edges(friction):
+    random = np.random.default_rng(7)
+    low, high = friction.graph.grid.bounds(np.arange(len(friction.graph.grid)))
+    tested = 0
+    for box in random.choice(len(low), 150, replace=False):
+        share = random.choice([1e-9, random.random(), 1 - 1e-9])
+        place = low[box, 0] + share * (high[box, 0] - low[box, 0])
+        if friction.graph.unknown[box] or (there := returned(place)) is None:
+            continue
+        found = friction.targets(box)
+        assert ((low[found, 0] <= there + 1e-9) & (there - 1e-9 <= high[found, 0])).any(), place
+        tested += 1
+    assert tested > 120
+
+
+def test_motions_go_along_edges_in_two_dimensions(impacts):
+    system = load_system(str(GALLERY / "impact_oscillator.py"))
+    graph = impacts.graph
+    (low, high), random = graph.grid.bounds(np.arange(len(graph.grid))), np.random.default_rng(8)
+    cosine, sine = (eval_fraction(x) for x in impacts.phase)
+    tested = escaped = 0
+    for box in random.choice(np.flatnonzero(~graph.unknown & (high[:, 0] < 0)), 200, replace=False):
+        state = low[box] + random.random(2) * (high[box] - low[box])
+        motion = ns.simulate(system, IMPACTS, [*state, cosine, sine], "free", until=2 * np.pi / 2.3)
+        end = motion(np.array([motion.end]))[0][:2]
+        found = impacts.targets(box)
+        inside = (low[found] <= end + 1e-9) & (end - 1e-9 <= high[found])
+        if not inside.all(axis=1).any():
+            assert graph.outside[box], state
+            escaped += 1
+        tested += 1
+    assert tested == 200
+    assert 0 < escaped < 100
+
+
+def eval_fraction(text):
+    top, _, bottom = text.partition("/")
+    return int(top) / int(bottom or 1)
+
+
+def test_the_attracting_component_contains_the_stable_orbit(friction):
+    (attracting,) = (own for own in friction.components if own.attracting)
+    place = 4.0
+    for _ in range(60):
+        place = (place + returned(place)) / 2  # the multiplier is near -1
+    assert abs(returned(place) - place) < 1e-3
+    assert friction.box_of([place]) in attracting.boxes
+    assert attracting.visited
+    assert friction.proved
+
+
+def test_motions_do_not_leave_trapping_regions(friction, impacts):
+    trapping = set(friction.trapping)
+    assert len(trapping) > 600
+    random = np.random.default_rng(9)
+    low, high = friction.graph.grid.bounds(np.array(sorted(trapping)))
+    for place in random.choice(low[:, 0] + 0.3 * (high - low)[:, 0], 25):
+        here = place
+        for _ in range(6):
+            here = returned(here)
+            if here is None:
+                break
+            assert friction.box_of([here]) in trapping, place
+    for own in (friction, impacts):
+        inner = np.isin(own.graph.sources, own.trapping)
+        assert np.isin(own.graph.targets[inner], own.trapping).all()
+        assert not (own.graph.outside | own.graph.unknown)[own.trapping].any()
+    assert any(own.attracting for own in impacts.components)
+
+
+def test_the_check_carries_no_state_out_of_what_is_trapping(friction):
+    boxes = friction.trapping
+    with flint_precision(64):
+        system = enclosed_system("dry-friction", DATA)(64)
+        structure = system.structure
+        source, target = map(structure.configuration, (friction.source, friction.configuration))
+        reached = frozenset({structure.boundary(source, friction.boundary)})
+        section = transition_section(system, source, reached, target)
+        mapped = BranchingMap(system, section, np.ones(4), 0.5)
+        mapped.leaves(friction.graph.grid.sets(boxes))
+        kernels = load_system("dry-friction")
+        declared = visited_declaration(kernels, system, sorted(mapped.passages))
+    stated = StatedSection(
+        friction.configuration, source=friction.source, boundary=friction.boundary
+    )
+    motions = ManyMotions(declared, DATA, stated, np.ones(4), 0.5)
+    found = motions.arrivals(friction.graph.grid.sets(boxes))
+    assert not found.lost.any()
+    _, met, inside = friction.graph.grid.numbers_met(found.low, found.high)
+    assert inside.all()
+    assert np.isin(met, boxes).all()
+    (attracting,) = (own.boxes for own in friction.components if own.attracting)
+    own = np.isin(boxes[found.origin], attracting)
+    _, met, _ = friction.graph.grid.numbers_met(found.low[own], found.high[own])
+    assert np.isin(met, attracting).all()
+
+
+def graph_of(edges, count, outside=(), unknown=()):
+    """Boxes of width 1; the image of each is inside of those that edges name."""
+    grid = BoxGrid((0,), (0,), (count,))
+    origin = np.array([i for i, _ in edges] + list(outside))
+    low = np.array([[j + 0.25] for _, j in edges] + [[count + 5.5]] * len(outside))
+    lost = np.isin(np.arange(count), unknown)
+    return BoxGraph.of_leaves(grid, [(0, Leaves(origin, low, low + 0.5, lost))])
+
+
+def test_components_trapping_regions_and_the_morse_graph_of_a_small_graph():
+    # 0 <-> 1 -> 2 -> (3) -> 4 <-> 5; 6 -> 6 and outside; 7 unknown; 8 -> 7; 9 nothing
+    edges = [(0, 1), (1, 0), (1, 2), (2, 3), (3, 3), (3, 4), (4, 5), (5, 4), (6, 6), (8, 7)]
+    graph = graph_of(edges, 10, outside=[6], unknown=[7])
+    assert sorted(tuple(own.tolist()) for own in graph.components) == [(0, 1), (3,), (4, 5), (6,)]
+    assert np.flatnonzero(graph.trapping).tolist() == [0, 1, 2, 3, 4, 5]
+    names = [tuple(own.tolist()) for own in graph.components]
+    arrows = {(names[i], names[j]) for i, j in graph.arrows()}
+    assert arrows == {((0, 1), (3,)), ((3,), (4, 5))}
+    assert np.flatnonzero(graph.ahead(np.array([2]))).tolist() == [2, 3, 4, 5]
+    assert np.flatnonzero(graph.behind(np.array([7]))).tolist() == [7, 8]
+
+
+@pytest.mark.parametrize("bad", [np.inf, -np.inf, np.nan, 1e300])
+def test_images_that_are_no_boxes_are_not_known_or_outside(bad):
+    grid = BoxGrid((0,), (0,), (4,))
+    low, high = np.array([[1.2], [min(bad, 1.0)]]), np.array([[1.4], [max(bad, 1.0)]])
+    leaves = Leaves(np.array([0, 1]), low, high, np.zeros(4, dtype=bool))
+    graph = BoxGraph.of_leaves(grid, [(0, leaves)])
+    assert (graph.outside | graph.unknown).tolist() == [False, True, False, False]
+    assert not graph.trapping[1]
+
+
+def test_what_cannot_be_asked_is_refused():
+    start = [5, 4, 0.5, 0.25]
+    with pytest.raises(InputError, match="x1 is no coordinate"):
+        ns.certify_graph("dry-friction", DATA, start, region={"x1": (0, 1)})
+    with pytest.raises(InputError, match="no interval"):
+        ns.certify_graph("dry-friction", DATA, start, region={"x2": (4, 4)})
+    with pytest.raises(InputError, match="boxes = 0"):
+        ns.certify_graph("dry-friction", DATA, start, boxes=0)
+    found = ns.certify_graph("dry-friction", DATA, start, region={"x2": (4, 5)}, boxes=8)
+    with pytest.raises(InputError, match="not in the region"):
+        found.box_of([9])
+
+
+def test_a_picture_shows_the_components(friction, impacts):
+    for own in (friction, impacts):
+        figure = own.plot()
+        boxes, _ = figure.axes
+        told = [text.get_text() for text in boxes.get_legend().get_texts()]
+        assert sum("attracting" in text for text in told) == 1
+        assert any(text.startswith("trapping region") for text in told)
