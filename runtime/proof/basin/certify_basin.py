@@ -186,7 +186,7 @@ class _BasinQuestion:
         count = len(self.limits)
         with flint_precision(_BITS):
             return BranchingMap(
-                self.system, met.section, np.ones(count), self.widest, self.most, _LONGEST
+                self.system, met.section, np.ones(count), self.widest, self.most, _LONGEST, 1.0
             )
 
     @property
@@ -195,7 +195,7 @@ class _BasinQuestion:
         return BoxGrid.around(low, high, np.full(len(low), self.side))
 
     def _section_grid(self, met: MetSection, core: AttractingCore) -> BoxGrid:
-        """Boxes around the core that are small against it: those next to it have to lead into it."""
+        """Boxes that are small against the core: those next to it have to lead into it."""
         free = list(met.section.free)
         low, high = (self.whole if met.section.phase is None else self.limits)[free].T
         centre, sides = core.h_set.near

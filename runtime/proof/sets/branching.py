@@ -100,6 +100,9 @@ class BranchingMap:
         Parts of one set, at most.
     longest : int
         Transitions on one way, at most.
+    finest : float
+        Part of a window of time into which flow pipes are divided where they touch boundaries.
+        Small sets take 1/8; large ones become more parts by it, and hardly narrower.
     passages : set of PassedTransition
         All transitions that some set has passed.
     """
@@ -110,6 +113,7 @@ class BranchingMap:
     widest: float = np.inf
     most: int = 400
     longest: int = 40
+    finest: float = 0.125
     passages: set[PassedTransition] = field(default_factory=set)
 
     def __post_init__(self) -> None:
@@ -504,7 +508,7 @@ class _StartedPhase:
             # states that reach a boundary just then are both on the section and beyond it
             self.under.append(True)
         self.begins = [Rounded.of(f.leading) for f in self.functions]
-        self.phase = PhaseEnds(mapped._flows[here], self.functions)
+        self.phase = PhaseEnds(mapped._flows[here], self.functions, mapped.finest)
 
     def ends(self, parts: _SetParts, work: _PartsLeft) -> Iterator[EndedSets]:
         """The ways in which it may end; origins are numbers of the parts."""

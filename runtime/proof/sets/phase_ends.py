@@ -28,7 +28,7 @@ CLOCK = -1  # stands for the boundary at which the forcing has the section's pha
 _CHUNK = 16  # windows at once
 _LONGEST = 1500  # windows of one phase
 _LOOSE = 0.5  # part of a set's size by which a pipe may be larger, if it can be shorter
-_LEAST, _PIPE = 0.125, 64.0  # windows of a pipe
+_PIPE = 64.0  # windows of a pipe, at most
 _REFINED = 3  # steps of Newton's method for the times of a pipe
 
 
@@ -78,12 +78,16 @@ class PhaseEnds:
     ----------
     flow : FloatFlow
     functions : sequence of WatchedFunction
+    finest : float
+        Part of a window: pipes are not divided further.
     """
 
-    def __init__(self, flow: FloatFlow, functions: Sequence[WatchedFunction]) -> None:
+    def __init__(
+        self, flow: FloatFlow, functions: Sequence[WatchedFunction], finest: float
+    ) -> None:
         from flint import arb, arb_mat
 
-        self.flow, self.functions = flow, tuple(functions)
+        self.flow, self.functions, self.finest = flow, tuple(functions), finest
         self._rows = arb_mat([f.row.entries() for f in functions] or [[arb(0)] * flow.size])
         self._single = [(Rounded.of(f.row), Rounded.of(f.row * flow.field)) for f in self.functions]
         self._windows: dict[int, Windows] = {}
@@ -246,7 +250,7 @@ class PhaseEnds:
         grows = (spread @ field.T).max(axis=1)
         bends = np.abs(states.centre @ curve.T).max(axis=1) + 1e-300
         half = (np.sqrt(grows**2 + 4 * _LOOSE * bends * size) - grows) / bends
-        found: Floats = np.clip(2 * half, _LEAST * self.flow.step, _PIPE * self.flow.step)
+        found: Floats = np.clip(2 * half, self.finest * self.flow.step, _PIPE * self.flow.step)
         return found
 
     def _shorter(

@@ -1,0 +1,130 @@
+"""The check of basins: true files pass, and false ones do not."""
+
+import json
+
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.core.result_files import checksum_of
+
+DATA = {
+    "chi": "0.5",
+    "eta": "1",
+    "V": "1",
+    "us1": "1",
+    "us2": "1",
+    "ur1": "4.0195",
+    "ur2": "1.4831",
+}
+# its corner in x1 and x2 leads to the orbit, far from it motions slip for long
+BOX = {"x1": (2, 5), "x2": (6, 8), "v1": (-0.5, 0.5), "v2": (-0.5, 0.5)}
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory):
+    orbit = ns.solve("dry-friction/global-stick", DATA)
+    path = tmp_path_factory.mktemp("basin") / "basin.json"
+    found = ns.certify_basin(orbit, box=BOX, side=0.25, tiles=200)
+    assert 0 < found.attracted.sum() < 200
+    found.save(path)
+    return path
+
+
+@pytest.fixture
+def content(path):
+    return json.loads(path.read_text())
+
+
+def refused(content, tmp_path, told):
+    path = tmp_path / "false.json"
+    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    try:
+        difference = ns.check_certificate(path).difference
+    except ns.InputError as problem:
+        difference = str(problem)
+    assert difference is not None
+    assert told in difference, difference
+
+
+def test_a_true_file_is_proved_again(path):
+    check = ns.check_certificate(path)
+    assert check.difference is None
+    assert check.claims == {"basin": "proved"}
+    assert check.compared
+
+
+def flat(runs):
+    return [value for value, count in runs for _ in range(count)]
+
+
+def runs(values):
+    found = []
+    for value in values:
+        if found and found[-1][0] == value:
+            found[-1][1] += 1
+        else:
+            found.append([value, 1])
+    return found
+
+
+def edited_ranks(content, change):
+    ranks = flat(content["ranks"])
+    change(ranks)
+    return {**content, "ranks": runs(ranks)}
+
+
+def test_a_box_that_leads_elsewhere_has_no_rank(content, tmp_path):
+    def too_near(ranks):
+        ranks[ranks.index(max(ranks))] = 1
+
+    refused(edited_ranks(content, too_near), tmp_path, "a box of the rank 1")
+
+
+def test_a_box_beside_the_core_is_not_in_it(content, tmp_path):
+    def wider(ranks):
+        last = max(k for k, rank in enumerate(ranks) if rank == 0)
+        ranks[last + 1] = 0
+
+    refused(edited_ranks(content, wider), tmp_path, "not in the core")
+
+
+def test_tiles_that_are_not_attracted_are_not_stated_to_be(content, tmp_path):
+    verdicts = flat(content["verdicts"])
+    # the last tiles are those of the largest x1 and x2
+    last = max(k for k, verdict in enumerate(verdicts) if verdict == 1)
+    verdicts[last] = 2
+    refused({**content, "verdicts": runs(verdicts)}, tmp_path, "a tile may lead elsewhere")
+
+
+def test_another_core_is_refused(content, tmp_path):
+    core = content["core"]
+    wide = {**core, "sides": [["3.5"]]}
+    refused({**content, "core": wide}, tmp_path, "the core")
+    beside = {**core, "centre": ["9.5"], "sides": [["0.01"]]}
+    refused({**content, "core": beside}, tmp_path, "the core")
+    refused({**content, "contraction": "1/2"}, tmp_path, "the core")
+    refused({**content, "contraction": "1"}, tmp_path, "the core is not contracted")
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "told"),
+    [
+        ("iterates", 2, "a way does not lead back"),
+        ("coordinates", ["x1"], "coordinates"),
+        ("states", ["x2", "x1", "v1", "v2"], "tiles of other states"),
+        ("widest", 0.0, "no limits of sets"),
+        ("boundary", "second-breaks-forward", "no such transition"),
+        ("ranks", [[0, 3]], "another number of boxes"),
+        ("claim", "undecided", "numbers of no claim"),
+        ("reason", "a reason", "a reason why it is not proved"),
+    ],
+)
+def test_other_entries_are_refused(content, tmp_path, name, value, told):
+    refused({**content, name: value}, tmp_path, told)
+
+
+def test_another_declaration_is_refused(content, tmp_path):
+    declared = json.loads(json.dumps(content["declaration"]))
+    rows = declared["configurations"]["slip-slip"]["boundaries"]
+    rows.pop(next(iter(rows)))
+    refused({**content, "declaration": declared}, tmp_path, "")
