@@ -36,6 +36,7 @@ CHAOS = (
     "chaos dry-friction chi=0.34 eta=2.88 V=1.23 us1=0.75 us2=1.19 ur1=2.04 ur2=1.83"
     " --from x1=1.93,x2=7.18,v1=1.18,v2=1.18"
 )
+BASIN = f"basin {ORBIT} us1=1 us2=1 ur1=4.0195 ur2=1.4831 --side 1 --tiles 10"
 # each option that names a file or a folder to be written, and a command that asks for little
 WRITERS = {
     ("equations", "--out"): "equations mine.py --format markdown --out TARGET",
@@ -46,6 +47,8 @@ WRITERS = {
     ("regenerate", "--out"): "regenerate rigid-stop --out TARGET",
     ("certify", "--save"): f"certify {ORBIT} V=0.99:1.01 --tiles 1 --save TARGET",
     ("certify", "--plot"): f"certify {ORBIT} V=0.99:1.01 --tiles 1 --plot TARGET.png",
+    ("basin", "--save"): f"{BASIN} --save TARGET",
+    ("basin", "--plot"): f"{BASIN} --plot TARGET.png",
     ("chaos", "--save"): f"{CHAOS} --save TARGET",
     ("chaos", "--plot"): f"{CHAOS} --plot TARGET.png",
     ("graph", "--plot"): f"{CHAOS.replace('chaos', 'graph')} --boxes 32 --plot TARGET.png",

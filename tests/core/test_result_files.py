@@ -232,6 +232,11 @@ def chaotic() -> Any:
     return ns.certify_chaos("dry-friction", data, (1.93, 7.18, 1.18, 1.18))
 
 
+def basin() -> Any:
+    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+    return ns.certify_basin(ns.solve("dry-friction/global-stick", data), side=1.0, tiles=10)
+
+
 def proven_map() -> Any:
     return ns.certify_box(loop(), {"r": ("2/5", "3/5")})
 
@@ -250,6 +255,7 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth event certificate": event,
     "nonsmooth certified branch": certified,
     "nonsmooth certified cascade": doubled,
+    "nonsmooth basin certificate": basin,
     "nonsmooth chaos certificate": chaotic,
     "nonsmooth census": census,
 }

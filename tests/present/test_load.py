@@ -32,6 +32,7 @@ TYPES: dict[str, type] = {
     "nonsmooth event certificate": tuple,
     "nonsmooth certified branch": ns.CertifiedBranch,
     "nonsmooth certified cascade": ns.CertifiedCascade,
+    "nonsmooth basin certificate": ns.BasinCertificate,
     "nonsmooth chaos certificate": ns.ChaosCertificate,
     "nonsmooth census": ns.Census,
 }

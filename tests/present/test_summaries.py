@@ -84,6 +84,9 @@ def result(kind: str) -> Any:
             return ns.certify_branch(branch())
         case "CertifiedCascade":
             return ns.certify_cascade(branch(), tiles=2)
+        case "BasinCertificate":
+            words = {**DATA, "chi": "0.5", "ur1": "4.0195", "ur2": "1.4831", "us1": 1, "us2": 1}
+            return ns.certify_basin(ns.solve(ORBIT, {**words, "eta": 1, "V": 1}), tiles=0)
         case "ChaosCertificate":
             words = {**DATA, "chi": "0.5"}
             return ns.certify_chaos("dry-friction", words, REST, iterates=1, attempts=1)
