@@ -165,6 +165,14 @@ def _certified_cascade(path: Path) -> Drawn:
     return _of_orbit(load_certified_cascade(path))
 
 
+def _basin(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.basin_certificates import load_basin_certificate
+    from nonsmooth.runtime.present.pictures.certified_basins import basin_figure
+
+    found = load_basin_certificate(path)
+    return {"orbit": found.orbit}, basin_figure(found)
+
+
 def _chaos(path: Path) -> Drawn:
     from nonsmooth.runtime.present.files.chaos_certificates import load_chaos_certificate
     from nonsmooth.runtime.present.pictures.horseshoes import chaos_figure
@@ -201,6 +209,7 @@ _IN_ONE_WAY: dict[str, tuple[str, Callable[[Path], Drawn]]] = {
     "nonsmooth box certificate": ("a proven map", _proven_map),
     "nonsmooth certified branch": ("a certified branch", _certified_branch),
     "nonsmooth certified cascade": ("a certified cascade", _certified_cascade),
+    "nonsmooth basin certificate": ("a certificate of a basin", _basin),
     "nonsmooth chaos certificate": ("a certificate of chaos", _chaos),
     "nonsmooth sweep": ("a sweep", _sweep),
     "nonsmooth fit": ("a fit", _fit),
