@@ -5,6 +5,7 @@ import sys
 
 from nonsmooth.runtime.checker import (
     check,
+    check_basin,
     check_branch,
     check_cascade,
     check_census,
@@ -15,7 +16,9 @@ from nonsmooth.runtime.checker import (
 
 with open(sys.argv[1], encoding="utf-8") as file:
     content = json.load(file)
-if "doublings" in content:
+if "ranks" in content:
+    check_basin(content)
+elif "doublings" in content:
     check_cascade(content)
 elif "unknown_names" in content:
     check_branch(content)
