@@ -5,7 +5,6 @@ inside) and of what vanishes in it; of each transition its conditions and its af
 carry a last entry 1, so that every affine map is one matrix and every affine function one row.
 """
 
-import json
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from math import factorial
@@ -29,6 +28,14 @@ from nonsmooth.runtime.core.rational_functions import RationalFunction
 __all__ = ["StatedBoundary", "StatedPhase", "StatedSystem", "Step", "Transition", "Way", "gauge_of"]
 
 _FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches no boundary
+
+
+def _has_balls(entry: Any) -> bool:
+    """Whether a number of a declaration is a ball."""
+    if isinstance(entry, dict):
+        ball = entry.keys() == {"mid", "rad"} and isinstance(entry["mid"], str)
+        return ball or any(map(_has_balls, entry.values()))
+    return isinstance(entry, list) and any(map(_has_balls, entry))
 
 
 class Transition(NamedTuple):
@@ -119,7 +126,7 @@ class StatedSystem:
     ) -> None:
         declared, self.closing = content["declaration"], content["closing"]
         names, self.poles, self.exactly = declared["parameters"], list[Any](), Elimination()
-        self.rational = '"mid"' not in json.dumps(declared)
+        self.rational = not _has_balls(declared)
         self.bound = sorted(names) == sorted(values)
         demand(self.bound or not names, "the declaration is not over the parameters that are named")
         self.variables = [*(values[name] for name in names), *constants]

@@ -334,6 +334,15 @@ def test_constants_are_checked_and_balls_may_not_be_wider(content: dict[str, Any
     refused(content)
 
 
+@of("soft")
+def test_names_are_not_taken_for_numbers(content: dict[str, Any]) -> None:
+    name = content["itinerary"][0][0]
+    renamed = json.loads(json.dumps(content).replace(f'"{name}"', '"mid"'))
+    assert renamed["itinerary"][0][0] == "mid"
+    renamed["sha256"] = checksum_of(renamed)
+    check(renamed)
+
+
 def test_the_declaration_is_the_declared_one() -> None:
     """Matrices of the file, functions of the parameters, against those of the paper's section."""
     found = certificate("global-stick")
