@@ -21,8 +21,7 @@ __all__ = ["basin"]
     epilog="Examples:\n\n"
     "nonsmooth basin dry-friction/global-stick us1=1 us2=1 ur1=4.0195 ur2=1.4831"
     " --box x1=3:5,x2=6:9,v1=0:1,v2=0:1 --side 0.125 --tiles 2000 --save basin.json"
-    " --plot basin.png\n\n"
-    "nonsmooth certify --check basin.json"
+    " --plot basin.png"
 )
 @answering
 def basin(
@@ -70,6 +69,8 @@ def basin(
 
     Around the orbit a set is proved to be contracted; then boxes of a section, and tiles of a
     box of starts, are proved to lead there. What is not proved may be attracted nevertheless.
+
+    `certify --check` proves what is saved again.
     """
     from nonsmooth.runtime.cli.display import shared, steps
     from nonsmooth.runtime.cli.display_basins import show_basin
