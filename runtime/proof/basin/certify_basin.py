@@ -311,7 +311,8 @@ class _BasinQuestion:
         asked = self.undecided(met, "")
         if known.tiles is not None:
             check_same_question("basin", {"box or side": self._tiles}, {"box or side": known.tiles})
-        names = ("system", "orbit", "parameters", "configuration", "source", "boundary", "widest")
+        names = ["system", "orbit", "parameters", "configuration", "phase", "source", "boundary"]
+        names += [] if known.phase else ["widest"]
         check_same_question(
             "basin",
             {name: getattr(asked, name) for name in names},
