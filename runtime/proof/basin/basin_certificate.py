@@ -21,7 +21,7 @@ __all__ = ["BasinCertificate"]
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class BasinCertificate(Kept):
-    """Starts from which every motion tends to one periodic orbit.
+    """Starts from which every motion tends to one periodic orbit, the one through the core.
 
     P is the map from a section to itself. It contracts the core, so that there is one orbit
     through it which attracts all of it. Boxes of the section of the rank 1 are mapped into the

@@ -149,6 +149,10 @@ def certify_basin(
         if resume is not None:
             question.check_same(resume, met)
             return question.tiled(met, resume, tiles, keep)
+        if orbit.admissibility.verdict is False:
+            return question.undecided(met, "the orbit is no motion of the system")
+        if orbit.stability.verdict != "stable":
+            return question.undecided(met, f"the orbit is {orbit.stability.verdict}")
         scale = float(np.abs(whole[list(met.section.free)]).max())
         try:
             core = attracting_core(enclosed, met.section, met.iterates, met.point, scale)
