@@ -21,12 +21,13 @@ from nonsmooth.runtime.checker.shape import BASIN, check_bits, check_shape
 from nonsmooth.runtime.checker.switching import StatedSection
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.float_sets import ManySets, Rounded
+from nonsmooth.runtime.core.processes import in_processes
 
 __all__ = ["check_basin"]
 
 _BITS = 80
 _MOST, _FINEST = 4000, fmpq(1, 2**10)  # parts of the core, and of their sides
-_BATCH = 1024
+_BATCH = 8192
 _LONGEST = 24  # transitions on one way
 _MORE = 8  # times the parts of one set that the file states
 _HALVINGS = 4  # of a box that is lost or comes elsewhere too, as a whole
@@ -34,13 +35,21 @@ _LARGEST = 10**8  # boxes of a grid
 _SIDES = 40  # powers of 2: of a side
 
 
-def check_basin(content: dict[str, Any]) -> None:
+def check_basin(
+    content: dict[str, Any],
+    workers: int = 1,
+    progress: Callable[[int, int], object] = lambda done, count: None,
+) -> None:
     """Prove a basin again; Failure says what cannot be.
 
     Parameters
     ----------
     content : dict
         The file, read as JSON.
+    workers : int
+        Processes that follow tiles.
+    progress : callable
+        Told how many tiles of how many are proved again.
 
     Raises
     ------
@@ -63,17 +72,8 @@ def check_basin(content: dict[str, Any]) -> None:
     demand(0 < widest < float("inf") and 0 < content["most"] <= 10**5, "no limits of sets")
     with ctx.workprec(_BITS):
         core = _check_core(content)
-        section = StatedSection(
-            content["configuration"], tuple(content["phase"]), content["source"],
-            content["boundary"],
-        )  # fmt: skip
-        declared, count = content["declaration"], len(content["declaration"]["states"])
-        motions = ManyMotions(
-            declared, content["parameters"], section, [1.0] * count, widest,
-            _MORE * content["most"], _LONGEST,
-        )  # fmt: skip
-        grid, ranks = _check_ranks(content, motions, core)
-        _check_tiles(content, motions, grid, grid.sums(ranks >= 0))
+        grid = _check_ranks(content, _motions(content), core)
+    _check_tiles(content, grid, workers, progress)
 
 
 def _check_core(content: dict[str, Any]) -> Rounded:
@@ -120,10 +120,8 @@ def _contracted(part: SectionPart, box: Box, told: Any) -> bool:
     return all(bool(total < arb(told)) for total in sums)
 
 
-def _check_ranks(
-    content: dict[str, Any], motions: ManyMotions, core: Rounded
-) -> tuple[BoxGrid, Any]:
-    """Boxes of the section have the ranks that are stated."""
+def _check_ranks(content: dict[str, Any], motions: ManyMotions, core: Rounded) -> BoxGrid:
+    """Boxes of the section have the ranks that are stated; gives their grid."""
     named = [motions.system.states[k] for k in motions.free]
     demand(content["coordinates"] == named, "the coordinates are not those of the section")
     grid = _grid(content["grid"], len(named))
@@ -150,29 +148,66 @@ def _check_ranks(
             lifted = starts.mapped(motions.lift(motions.facts, timed=False))
             good = _lead(motions, lifted, motions.section.configuration, motions.facts, known)
             demand(good, f"a box of the rank {rank} may lead elsewhere")
-    return grid, ranks
+    return grid
 
 
-def _check_tiles(content: dict[str, Any], motions: ManyMotions, grid: BoxGrid, sums: Any) -> None:
+def _check_tiles(
+    content: dict[str, Any], grid: BoxGrid, workers: int, progress: Callable[[int, int], object]
+) -> None:
     """From tiles that are stated to be attracted all motions come to boxes with a rank."""
     if content["tiles"] is None:
         demand(not content["verdicts"] and not content["states"], "verdicts of no tiles")
         return
-    states = motions.system.states
-    demand(content["states"] == states and not motions.forced, "tiles of other states")
+    states = content["declaration"]["states"]
+    demand(content["states"] == states and not content["phase"], "tiles of other states")
     tiles = _grid(content["tiles"], len(states))
     verdicts = _listed(content["verdicts"], tiles)
     demand(verdicts.min() >= 0 and verdicts.max() <= 2, "no such verdicts")
+    good = np.flatnonzero(verdicts == 2)
+    size = max(1, min(_BATCH, -(-len(good) // workers)))
+    batches = (good[begin : begin + size] for begin in range(0, len(good), size))
+    given, done = {**content, "verdicts": []}, 0
+    for numbers, led in in_processes(_begin_tiles, given, batches, workers):
+        demand(led, "a tile may lead elsewhere")
+        done += len(numbers)
+        progress(done, len(good))
+
+
+def _begin_tiles(content: dict[str, Any]) -> Callable[[Any], bool]:
+    """What says of tiles, by their numbers, whether all motions from them come to known boxes."""
+    with ctx.workprec(_BITS):
+        motions = _motions(content)
+    demand(not motions.forced, "tiles of other states")
+    grid = _grid(content["grid"], len(motions.free))
+    tiles = _grid(content["tiles"], len(motions.system.states))
+    sums = grid.sums(_listed(content["ranks"], grid) >= 0)
     whole = [name for name, rows in motions.system.held.items() if not rows]
     demand(whole, "no configuration in which all states are free")
-    good = np.flatnonzero(verdicts == 2)
-    for begin in range(0, len(good), _BATCH):
-        boxes = tiles.sets(good[begin : begin + _BATCH])
+
+    def lead(numbers: Any) -> bool:
+        boxes = tiles.sets(numbers)
         parts = (np.insert(x, x.shape[1] - 1, 0.0, axis=1) for x in vars(boxes).values())
         starts = ManySets(*parts)
-        for name in whole:
-            led = _lead(motions, starts, name, (), lambda *box: grid.covered(sums, *box))
-            demand(led, "a tile may lead elsewhere")
+        with ctx.workprec(_BITS):
+            return all(
+                _lead(motions, starts, name, (), lambda *box: grid.covered(sums, *box))
+                for name in whole
+            )
+
+    return lead
+
+
+def _motions(content: dict[str, Any]) -> ManyMotions:
+    """Sets of states on their way to the section that is stated."""
+    section = StatedSection(
+        content["configuration"], tuple(content["phase"]), content["source"], content["boundary"]
+    )
+    declared = content["declaration"]
+    scales = [1.0] * len(declared["states"])
+    most = _MORE * content["most"]
+    return ManyMotions(
+        declared, content["parameters"], section, scales, content["widest"], most, _LONGEST
+    )
 
 
 def _lead(

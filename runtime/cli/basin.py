@@ -11,7 +11,14 @@ from nonsmooth.runtime.cli.application import NOT_MET, answering, app, assignmen
 from nonsmooth.runtime.cli.certifying import Proven
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, say, worked
 from nonsmooth.runtime.cli.long_proofs import LongProof
-from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess, Plot, SaveResult
+from nonsmooth.runtime.cli.options import (
+    AsJson,
+    Assignments,
+    Guess,
+    Plot,
+    SaveResult,
+    Workers,
+)
 from nonsmooth.runtime.core.errors import InputError
 
 __all__ = ["basin"]
@@ -21,7 +28,9 @@ __all__ = ["basin"]
     epilog="Examples:\n\n"
     "nonsmooth basin dry-friction/global-stick us1=1 us2=1 ur1=4.0195 ur2=1.4831"
     " --box x1=3:5,x2=6:9,v1=0:1,v2=0:1 --side 0.125 --tiles 2000 --save basin.json"
-    " --plot basin.png"
+    " --plot basin.png\n\n"
+    "nonsmooth basin dry-friction/global-stick us1=1 us2=1 ur1=4.0195 ur2=1.4831 --tiles 800000"
+    " --workers 2 --resume basin.json"
 )
 @answering
 def basin(
@@ -53,6 +62,7 @@ def basin(
     parts: Annotated[
         int, typer.Option("--parts", metavar="N", help="Parts of one tile, at most.")
     ] = 60,
+    workers: Workers = 1,
     require: Annotated[
         Proven | None, typer.Option("--require", help="Exit with 3 unless a basin is proved.")
     ] = None,
@@ -69,6 +79,8 @@ def basin(
 
     Around the orbit a set is proved to be contracted; then boxes of a section, and tiles of a
     box of starts, are proved to lead there. What is not proved may be attracted nevertheless.
+
+    Tiles are looked at where most of them have been attracted so far.
 
     `certify --check` proves what is saved again.
     """
@@ -102,6 +114,7 @@ def basin(
                 side=side,
                 tiles=tiles,
                 most=parts,
+                workers=workers,
                 resume=known,
                 progress=progress,
                 keep=proof.keep,

@@ -164,6 +164,12 @@ def certify(
             help="With --doublings: after so long nothing more is begun; --resume goes on.",
         ),
     ] = None,
+    workers: Annotated[
+        int,
+        typer.Option(
+            "--workers", min=1, metavar="N", help="With --check: processes that share a basin."
+        ),
+    ] = 1,
     yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
@@ -186,7 +192,9 @@ def certify(
         chosen = (every, events, branch, beyond, overwrite, yes)
         if any(chosen) or any(option is not None and option != [] for option in options):
             raise InputError("--check takes a file, and perhaps its orbit, and nothing else")
-        return _check(check, orbit, require, as_json=as_json)
+        return _check(check, orbit, require, workers, as_json=as_json)
+    if workers != 1:
+        raise InputError("--workers goes with --check")
     if orbit is None:
         raise InputError("an orbit is missing, or --check FILE")
     if every + events + branch + (doublings is not None) > 1:
@@ -277,14 +285,21 @@ def _certify(
     )
 
 
-def _check(path: Path, declared: str | None, require: Proven | None, *, as_json: bool) -> int:
-    from nonsmooth.runtime.cli.display import steps
+def _check(
+    path: Path, declared: str | None, require: Proven | None, workers: int, *, as_json: bool
+) -> int:
+    from nonsmooth.runtime.cli.display import shared
     from nonsmooth.runtime.cli.display_checks import show_check
     from nonsmooth.runtime.present.checking.check_file import check_certificate
     from nonsmooth.runtime.proof.counting.census import Census
 
-    with steps(f"proving {path} again"):
-        found = check_certificate(path, declared)
+    with shared(f"proving {path} again") as progress:
+        found = check_certificate(
+            path,
+            declared,
+            workers=workers,
+            progress=lambda done, count: progress(done / count, done),
+        )
     if as_json:
         same = found.difference is None
         told = {"file": str(path), "same": same, "claims": dict(found.claims)}

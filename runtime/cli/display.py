@@ -268,8 +268,8 @@ def shared(what: str, counts: str = "tiles") -> Iterator[Callable[[float, int], 
         *columns, Elapsed(), *left, console=Console(stderr=True), speed_estimate_period=_LONG
     )
     with shown as progress:
-        task = progress.add_task(what, total=1.0, count=0)
-        yield lambda share, count: progress.update(task, completed=share, count=count)
+        task = progress.add_task(what, total=None, count=0)  # until a share is known
+        yield lambda share, count: progress.update(task, completed=share, total=1.0, count=count)
 
 
 def _unknowns(orbit: Orbit, found: Mapping[str, Any]) -> dict[str, str]:

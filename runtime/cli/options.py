@@ -37,6 +37,7 @@ __all__ = [
     "Start",
     "SystemName",
     "Unknown",
+    "Workers",
     "Yes",
     "known_orbits",
     "known_systems",
@@ -220,6 +221,9 @@ Over = Annotated[
 Start = Annotated[
     list[str] | None,
     typer.Option("--from", metavar="NAME=VALUE,...", help="The start: all states but a forcing's."),
+]
+Workers = Annotated[
+    int, typer.Option("--workers", min=1, metavar="N", help="Processes that share the work.")
 ]
 Yes = Annotated[
     bool,

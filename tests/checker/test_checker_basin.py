@@ -53,6 +53,18 @@ def test_a_true_file_is_proved_again(path):
     assert not check.compared  # the orbit is that through the core, whatever it is called
 
 
+def test_several_processes_prove_a_file_again(path, content, tmp_path):
+    told = []
+    check = ns.check_certificate(path, workers=2, progress=lambda *done: told.append(done))
+    assert check.difference is None
+    assert told[-1] == (check.certificate.attracted.sum(),) * 2
+    false = tmp_path / "false.json"
+    verdicts = runs([2] * len(flat(content["verdicts"])))
+    edited = {**content, "verdicts": verdicts}
+    false.write_text(json.dumps({**edited, "sha256": checksum_of(edited)}))
+    assert "elsewhere" in ns.check_certificate(false, workers=2).difference
+
+
 def flat(runs):
     return [value for value, count in runs for _ in range(count)]
 

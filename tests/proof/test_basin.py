@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.basin.attracting_core import attracting_core
+from nonsmooth.runtime.proof.basin.starting_tiles import next_tiles
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.sets.sections import transition_section
 
@@ -111,6 +113,32 @@ def test_more_tiles_are_added_to_those_that_were_looked_at(orbit, found):
     assert np.array_equal(again.attracted, more.attracted)
     with pytest.raises(ns.InputError, match="another box or side"):
         ns.certify_basin(orbit, box=BOX, side=0.25, tiles=20, resume=more)
+
+
+def test_several_processes_find_what_one_finds(orbit, found):
+    shared = ns.certify_basin(orbit, box=BOX, side=0.125, tiles=60, workers=2)
+    both = shared.looked & found.looked
+    assert both.any()
+    assert np.array_equal(shared.attracted[both], found.attracted[both])
+    with pytest.raises(ns.InputError, match="workers = 0"):
+        ns.certify_basin(orbit, workers=0)
+
+
+def test_tiles_are_looked_at_where_most_are_attracted():
+    tiles = BoxGrid((0, 0), (0, 0), (64, 64))
+    place = np.stack(np.unravel_index(np.arange(len(tiles)), tiles.counts))
+    truth = (place[0] < 24) & (place[1] >= 40)  # a corner of 14 %
+    looked, attracted = np.zeros((2, len(tiles)), dtype=bool)
+    shares = []
+    while not looked.all():
+        numbers = next_tiles(tiles, looked, attracted, 128)
+        assert not looked[numbers].any()
+        assert 0 < len(np.unique(numbers)) == len(numbers) <= 128
+        looked[numbers], attracted[numbers] = True, truth[numbers]
+        shares.append(attracted.sum() / truth.sum())
+    assert shares[0] < 0.1  # anywhere
+    assert shares[9] > 0.9  # of all 32 batches
+    assert shares[-1] == 1
 
 
 def test_files_are_read_as_they_were(found, tmp_path):

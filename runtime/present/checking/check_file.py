@@ -29,6 +29,7 @@ from nonsmooth.runtime.checker import (
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import read_file
 from nonsmooth.runtime.core.json_codec import encode
+from nonsmooth.runtime.core.processes import check_workers
 from nonsmooth.runtime.core.result_files import WRONG_SHAPE, FileFormat, parsed
 from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import flint_precision
@@ -118,10 +119,11 @@ class _Kind(NamedTuple):
     """What is done with a file: proof, record, what that states, claims."""
 
     format: FileFormat[Any]
-    check: Callable[[dict[str, Any]], None]
+    check: Callable[..., None]
     of: Callable[[Any], Any]
     entries: Callable[[Any], Any]
     claims: Callable[[Any], Mapping[str, str]]
+    divides: bool = False  # its check takes processes, and tells how far it is
 
 
 def _listed(census: Census) -> dict[str, str]:
@@ -144,13 +146,19 @@ _KINDS = {
         _Kind(CASCADE, check_cascade, certified_cascade_of, certified_cascade_entries, _own),
         _Kind(EVENTS, check_events, events_of, event_entries, events_claim),
         _Kind(CENSUS, check_census, census_of, census_entries, _listed),
-        _Kind(BASIN, check_basin, basin_of, basin_entries, _own),
+        _Kind(BASIN, check_basin, basin_of, basin_entries, _own, divides=True),
         _Kind(CHAOS, check_chaos, chaos_of, chaos_entries, lambda found: {"chaos": found.claim}),
     )
 }
 
 
-def check_certificate(path: str | os.PathLike[str], declared: str | None = None) -> Check:
+def check_certificate(
+    path: str | os.PathLike[str],
+    declared: str | None = None,
+    *,
+    workers: int = 1,
+    progress: Callable[[int, int], object] = lambda done, count: None,
+) -> Check:
     """Check a file: its checksum, its system, and all its claims, from the file alone.
 
     Of a census the certificates are checked and that they are of different orbits; the search
@@ -165,6 +173,10 @@ def check_certificate(path: str | os.PathLike[str], declared: str | None = None)
     declared : str, optional
         A system or an orbit by name, such as ``FILE.py:ORBIT``: its tables have to be those of
         the file. Without it nothing that a user declares is run.
+    workers : int
+        Processes that prove parts of a basin; other checks run in this one.
+    progress : callable
+        Told how many tiles of a basin, of how many, are proved again.
 
     Returns
     -------
@@ -175,7 +187,9 @@ def check_certificate(path: str | os.PathLike[str], declared: str | None = None)
     ------
     InputError
         If the file cannot be read, is none of these, or has entries that are missing, unknown
-        or of another type.
+        or of another type; or for a wrong number of workers.
+    NoConvergence
+        If a process of `workers` ends, for want of memory perhaps.
 
     Examples
     --------
@@ -185,6 +199,7 @@ def check_certificate(path: str | os.PathLike[str], declared: str | None = None)
     >>> check.difference is None, check.claims["existence"]
     (True, 'proved')
     """
+    check_workers(workers)
     try:
         content = parsed(read_file(Path(path), CERTIFICATE.most, CERTIFICATE.what))
         kind = _KINDS.get(str(content.get("format"))) if isinstance(content, dict) else None
@@ -195,7 +210,7 @@ def check_certificate(path: str | os.PathLike[str], declared: str | None = None)
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     try:
         with flint_precision(64):  # the one precision of the process is kept
-            kind.check(content)
+            kind.check(content, *((workers, progress) if kind.divides else ()))
         found = kind.of(entries)
         if not _agrees(encode(kind.entries(found)), content):
             return Check("what follows from other entries is not what the file says")

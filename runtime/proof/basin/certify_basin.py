@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import count
 
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded
+from nonsmooth.runtime.core.processes import check_workers, in_processes
 from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
@@ -21,9 +22,15 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.basin.attracting_core import AttractingCore, attracting_core
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.basin.basin_section import MetSection, section_of
+from nonsmooth.runtime.proof.basin.starting_tiles import (
+    BITS,
+    TileQuestion,
+    begin_tiles,
+    branching_map,
+    next_tiles,
+)
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.proof.orbit_to_prove import check_converged
 from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
 from nonsmooth.runtime.proof.sets.images import PassedTransition
@@ -31,16 +38,14 @@ from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration
 
 __all__ = ["certify_basin"]
 
-_BITS = 64  # of flows, before they are rounded to doubles
-_LONGEST = 16  # transitions from a tile to the section
-_EVERY = 10.0  # seconds between states that are kept
-_BATCH = 1024  # tiles, or boxes of the section, at once
+_EVERY = 10.0  # seconds between states that are kept, at least
+_KEEPING = 20  # times as long as it takes to keep one
+_BATCH = 8192  # tiles, or boxes of the section, at once
 _ALONG, _OF_LENGTH = 8192, 128  # boxes along a section, and in the core
 _AROUND, _OF_AREA = 256, 8  # the same along each of two coordinates
 _STRETCHED = 64  # sides of boxes of the section: wider images are divided
 _TILES = 128  # along the longest side of the box of starts
 _MOST_TILES = 50_000_000
-_SEED = 20  # of the order of tiles
 
 
 def certify_basin(
@@ -52,6 +57,7 @@ def certify_basin(
     widest: float | None = None,
     most: int = 60,
     bits: int = 96,
+    workers: int = 1,
     resume: BasinCertificate | None = None,
     progress: Callable[[float, int], object] = lambda share, tiles: None,
     keep: Callable[[BasinCertificate], object] | None = None,
@@ -61,7 +67,8 @@ def certify_basin(
     Around the orbit a set is proved to be contracted by a power of the map of a section. Then
     boxes of the section are followed, and those whose images lie in what is proved already are
     proved too, as long as there are any. Without a forcing, tiles of a box of starts are
-    followed to the section as well, in a random order. With a forcing the section holds all
+    followed to the section as well: a few of them anywhere, then those near tiles that are
+    attracted. With a forcing the section holds all
     states at one of its phases, and there are no further tiles.
 
     Parameters
@@ -82,12 +89,14 @@ def certify_basin(
         Parts of one tile, at most.
     bits : int
         Working precision of the proof around the orbit, 64 to 4096.
+    workers : int
+        Processes that follow tiles.
     resume : BasinCertificate, optional
         What was proved before of the same question.
     progress : callable
         Told which share is done, and how many tiles are attracted.
     keep : function of a BasinCertificate, optional
-        Is given the state every ten seconds.
+        Is given the state every ten seconds, of large basins less often.
 
     Returns
     -------
@@ -102,6 +111,8 @@ def certify_basin(
         another question.
     Interrupted
         By Ctrl-C; its `partial` is what is proved until then.
+    NoConvergence
+        If a process of `workers` ends, for want of memory perhaps.
 
     References
     ----------
@@ -130,6 +141,7 @@ def certify_basin(
     for name, length in (("side", side), ("widest", widest)):
         if length is not None and not (np.isfinite(length) and length > 0):
             raise InputError(f"{name} = {length!r} is not a positive number")
+    check_workers(workers)
     check_converged(orbit)
     point = orbit.problem.physical(orbit)
     if point.chosen:
@@ -148,7 +160,7 @@ def certify_basin(
         met = section_of(enclosed, motion, float(orbit.period))
         if resume is not None:
             question.check_same(resume, met)
-            return question.tiled(met, resume, tiles, keep)
+            return question.tiled(resume, tiles, workers, keep)
         if orbit.admissibility.verdict is False:
             return question.undecided(met, "the orbit is no motion of the system")
         if orbit.stability.verdict != "stable":
@@ -158,7 +170,7 @@ def certify_basin(
             core = attracting_core(enclosed, met.section, met.iterates, met.point, scale)
         except Undecided as reason:
             return question.undecided(met, reason.reason)
-    return question.tiled(met, question.on_section(met, core), tiles, keep)
+    return question.tiled(question.on_section(met, core), tiles, workers, keep)
 
 
 class _BasinQuestion:
@@ -179,19 +191,12 @@ class _BasinQuestion:
         self.orbit, self.limits, self.whole = orbit, limits, whole
         self.most, self.bits = most, bits
         self.progress = progress
-        with flint_precision(_BITS):
-            self.system = at(_BITS)
+        with flint_precision(BITS):
+            self.system = at(BITS)
         lengths = limits[:, 1] - limits[:, 0]
         self.side = float(lengths.max() / _TILES if side is None else side)
         self.wide_given = widest is not None
         self.widest = 2 * self.side if widest is None else widest
-
-    def _mapped(self, met: MetSection) -> BranchingMap:
-        count = len(self.limits)
-        with flint_precision(_BITS):
-            return BranchingMap(
-                self.system, met.section, np.ones(count), self.widest, self.most, _LONGEST, 1.0
-            )
 
     @property
     def _tiles(self) -> BoxGrid:
@@ -214,8 +219,8 @@ class _BasinQuestion:
         grid = self._section_grid(met, core)
         if met.section.phase is not None and not self.wide_given:
             self.widest = _STRETCHED * float(grid.sides.max())
-        mapped = self._mapped(met)
-        with flint_precision(_BITS):
+        with flint_precision(BITS):
+            mapped = branching_map(self.system, met.section, self.widest, self.most)
             ranks = _ranks(mapped, core.h_set, grid, self.progress)
         empty = self.undecided(met, "")
         if met.section.phase is None:
@@ -245,37 +250,46 @@ class _BasinQuestion:
 
     def tiled(
         self,
-        met: MetSection,
         known: BasinCertificate,
         more: int,
+        workers: int,
         keep: Callable[[BasinCertificate], object] | None,
     ) -> BasinCertificate:
         """The same with more tiles."""
-        grid, tiles = known.grid, known.tiles
-        if tiles is None or grid is None:
+        tiles = known.tiles
+        if tiles is None:
             return known
         looked, attracted = known.looked.copy(), known.attracted.copy()
-        mapped = self._mapped(met)
-        # in a random order, so that the share among those that were looked at is that of all
-        order = np.random.default_rng(_SEED).permutation(len(tiles))
-        order = order[~looked[order]][:more]
-        sums, kept = grid.sums(known.ranks >= 0), time.monotonic()
-        configurations = [c for c, held in enumerate(self.system.structure.constraints) if not held]
+        under_way = looked.copy()
+        goal = min(more, int((~looked).sum()))
+        size = max(1, min(_BATCH, -(-goal // workers)))
 
+        def batches() -> Iterator[NDArray[np.int_]]:
+            left = goal
+            while left:
+                numbers = next_tiles(tiles, under_way, attracted, min(size, left))
+                under_way[numbers] = True
+                left -= len(numbers)
+                yield numbers
+
+        def state() -> BasinCertificate:
+            return replace(known, looked=looked.copy(), attracted=attracted.copy())
+
+        done, due = 0, time.monotonic() + _EVERY
+        question = TileQuestion.of(self.orbit.system, known)
         try:
-            for begin in range(0, len(order), _BATCH):
-                numbers = order[begin : begin + _BATCH]
-                self.progress(begin / len(order), int(attracted.sum()))
-                with flint_precision(_BITS):
-                    good = _attracted(mapped, tiles.sets(numbers), configurations, grid, sums)
-                looked[numbers] = True
-                attracted[numbers] = good
-                if keep is not None and time.monotonic() - kept > _EVERY:
-                    keep(replace(known, looked=looked.copy(), attracted=attracted.copy()))
-                    kept = time.monotonic()
+            for numbers, good in in_processes(begin_tiles, question, batches(), workers):
+                looked[numbers], attracted[numbers] = True, good
+                done += len(numbers)
+                self.progress(done / goal, int(attracted.sum()))
+                if keep is not None and time.monotonic() > due:
+                    begun = time.monotonic()
+                    keep(state())
+                    ended = time.monotonic()
+                    due = ended + max(_EVERY, _KEEPING * (ended - begun))
         except KeyboardInterrupt:
-            raise Interrupted(replace(known, looked=looked, attracted=attracted)) from None
-        return replace(known, looked=looked, attracted=attracted)
+            raise Interrupted(state()) from None
+        return state()
 
     def undecided(self, met: MetSection, reason: str) -> BasinCertificate:
         """What is said where nothing is proved."""
@@ -368,27 +382,3 @@ def _ranks(
             return ranks
         ranks[new] = rank
     raise AssertionError
-
-
-def _attracted(
-    mapped: BranchingMap,
-    tiles: ManySets,
-    configurations: Sequence[int],
-    grid: BoxGrid,
-    sums: NDArray[np.int64],
-) -> NDArray[np.bool_]:
-    """Whether every motion from tiles comes to boxes of the section that are known."""
-    states, none = _timed(tiles), Invariants((), ())
-    good = np.ones(len(tiles), dtype=bool)
-    for configuration in configurations:
-        leaves = mapped.leaves_of(states, configuration, none)
-        outside = ~grid.covered(sums, leaves.low, leaves.high)
-        good &= ~leaves.lost
-        good[leaves.origin[outside]] = False
-    return good
-
-
-def _timed(boxes: ManySets) -> ManySets:
-    """States (y, 1) at the time 0: (y, 0, 1)."""
-    parts = (np.insert(x, x.shape[1] - 1, 0.0, axis=1) for x in vars(boxes).values())
-    return ManySets(*parts)

@@ -8,7 +8,7 @@ not where they do not.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 __all__ = ["BranchingMap", "Leaves"]
 
-_AT_ONCE = 1024  # sets
+_AT_ONCE = 4096  # sets
 _STEP = 0.125  # of the time in which the fastest motion goes half a radian
 
 
@@ -142,7 +142,13 @@ class BranchingMap:
         facts = self.section.facts
         return self.leaves_of(starts.mapped(self.lift(facts)), self.section.configuration, facts)
 
-    def leaves_of(self, starts: ManySets, configuration: int, facts: Invariants) -> Leaves:
+    def leaves_of(
+        self,
+        starts: ManySets,
+        configuration: int,
+        facts: Invariants,
+        wanted: Callable[[Floats, Floats], NDArray[np.bool_]] | None = None,
+    ) -> Leaves:
         """The same for states anywhere.
 
         Parameters
@@ -152,6 +158,9 @@ class BranchingMap:
         configuration : int
         facts : Invariants
             What is exactly true of the states.
+        wanted : callable, optional
+            Of bounds (L, d) each, whether leaves are where they should be: sets with others are
+            lost, and not followed further.
 
         Returns
         -------
@@ -176,9 +185,10 @@ class BranchingMap:
                 continue
             for next_kind, next_parts, forced in self._behind_phase(kind, parts, work):
                 if self._is_leaf(next_kind, forced, kind):
-                    low, high = next_parts.states.hull
-                    free = list(self.section.free)
-                    found.append((next_parts.origin, low[:, free], high[:, free]))
+                    low, high = (x[:, list(self.section.free)] for x in next_parts.states.hull)
+                    if wanted is not None:
+                        work.lose(next_parts.origin[~wanted(low, high)])
+                    found.append((next_parts.origin, low, high))
                 else:
                     work.add(next_kind, next_parts)
         size = len(self.section.free)

@@ -1,0 +1,172 @@
+"""Work in processes beside this one: batches go out, and what is found comes back in their order.
+
+A process is a new interpreter that is told by pickles what to do, so that nothing of the caller's
+program is run again in it.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import subprocess
+import sys
+import threading
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager, suppress
+from typing import IO, Any, NamedTuple, TypeVar
+
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
+
+__all__ = ["check_workers", "in_processes", "serve"]
+
+_CHILD = "from nonsmooth.runtime.core.processes import serve; serve()"
+_MOST = 1024
+_AHEAD = 1  # batches beyond those that are worked on
+
+Given = TypeVar("Given")
+Batch = TypeVar("Batch")
+Found = TypeVar("Found")
+
+
+class _Raised(NamedTuple):
+    """What a process raised in place of an answer."""
+
+    problem: Exception
+
+
+def check_workers(workers: int) -> None:
+    """Refuse what is no number of processes.
+
+    Parameters
+    ----------
+    workers : int
+
+    Raises
+    ------
+    InputError
+    """
+    if isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= _MOST:
+        raise InputError(f"workers = {workers!r} is not an integer from 1 to {_MOST}")
+
+
+def in_processes(
+    begin: Callable[[Given], Callable[[Batch], Found]],
+    given: Given,
+    batches: Iterable[Batch],
+    workers: int,
+) -> Iterator[tuple[Batch, Found]]:
+    """Do batches of some work in several processes.
+
+    Parameters
+    ----------
+    begin : callable
+        A function of a module: makes of what is given the function that does one batch. It is
+        called once in each process.
+    given : object
+        As everything that goes to a process and back, such that it can be pickled.
+    batches : iterable
+        The next one is taken when a process is about to need it.
+    workers : int
+        Processes; with 1 the work is done in this one.
+
+    Yields
+    ------
+    tuple of (batch, found)
+        In the order of the batches.
+
+    Raises
+    ------
+    NoConvergence
+        If a process ends before its work does, for want of memory perhaps.
+    """
+    if workers == 1:
+        work = begin(given)
+        for batch in batches:
+            yield batch, work(batch)
+        return
+    waiting: deque[tuple[Batch, Future[Found]]] = deque()
+    with _processes(begin, given, workers) as submit:
+        for batch in batches:
+            waiting.append((batch, submit(batch)))
+            if len(waiting) == workers + _AHEAD:
+                batch, future = waiting.popleft()
+                yield batch, future.result()
+        for batch, future in waiting:
+            yield batch, future.result()
+
+
+@contextmanager
+def _processes(begin: Any, given: Any, workers: int) -> Iterator[Callable[[Any], Future[Any]]]:
+    """Give what submits a batch to the next process that is free; they end with the block."""
+    told, own = pickle.dumps((begin, given)), threading.local()
+    started: list[subprocess.Popen[bytes]] = []
+
+    def start() -> subprocess.Popen[bytes]:
+        process = subprocess.Popen(
+            [sys.executable, "-P", "-c", _CHILD],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            start_new_session=True,  # an interrupt of the terminal is the caller's
+        )
+        started.append(process)
+        own.process = process
+        return process
+
+    def ask(batch: Any) -> Any:
+        process = getattr(own, "process", None)
+        try:
+            if process is None:
+                process = start()
+                _pipe(process.stdin).write(told)
+            pickle.dump(batch, _pipe(process.stdin))
+            _pipe(process.stdin).flush()
+            found = pickle.load(_pipe(process.stdout))
+        except (EOFError, OSError):
+            raise NoConvergence(
+                "a process that did a part of the work ended, for want of memory perhaps: take"
+                " fewer workers, or go on from what was saved"
+            ) from None
+        if isinstance(found, _Raised):
+            raise found.problem
+        return found
+
+    pool = ThreadPoolExecutor(workers)  # each of its threads has a process
+    try:
+        yield lambda batch: pool.submit(ask, batch)
+    finally:
+        for process in started:
+            process.kill()
+        pool.shutdown(cancel_futures=True)
+        for process in started:
+            process.wait()
+            for pipe in (process.stdin, process.stdout):
+                with suppress(OSError):  # what a process that was killed had not read
+                    _pipe(pipe).close()
+
+
+def _pipe(end: IO[bytes] | None) -> IO[bytes]:
+    """The end of a pipe that was asked for."""
+    assert end is not None
+    return end
+
+
+def serve() -> None:
+    """Do what standard input tells, batch by batch: the work of such a process."""
+    with os.fdopen(os.dup(1), "wb") as answers:
+        os.dup2(2, 1)  # what is printed does not come between the answers
+        begin, given = pickle.load(sys.stdin.buffer)
+        work = None
+        while True:
+            try:
+                batch = pickle.load(sys.stdin.buffer)
+            except EOFError:
+                return
+            try:
+                work = work or begin(given)
+                found = work(batch)
+            except Exception as problem:
+                found = _Raised(problem)
+            pickle.dump(found, answers)
+            answers.flush()
