@@ -30,7 +30,8 @@ _MOST, _FINEST = 4000, fmpq(1, 2**10)  # parts of the core, and of their sides
 _BATCH = 8192
 _LONGEST = 24  # transitions on one way
 _MORE = 8  # times the parts of one set that the file states
-_HALVINGS = 4  # of a box that is lost or comes elsewhere too, as a whole
+_HALVINGS = 16  # of a box that is lost or comes elsewhere too, as a whole
+_HALVES = 1024  # of several boxes, besides two of each
 _LARGEST = 10**8  # boxes of a grid
 _SIDES = 40  # powers of 2: of a side
 
@@ -218,6 +219,7 @@ def _lead(
     known: Callable[[Any, Any], Any],
 ) -> bool:
     """Whether all states of all sets come to what is known, in parts if need be."""
+    most = 2 * len(starts) + _HALVES
     for _ in range(_HALVINGS + 1):
         found: Arrivals = motions.leaves(starts, configuration, facts)
         bad = found.lost.copy()
@@ -227,6 +229,8 @@ def _lead(
         starts = starts[bad]
         lengths = np.abs(starts.sides).max(axis=1)
         starts = starts.halves(np.argmax(lengths, axis=1))
+        if len(starts) > most:
+            return False
     return False
 
 
