@@ -7,6 +7,7 @@ shown to come to boxes of the section that have a rank.
 """
 
 from collections.abc import Callable, Sequence
+from contextlib import closing
 from math import prod
 from typing import Any
 
@@ -168,10 +169,11 @@ def _check_tiles(
     size = max(1, min(_BATCH, -(-len(good) // workers)))
     batches = (good[begin : begin + size] for begin in range(0, len(good), size))
     given, done = {**content, "verdicts": []}, 0
-    for numbers, led in in_processes(_begin_tiles, given, batches, workers):
-        demand(led, "a tile may lead elsewhere")
-        done += len(numbers)
-        progress(done, len(good))
+    with closing(in_processes(_begin_tiles, given, batches, workers)) as found:
+        for numbers, led in found:
+            demand(led, "a tile may lead elsewhere")
+            done += len(numbers)
+            progress(done, len(good))
 
 
 def _begin_tiles(content: dict[str, Any]) -> Callable[[Any], bool]:

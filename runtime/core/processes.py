@@ -12,7 +12,7 @@ import subprocess
 import sys
 import threading
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from typing import IO, Any, NamedTuple, TypeVar
@@ -56,8 +56,8 @@ def in_processes(
     given: Given,
     batches: Iterable[Batch],
     workers: int,
-) -> Iterator[tuple[Batch, Found]]:
-    """Do batches of some work in several processes.
+) -> Generator[tuple[Batch, Found], None, None]:
+    """Do batches of some work in several processes, which end when the generator is closed.
 
     Parameters
     ----------

@@ -124,6 +124,20 @@ def test_several_processes_find_what_one_finds(orbit, found):
         ns.certify_basin(orbit, workers=0)
 
 
+def test_an_interrupt_keeps_what_several_processes_found(orbit, found):
+    def interrupted(share, count):
+        if share:
+            raise KeyboardInterrupt
+
+    with pytest.raises(ns.Interrupted) as ended:
+        ns.certify_basin(
+            orbit, box=BOX, side=0.125, tiles=9000, resume=found, workers=2, progress=interrupted
+        )
+    partial = ended.value.partial
+    assert found.looked.sum() < partial.looked.sum() < partial.looked.size
+    assert partial.attracted[found.attracted].all()
+
+
 def test_tiles_are_looked_at_where_most_are_attracted():
     tiles = BoxGrid((0, 0), (0, 0), (64, 64))
     place = np.stack(np.unravel_index(np.arange(len(tiles)), tiles.counts))

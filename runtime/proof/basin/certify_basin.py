@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import closing
 from dataclasses import replace
 from itertools import count
 
@@ -278,15 +279,16 @@ class _BasinQuestion:
         done, due = 0, time.monotonic() + _EVERY
         question = TileQuestion.of(self.orbit.system, known)
         try:
-            for numbers, good in in_processes(begin_tiles, question, batches(), workers):
-                looked[numbers], attracted[numbers] = True, good
-                done += len(numbers)
-                self.progress(done / goal, int(attracted.sum()))
-                if keep is not None and time.monotonic() > due:
-                    begun = time.monotonic()
-                    keep(state())
-                    ended = time.monotonic()
-                    due = ended + max(_EVERY, _KEEPING * (ended - begun))
+            with closing(in_processes(begin_tiles, question, batches(), workers)) as found:
+                for numbers, good in found:
+                    looked[numbers], attracted[numbers] = True, good
+                    done += len(numbers)
+                    self.progress(done / goal, int(attracted.sum()))
+                    if keep is not None and time.monotonic() > due:
+                        begun = time.monotonic()
+                        keep(state())
+                        ended = time.monotonic()
+                        due = ended + max(_EVERY, _KEEPING * (ended - begun))
         except KeyboardInterrupt:
             raise Interrupted(state()) from None
         return state()
