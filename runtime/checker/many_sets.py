@@ -6,7 +6,7 @@ the boxes that are found, and the boxes may be wider. Where it is not stated wha
 is lost.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -63,6 +63,8 @@ class ManyMotions:
         Parts of one set.
     longest : int, optional
         Transitions on one way.
+    finest : float, optional
+        Part of a window of time in which sets on their way are not divided further.
 
     Attributes
     ----------
@@ -86,10 +88,11 @@ class ManyMotions:
         widest: float = np.inf,
         most: int = 400,
         longest: int = 40,
+        finest: float = 1.0,
     ) -> None:
         self.system, self.section = SwitchingSystem(declared, parameters), section
         self.scales, self.widest = np.array(scales, dtype=float), widest
-        self.most, self.longest = most, longest
+        self.most, self.longest, self.finest = most, longest, finest
         self.exactly = Elimination()
         self.facts, self.forced = section.facts(self.system, self.exactly)
         self.free = _without_pivots(self.facts, self.system.size)
@@ -156,6 +159,43 @@ class ManyMotions:
         kept = ~remaining.lost[origin]
         return Arrivals(origin[kept], low[kept], high[kept], remaining.lost)
 
+    def lead(
+        self,
+        starts: ManySets,
+        configuration: str,
+        facts: Sequence[Any],
+        known: Callable[[Any, Any, Any], Any],
+        halvings: int = 4,
+    ) -> bool:
+        """Whether all states of all sets come to what is known, in parts if need be.
+
+        Parameters
+        ----------
+        starts : ManySets
+        configuration : str
+        facts : sequence of row
+            As for `leaves`.
+        known : callable
+            Of numbers (L,) of the sets and of boxes (L, d) whether parts of these sets may come
+            to these boxes.
+        halvings : int, optional
+            Of a set that is lost or comes elsewhere too, as a whole.
+
+        Returns
+        -------
+        bool
+        """
+        origin = np.arange(len(starts))
+        for _ in range(halvings + 1):
+            found = self.leaves(starts, configuration, facts)
+            bad = found.lost.copy()
+            bad[found.origin[~known(origin[found.origin], found.low, found.high)]] = True
+            if not bad.any():
+                return True
+            starts, origin = starts[bad], np.tile(origin[bad], 2)
+            starts = starts.halves(np.argmax(np.abs(starts.sides).max(axis=1), axis=1))
+        return False
+
     def _followed(
         self, known: KnownStart, portions: Portions, remaining: Remaining
     ) -> Iterator[Portions]:
@@ -166,7 +206,7 @@ class ManyMotions:
             return
         if known not in self._phases:
             flow = self.flow(known.configuration)
-            self._phases[known] = DividingPhase(self.system, flow, known, self.forced)
+            self._phases[known] = DividingPhase(self.system, flow, known, self.forced, self.finest)
         for end in self._phases[known].departures(portions, remaining):
             for behind, own, on_section in self._behind(known, end, remaining):
                 if not on_section or end.at_once:

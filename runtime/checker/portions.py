@@ -120,10 +120,17 @@ class DividingPhase:
     known : KnownStart
     forced : list of row
         What is zero where the forcing has the section's phase; empty without one.
+    finest : float
+        As for `PhaseExits`.
     """
 
     def __init__(
-        self, system: SwitchingSystem, flow: FloatFlow, known: KnownStart, forced: Sequence[Any]
+        self,
+        system: SwitchingSystem,
+        flow: FloatFlow,
+        known: KnownStart,
+        forced: Sequence[Any],
+        finest: float,
     ) -> None:
         exactly, field = Elimination(), system.fields[known.configuration]
         self.known, lasting = known, exactly.lasting([*known.facts], field)
@@ -153,7 +160,7 @@ class DividingPhase:
             clock = arb_mat([[*(arb(0) for _ in range(system.size)), arb(1), -after]])
             facts = exactly.echelon([*lasting, *forced])
             self.functions.append(ExitFunction(frozenset(), clock, 0, facts, None))
-        self.exits = PhaseExits(flow, self.functions) if self.functions else None
+        self.exits = PhaseExits(flow, self.functions, finest) if self.functions else None
 
     def departures(self, portions: Portions, remaining: "Remaining") -> Iterator[Departure]:
         """All ways out of the phase.

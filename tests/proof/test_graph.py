@@ -9,6 +9,7 @@ import nonsmooth as ns
 from nonsmooth.runtime.checker.many_sets import ManyMotions
 from nonsmooth.runtime.checker.switching import StatedSection
 from nonsmooth.runtime.core.box_grid import BoxGrid
+from nonsmooth.runtime.core.divided_grid import DividedGrid
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_system
@@ -106,7 +107,7 @@ def test_the_attracting_component_contains_the_stable_orbit(friction):
         place = (place + returned(place)) / 2  # the multiplier is near -1
     assert abs(returned(place) - place) < 1e-3
     assert friction.box_of([place]) in attracting.boxes
-    assert attracting.visited
+    assert friction.component_of([place]) is attracting
     assert friction.proved
 
 
@@ -158,11 +159,11 @@ def test_the_check_carries_no_state_out_of_what_is_trapping(friction):
 
 def graph_of(edges, count, outside=(), unknown=()):
     """Boxes of width 1; the image of each is inside of those that edges name."""
-    grid = BoxGrid((0,), (0,), (count,))
+    grid = DividedGrid.of(BoxGrid((0,), (0,), (count,)))
     origin = np.array([i for i, _ in edges] + list(outside))
     low = np.array([[j + 0.25] for _, j in edges] + [[count + 5.5]] * len(outside))
     lost = np.isin(np.arange(count), unknown)
-    return BoxGraph.of_leaves(grid, [(0, Leaves(origin, low, low + 0.5, lost))])
+    return BoxGraph.unseen(grid).seen(np.arange(count), Leaves(origin, low, low + 0.5, lost))
 
 
 def test_components_trapping_regions_and_the_morse_graph_of_a_small_graph():
@@ -180,10 +181,10 @@ def test_components_trapping_regions_and_the_morse_graph_of_a_small_graph():
 
 @pytest.mark.parametrize("bad", [np.inf, -np.inf, np.nan, 1e300])
 def test_images_that_are_no_boxes_are_not_known_or_outside(bad):
-    grid = BoxGrid((0,), (0,), (4,))
+    grid = DividedGrid.of(BoxGrid((0,), (0,), (4,)))
     low, high = np.array([[1.2], [min(bad, 1.0)]]), np.array([[1.4], [max(bad, 1.0)]])
     leaves = Leaves(np.array([0, 1]), low, high, np.zeros(4, dtype=bool))
-    graph = BoxGraph.of_leaves(grid, [(0, leaves)])
+    graph = BoxGraph.unseen(grid).seen(np.arange(4), leaves)
     assert (graph.outside | graph.unknown).tolist() == [False, True, False, False]
     assert not graph.trapping[1]
 
