@@ -244,16 +244,16 @@ class ManyMotions:
         signs = frozenset(direction(reduced(row, end.facts)) for row in inside)
         if not end.names:
             stays = [tuple(fmpq(int(i == j)) for j in range(size + 1)) for i in range(size + 1)]
-            ways = iter([(stays, here, end.portions, signs)])
+            ways = iter([(stays, here, end.portions, end.facts, signs)])
         else:
             listed = self.system.transitions.get((here, end.names), [])
             ways = self._chosen(listed, end, signs, remaining)
         section = self.section
-        for reset, target, portions, now in ways:
+        for reset, target, portions, before, now in ways:
             if target not in self.system.fields:
                 remaining.lose(portions.origin)
                 continue
-            facts = echelon_behind(self.exactly, end.facts, reset)
+            facts = echelon_behind(self.exactly, before, reset)
             if not all(any(row[:-1]) for row in facts):
                 continue  # there are no such states
             matrix = Rounded.of(matrix_of(reset, runs=False))
@@ -264,7 +264,7 @@ class ManyMotions:
             below = frozenset(
                 name
                 for name, row in self.system.boundaries[target].items()
-                if self._stays_below(row, target, facts, reset, end.facts, now)
+                if self._stays_below(row, target, facts, reset, before, now)
             )
             turns = known.turns + (not end.names)
             if self.forced:
@@ -278,11 +278,14 @@ class ManyMotions:
 
     def _chosen(
         self, listed: list[Any], end: Departure, signs: frozenset[Any], remaining: Remaining
-    ) -> Iterator[tuple[Any, str, Portions, frozenset[Any]]]:
-        """Resets and targets: the first transition follows whose conditions hold."""
-        left = [(0, 0, end.portions, signs)]
+    ) -> Iterator[tuple[Any, str, Portions, Any, frozenset[Any]]]:
+        """Resets and targets: the first transition follows whose conditions hold.
+
+        With what is exactly zero: so is a function on a side of zero on which it never is.
+        """
+        left = [(0, 0, end.portions, list(end.facts), signs)]
         while left:
-            number, place, portions, now = left.pop()
+            number, place, portions, facts, now = left.pop()
             if not len(portions.origin):
                 continue
             if number == len(listed):
@@ -290,21 +293,25 @@ class ManyMotions:
                 continue
             conditions, reset, target = listed[number]
             if place == len(conditions):
-                yield reset, target, portions, now
+                yield reset, target, portions, facts, now
                 continue
             row, along, holds = conditions[place]
-            _, first = leading(row, self.system.fields[along], end.facts, 0)
-            sides = [(False, portions, now)]
-            if first is not None:
-                function = rounded(first)
-                up, down = portions.where(function), portions.where(negative(function))
-                sides = [
-                    (True, up, now | {direction(opposite(first))}),
-                    (False, down, now | {direction(first)}),
-                ]
-            for positive, own, then in sides:
-                following = (number, place + 1) if positive == holds else (number + 1, 0)
-                left.append((*following, own, then))
+            _, first = leading(row, self.system.fields[along], facts, 0)
+            after = {True: (number, place + 1), False: (number + 1, 0)}
+            if first is None:  # it is zero, and not positive
+                left.append((*after[not holds], portions, facts, now))
+                continue
+            for positive, side in ((True, first), (False, opposite(first))):
+                own = portions.where(rounded(side))
+                if direction(side) not in now:
+                    then = now | {direction(opposite(side))}
+                    left.append((*after[positive == holds], own, facts, then))
+                    continue
+                zero = self.exactly.echelon([*facts, first])
+                if all(any(own[:-1]) for own in zero):
+                    own = own.where(negative(rounded(side)))
+                    still = frozenset(direction(reduced(other, zero)) for other in now)
+                    left.append((number, place, own, zero, still))
 
     def _box(self, states: ManySets, signs: frozenset[Any]) -> ManySets:
         """Boxes around states for which functions are not positive."""
