@@ -212,11 +212,11 @@ def test_other_entries_are_refused(content, tmp_path, name, value, told):
 
 def test_other_parameters_and_declarations_are_refused(tmp_path):
     few = ns.certify_graph(
-        "dry-friction", DATA, [5, 4, 0.5, 0.25], region={"x2": (4, 4.5)}, boxes=3
+        "dry-friction", DATA, [5, 4, 0.5, 0.25], region={"x2": (3.75, 5)}, boxes=8
     )
     few.save(tmp_path / "few.json")
     content = json.loads((tmp_path / "few.json").read_text())
-    refused({**content, "parameters": {**content["parameters"], "ur1": "4.2"}}, tmp_path, "")
+    refused({**content, "parameters": {**content["parameters"], "ur1": "5"}}, tmp_path, "")
     declared = json.loads(json.dumps(content["declaration"]))
     rows = declared["configurations"]["slip-slip"]["boundaries"]
     rows.pop(next(iter(rows)))
