@@ -221,3 +221,17 @@ def test_other_parameters_and_declarations_are_refused(tmp_path):
     rows = declared["configurations"]["slip-slip"]["boundaries"]
     rows.pop(next(iter(rows)))
     refused({**content, "declaration": declared}, tmp_path, "")
+
+
+@pytest.mark.parametrize("region", [(11.23, 11.25), (5.51, 5.53)])
+def test_the_check_follows_sets_at_corners(region, tmp_path):
+    """One mass breaks away, or reaches the belt, just as the other one breaks away."""
+    data = {"chi": "0.34", "eta": "2.88", "V": "1.23"}
+    data |= {"us1": "0.75", "us2": "1.19", "ur1": "2.04", "ur2": "1.83"}
+    found = ns.certify_graph(
+        "dry-friction", data, [1.93, 7.18, 1.18, 1.18], region={"x2": region}, boxes=4
+    )
+    assert not found.graph.unknown.any()
+    assert found.graph.outside.any()
+    found.save(tmp_path / "corner.json")
+    assert ns.check_certificate(tmp_path / "corner.json").difference is None

@@ -157,7 +157,12 @@ def certify_graph(
         known = replace(empty, most=parts, longest=transitions)
         if resume is not None:
             _check_same(known, resume)
-            known = replace(known, graph=resume.graph)
+            known = replace(
+                known,
+                graph=resume.graph,
+                most=max(parts, resume.most),
+                longest=max(transitions, resume.longest),
+            )
         mapped = BranchingMap(
             enclosed, sampled.section, widest, 1.0, most=parts, longest=transitions
         )
