@@ -166,11 +166,11 @@ def certify_graph(
         mapped = BranchingMap(
             enclosed, sampled.section, widest, 1.0, most=parts, longest=transitions
         )
-        return _Images(mapped, known, progress, keep).refined(levels)
+        return _BoxImages(mapped, known, progress, keep).refined(levels)
 
 
 @dataclass
-class _Images:
+class _BoxImages:
     """How images are enclosed, and what is known."""
 
     mapped: BranchingMap
