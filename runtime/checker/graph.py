@@ -84,7 +84,8 @@ class _StatedGraph:
         self.target = np.repeat(first, count) + np.arange(len(self.source)) - begins
         lost = self.unknown[self.source].any() or (self.unknown & self.outside).any()
         demand(not lost, "an edge of an unknown image")
-        keys = np.sort(self.source * len(self.grid) + self.target)
+        keys = self.source * len(self.grid) + self.target
+        demand((np.diff(keys) > 0).all(), "edges are not in order")
         self.keys = np.append(keys, len(self.grid) ** 2)  # of no edge: larger than all
 
     def _flags(self, runs: Any) -> Any:

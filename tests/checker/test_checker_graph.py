@@ -136,6 +136,12 @@ def test_a_component_is_not_split(found, content, tmp_path):
     refused(rewritten(content, split), tmp_path, "the image of a box")
 
 
+def test_edges_are_stated_once_and_in_order(content, tmp_path):
+    edges = content["edges"]
+    refused({**content, "edges": [*edges, edges[-1]]}, tmp_path, "edges are not in order")
+    refused({**content, "edges": edges[::-1]}, tmp_path, "edges are not in order")
+
+
 def test_what_is_not_trapping_is_not_added(found, content, tmp_path):
     outer = next(k for k in range(len(found.graph.grid)) if k not in found.trapping)
 

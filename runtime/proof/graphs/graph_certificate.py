@@ -130,9 +130,12 @@ class GraphCertificate(Kept):
         graph = self.graph
         count, few = len(self.components), sum(own.attracting for own in self.components)
         known = f"the images of {int((~graph.unknown).sum())} of {len(graph.grid)} boxes are known"
-        stays = f"no return of a motion leaves a trapping region of {len(self.trapping)} boxes"
+        stays = f"all returns of a motion from {len(self.trapping)} trapping boxes are in these"
         parts = "component" if count == 1 else "components"
-        return f"{known}; {stays}; they recur in {count} {parts}, {few} of them attracting"
+        return (
+            f"{known}; {stays}; among known boxes motions recur in {count} {parts} alone,"
+            f" {few} of them attracting"
+        )
 
     @property
     def proved(self) -> bool:
