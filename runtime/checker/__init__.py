@@ -31,6 +31,8 @@ and sets in double precision with their linear flows. The table is in the order 
 `sets`          sets of states through the phases of a motion
 `chaos`         sets that cover each other, and the entropy of their graph
 `basin`         a set that is contracted, and boxes of starts that lead to it
+`graph`         boxes, where their images lie, and what motions do not leave
+`grids`         grids of boxes, and numbers that are stated of each box
 `cones`         cone conditions along coverings: exponents from below
 `switching`     a system whose sets may divide, and its sections
 `exits`         where many sets of states leave one configuration
@@ -46,6 +48,7 @@ from nonsmooth.runtime.checker.chaos import check_chaos
 from nonsmooth.runtime.checker.doubling import check_cascade
 from nonsmooth.runtime.checker.events import check_events
 from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.graph import check_graph
 from nonsmooth.runtime.checker.points import check
 from nonsmooth.runtime.checker.shape import Malformed
 from nonsmooth.runtime.checker.tiles import check_tiles
@@ -60,5 +63,6 @@ __all__ = [
     "check_census",
     "check_chaos",
     "check_events",
+    "check_graph",
     "check_tiles",
 ]

@@ -11,12 +11,15 @@ from nonsmooth.runtime.checker import (
     check_census,
     check_chaos,
     check_events,
+    check_graph,
     check_tiles,
 )
 
 with open(sys.argv[1], encoding="utf-8") as file:
     content = json.load(file)
-if "ranks" in content:
+if "edges" in content:
+    check_graph(content)
+elif "ranks" in content:
     check_basin(content)
 elif "doublings" in content:
     check_cascade(content)

@@ -6,9 +6,8 @@ come to the core or to boxes of smaller ranks, and so to the core in at most r s
 shown to come to boxes of the section that have a rank.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import closing
-from math import prod
 from typing import Any
 
 import numpy as np
@@ -16,7 +15,8 @@ from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.chaos import Box, SectionMotions, SectionPart
 from nonsmooth.runtime.checker.exact import check_sum, demand, exact
-from nonsmooth.runtime.checker.many_sets import Arrivals, ManyMotions
+from nonsmooth.runtime.checker.grids import listed, stated_grid
+from nonsmooth.runtime.checker.many_sets import ManyMotions
 from nonsmooth.runtime.checker.sets import TooWide
 from nonsmooth.runtime.checker.shape import BASIN, check_bits, check_shape
 from nonsmooth.runtime.checker.switching import StatedSection
@@ -31,10 +31,6 @@ _MOST, _FINEST = 4000, fmpq(1, 2**10)  # parts of the core, and of their sides
 _BATCH = 8192
 _LONGEST = 24  # transitions on one way
 _MORE = 8  # times the parts of one set that the file states
-_HALVINGS = 16  # of a box that is lost or comes elsewhere too, as a whole
-_HALVES = 1024  # of several boxes, besides two of each
-_LARGEST = 10**8  # boxes of a grid
-_SIDES = 40  # powers of 2: of a side
 
 
 def check_basin(
@@ -126,8 +122,8 @@ def _check_ranks(content: dict[str, Any], motions: ManyMotions, core: Rounded) -
     """Boxes of the section have the ranks that are stated; gives their grid."""
     named = [motions.system.states[k] for k in motions.free]
     demand(content["coordinates"] == named, "the coordinates are not those of the section")
-    grid = _grid(content["grid"], len(named))
-    ranks = _listed(content["ranks"], grid)
+    grid = stated_grid(content["grid"], len(named))
+    ranks = listed(content["ranks"], len(grid))
     demand(ranks.min() >= -1 and ranks.max() < len(grid), "no such ranks")
 
     def in_core(low: Any, high: Any) -> Any:
@@ -141,14 +137,14 @@ def _check_ranks(content: dict[str, Any], motions: ManyMotions, core: Rounded) -
     for rank in range(1, int(ranks.max()) + 1):
         sums = grid.sums((ranks >= 0) & (ranks < rank))
 
-        def known(low: Any, high: Any, sums: Any = sums) -> Any:
+        def known(origin: Any, low: Any, high: Any, sums: Any = sums) -> Any:
             return in_core(low, high) | grid.covered(sums, low, high)
 
         left = np.flatnonzero(ranks == rank)
         for begin in range(0, len(left), _BATCH):
             starts = grid.sets(left[begin : begin + _BATCH])
             lifted = starts.mapped(motions.lift(motions.facts, timed=False))
-            good = _lead(motions, lifted, motions.section.configuration, motions.facts, known)
+            good = motions.lead(lifted, motions.section.configuration, motions.facts, known)
             demand(good, f"a box of the rank {rank} may lead elsewhere")
     return grid
 
@@ -162,8 +158,8 @@ def _check_tiles(
         return
     states = content["declaration"]["states"]
     demand(content["states"] == states and not content["phase"], "tiles of other states")
-    tiles = _grid(content["tiles"], len(states))
-    verdicts = _listed(content["verdicts"], tiles)
+    tiles = stated_grid(content["tiles"], len(states))
+    verdicts = listed(content["verdicts"], len(tiles))
     demand(verdicts.min() >= 0 and verdicts.max() <= 2, "no such verdicts")
     good = np.flatnonzero(verdicts == 2)
     size = max(1, min(_BATCH, -(-len(good) // workers)))
@@ -181,9 +177,9 @@ def _begin_tiles(content: dict[str, Any]) -> Callable[[Any], bool]:
     with ctx.workprec(_BITS):
         motions = _motions(content)
     demand(not motions.forced, "tiles of other states")
-    grid = _grid(content["grid"], len(motions.free))
-    tiles = _grid(content["tiles"], len(motions.system.states))
-    sums = grid.sums(_listed(content["ranks"], grid) >= 0)
+    grid = stated_grid(content["grid"], len(motions.free))
+    tiles = stated_grid(content["tiles"], len(motions.system.states))
+    sums = grid.sums(listed(content["ranks"], len(grid)) >= 0)
     whole = [name for name, rows in motions.system.held.items() if not rows]
     demand(whole, "no configuration in which all states are free")
 
@@ -193,7 +189,7 @@ def _begin_tiles(content: dict[str, Any]) -> Callable[[Any], bool]:
         starts = ManySets(*parts)
         with ctx.workprec(_BITS):
             return all(
-                _lead(motions, starts, name, (), lambda *box: grid.covered(sums, *box))
+                motions.lead(starts, name, (), lambda _, *box: grid.covered(sums, *box))
                 for name in whole
             )
 
@@ -211,43 +207,3 @@ def _motions(content: dict[str, Any]) -> ManyMotions:
     return ManyMotions(
         declared, content["parameters"], section, scales, content["widest"], most, _LONGEST
     )
-
-
-def _lead(
-    motions: ManyMotions,
-    starts: ManySets,
-    configuration: str,
-    facts: Sequence[Any],
-    known: Callable[[Any, Any], Any],
-) -> bool:
-    """Whether all states of all sets come to what is known, in parts if need be."""
-    most = 2 * len(starts) + _HALVES
-    for _ in range(_HALVINGS + 1):
-        found: Arrivals = motions.leaves(starts, configuration, facts)
-        bad = found.lost.copy()
-        bad[found.origin[~known(found.low, found.high)]] = True
-        if not bad.any():
-            return True
-        starts = starts[bad]
-        lengths = np.abs(starts.sides).max(axis=1)
-        starts = starts.halves(np.argmax(lengths, axis=1))
-        if len(starts) > most:
-            return False
-    return False
-
-
-def _grid(entries: Any, size: int) -> BoxGrid:
-    demand(entries is not None, "there is no grid")
-    exponents, first, counts = (tuple(entries[x]) for x in ("exponents", "first", "counts"))
-    demand(size > 0 and all(len(x) == size for x in (exponents, first, counts)), "no such grid")
-    small = all(abs(e) <= _SIDES for e in exponents) and all(abs(f) < 2**_SIDES for f in first)
-    demand(small and all(n > 0 for n in counts) and prod(counts) <= _LARGEST, "no such grid")
-    return BoxGrid(exponents, first, counts)
-
-
-def _listed(runs: Sequence[tuple[int, int]], grid: BoxGrid) -> Any:
-    """The numbers of all boxes, of runs of them."""
-    fits = all(n > 0 for _, n in runs) and sum(n for _, n in runs) == len(grid)
-    demand(fits, "another number of boxes than the grid has")
-    demand(all(abs(x) < 2**_SIDES for x, _ in runs), "no such numbers")
-    return np.repeat([x for x, _ in runs], [n for _, n in runs])

@@ -55,10 +55,12 @@ class PhaseExits:
     ----------
     flow : FloatFlow
     functions : sequence of ExitFunction
+    finest : float
+        Part of a window: shorter pieces of time are not taken.
     """
 
-    def __init__(self, flow: FloatFlow, functions: Sequence[ExitFunction]) -> None:
-        self.flow, self.functions = flow, functions
+    def __init__(self, flow: FloatFlow, functions: Sequence[ExitFunction], finest: float) -> None:
+        self.flow, self.functions, self.finest = flow, functions, finest
         self._rows = arb_mat([own.row.entries() for own in functions])
         self._values = [Rounded.of(own.row) for own in functions]
         self._rates = [Rounded.of(own.row * flow.field) for own in functions]
@@ -201,7 +203,7 @@ class PhaseExits:
         grows = (spread @ np.abs(self.flow.rate.middle).T).max(axis=1, initial=1e-300)
         bends = np.abs(states.centre @ self.flow.curve.middle.T).max(axis=1, initial=1e-300)
         longest = np.minimum(size / grows, np.sqrt(2 * size / bends))
-        found: Floats = np.clip(longest, self.flow.step, _PIECE * self.flow.step)
+        found: Floats = np.clip(longest, self.finest * self.flow.step, _PIECE * self.flow.step)
         return found
 
     def _corrected(

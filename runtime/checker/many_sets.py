@@ -6,7 +6,7 @@ the boxes that are found, and the boxes may be wider. Where it is not stated wha
 is lost.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -33,6 +33,8 @@ __all__ = ["Arrivals", "ManyMotions"]
 
 _BITS = 80
 _ABOUT_ZERO = 2.0**-30  # a time
+_HALVINGS = 16  # of a set that is lost or comes elsewhere too, as a whole
+_HALVES = 1024  # of several sets, besides two of each
 _RADIANS = 0.125  # of the fastest motion in a window
 
 
@@ -63,6 +65,8 @@ class ManyMotions:
         Parts of one set.
     longest : int, optional
         Transitions on one way.
+    finest : float, optional
+        Part of a window of time in which sets on their way are not divided further.
 
     Attributes
     ----------
@@ -86,10 +90,11 @@ class ManyMotions:
         widest: float = np.inf,
         most: int = 400,
         longest: int = 40,
+        finest: float = 1.0,
     ) -> None:
         self.system, self.section = SwitchingSystem(declared, parameters), section
         self.scales, self.widest = np.array(scales, dtype=float), widest
-        self.most, self.longest = most, longest
+        self.most, self.longest, self.finest = most, longest, finest
         self.exactly = Elimination()
         self.facts, self.forced = section.facts(self.system, self.exactly)
         self.free = _without_pivots(self.facts, self.system.size)
@@ -156,6 +161,42 @@ class ManyMotions:
         kept = ~remaining.lost[origin]
         return Arrivals(origin[kept], low[kept], high[kept], remaining.lost)
 
+    def lead(
+        self,
+        starts: ManySets,
+        configuration: str,
+        facts: Sequence[Any],
+        known: Callable[[Any, Any, Any], Any],
+    ) -> bool:
+        """Whether all states of all sets come to what is known, in parts if need be.
+
+        Parameters
+        ----------
+        starts : ManySets
+        configuration : str
+        facts : sequence of row
+            As for `leaves`.
+        known : callable
+            Of numbers (L,) of the sets and of boxes (L, d) whether parts of these sets may come
+            to these boxes.
+
+        Returns
+        -------
+        bool
+        """
+        origin, most = np.arange(len(starts)), 2 * len(starts) + _HALVES
+        for _ in range(_HALVINGS + 1):
+            found = self.leaves(starts, configuration, facts)
+            bad = found.lost.copy()
+            bad[found.origin[~known(origin[found.origin], found.low, found.high)]] = True
+            if not bad.any():
+                return True
+            starts, origin = starts[bad], np.tile(origin[bad], 2)
+            if 2 * len(starts) > most:
+                return False
+            starts = starts.halves(np.argmax(np.abs(starts.sides).max(axis=1), axis=1))
+        return False
+
     def _followed(
         self, known: KnownStart, portions: Portions, remaining: Remaining
     ) -> Iterator[Portions]:
@@ -166,7 +207,7 @@ class ManyMotions:
             return
         if known not in self._phases:
             flow = self.flow(known.configuration)
-            self._phases[known] = DividingPhase(self.system, flow, known, self.forced)
+            self._phases[known] = DividingPhase(self.system, flow, known, self.forced, self.finest)
         for end in self._phases[known].departures(portions, remaining):
             for behind, own, on_section in self._behind(known, end, remaining):
                 if not on_section or end.at_once:
@@ -204,16 +245,16 @@ class ManyMotions:
         signs = frozenset(direction(reduced(row, end.facts)) for row in inside)
         if not end.names:
             stays = [tuple(fmpq(int(i == j)) for j in range(size + 1)) for i in range(size + 1)]
-            ways = iter([(stays, here, end.portions, signs)])
+            ways = iter([(stays, here, end.portions, end.facts, signs)])
         else:
             listed = self.system.transitions.get((here, end.names), [])
             ways = self._chosen(listed, end, signs, remaining)
         section = self.section
-        for reset, target, portions, now in ways:
+        for reset, target, portions, before, now in ways:
             if target not in self.system.fields:
                 remaining.lose(portions.origin)
                 continue
-            facts = echelon_behind(self.exactly, end.facts, reset)
+            facts = echelon_behind(self.exactly, before, reset)
             if not all(any(row[:-1]) for row in facts):
                 continue  # there are no such states
             matrix = Rounded.of(matrix_of(reset, runs=False))
@@ -224,7 +265,7 @@ class ManyMotions:
             below = frozenset(
                 name
                 for name, row in self.system.boundaries[target].items()
-                if self._stays_below(row, target, facts, reset, end.facts, now)
+                if self._stays_below(row, target, facts, reset, before, now)
             )
             turns = known.turns + (not end.names)
             if self.forced:
@@ -238,11 +279,14 @@ class ManyMotions:
 
     def _chosen(
         self, listed: list[Any], end: Departure, signs: frozenset[Any], remaining: Remaining
-    ) -> Iterator[tuple[Any, str, Portions, frozenset[Any]]]:
-        """Resets and targets: the first transition follows whose conditions hold."""
-        left = [(0, 0, end.portions, signs)]
+    ) -> Iterator[tuple[Any, str, Portions, Any, frozenset[Any]]]:
+        """Resets and targets: the first transition follows whose conditions hold.
+
+        With what is exactly zero: so is a function on a side of zero on which it never is.
+        """
+        left = [(0, 0, end.portions, list(end.facts), signs)]
         while left:
-            number, place, portions, now = left.pop()
+            number, place, portions, facts, now = left.pop()
             if not len(portions.origin):
                 continue
             if number == len(listed):
@@ -250,21 +294,25 @@ class ManyMotions:
                 continue
             conditions, reset, target = listed[number]
             if place == len(conditions):
-                yield reset, target, portions, now
+                yield reset, target, portions, facts, now
                 continue
             row, along, holds = conditions[place]
-            _, first = leading(row, self.system.fields[along], end.facts, 0)
-            sides = [(False, portions, now)]
-            if first is not None:
-                function = rounded(first)
-                up, down = portions.where(function), portions.where(negative(function))
-                sides = [
-                    (True, up, now | {direction(opposite(first))}),
-                    (False, down, now | {direction(first)}),
-                ]
-            for positive, own, then in sides:
-                following = (number, place + 1) if positive == holds else (number + 1, 0)
-                left.append((*following, own, then))
+            _, first = leading(row, self.system.fields[along], facts, 0)
+            after = {True: (number, place + 1), False: (number + 1, 0)}
+            if first is None:  # it is zero, and not positive
+                left.append((*after[not holds], portions, facts, now))
+                continue
+            for positive, side in ((True, first), (False, opposite(first))):
+                own = portions.where(rounded(side))
+                if direction(side) not in now:
+                    then = now | {direction(opposite(side))}
+                    left.append((*after[positive == holds], own, facts, then))
+                    continue
+                zero = self.exactly.echelon([*facts, first])
+                if all(any(own[:-1]) for own in zero):
+                    own = own.where(negative(rounded(side)))
+                    still = frozenset(direction(reduced(other, zero)) for other in now)
+                    left.append((number, place, own, zero, still))
 
     def _box(self, states: ManySets, signs: frozenset[Any]) -> ManySets:
         """Boxes around states for which functions are not positive."""

@@ -120,10 +120,17 @@ class DividingPhase:
     known : KnownStart
     forced : list of row
         What is zero where the forcing has the section's phase; empty without one.
+    finest : float
+        As for `PhaseExits`.
     """
 
     def __init__(
-        self, system: SwitchingSystem, flow: FloatFlow, known: KnownStart, forced: Sequence[Any]
+        self,
+        system: SwitchingSystem,
+        flow: FloatFlow,
+        known: KnownStart,
+        forced: Sequence[Any],
+        finest: float,
     ) -> None:
         exactly, field = Elimination(), system.fields[known.configuration]
         self.known, lasting = known, exactly.lasting([*known.facts], field)
@@ -137,6 +144,7 @@ class DividingPhase:
                 self.outside = self.outside or own[-1] > 0
         self.functions: list[ExitFunction] = []
         self.first, self.below = [], []
+        self.changing: list[ExitFunction] = []  # the others leave nothing but where it begins
         for names, row in alike.values():
             order, first = leading(row, field, known.facts, 0)
             if first is None:
@@ -145,6 +153,8 @@ class DividingPhase:
             rate = reduced(product(row, field), facts)
             timed = arb_mat([[*map(arb, row[:-1]), arb(0), arb(row[-1])]])
             self.functions.append(ExitFunction(frozenset(names), timed, order, facts, rate))
+            if any(reduced(product(row, field), lasting)):
+                self.changing.append(self.functions[-1])
             self.first.append(first)
             self.below.append(bool(known.below.intersection(names)))
         self.begins = [rounded(first) for first in self.first]
@@ -152,8 +162,8 @@ class DividingPhase:
             after = 2 * arb.pi() * (known.turns + 1) / arb(system.speed())
             clock = arb_mat([[*(arb(0) for _ in range(system.size)), arb(1), -after]])
             facts = exactly.echelon([*lasting, *forced])
-            self.functions.append(ExitFunction(frozenset(), clock, 0, facts, None))
-        self.exits = PhaseExits(flow, self.functions) if self.functions else None
+            self.changing.append(ExitFunction(frozenset(), clock, 0, facts, None))
+        self.exits = PhaseExits(flow, self.changing, finest) if self.changing else None
 
     def departures(self, portions: Portions, remaining: "Remaining") -> Iterator[Departure]:
         """All ways out of the phase.
@@ -168,7 +178,7 @@ class DividingPhase:
         ------
         Departure
         """
-        if self.outside or self.exits is None:
+        if self.outside:
             remaining.lose(portions.origin)
             return
         yield from self._at_once(portions, remaining)
@@ -176,10 +186,13 @@ class DividingPhase:
             portions = portions.where(negative(row))
         if not len(portions.origin):
             return
+        if self.exits is None:
+            remaining.lose(portions.origin)
+            return
         found, lost = self.exits.leave(portions.states)
         remaining.lose(portions.origin[lost])
         for states, origin, by in found:
-            functions = [self.functions[k] for k in by]
+            functions = [self.changing[k] for k in by]
             names = frozenset[str]().union(*(own.names for own in functions))
             rising = tuple(own.rate for own in functions if own.names)
             own = portions.changed(states, origin)

@@ -18,6 +18,7 @@ __all__ = [
     "CERTIFICATE",
     "CHAOS",
     "EVENTS",
+    "GRAPH",
     "MAP",
     "Malformed",
     "check_bits",
@@ -351,6 +352,26 @@ BASIN = {
     "verdicts": [(int, int)],
     "widest": float,
     "most": int,
+}  # fmt: skip
+_RUNS = [(int, int)]
+GRAPH = {
+    **_FILE,
+    **{name: CHAOS[name] for name in (
+        "system", "tables", "parameters", "claim", "configuration", "phase", "source", "boundary",
+        "coordinates", "bits",
+    )},
+    "grid": _GRID,
+    "divided": [_RUNS],
+    "edges": [(int, int, int)],
+    "outside": _RUNS,
+    "unknown": _RUNS,
+    "trapping": _RUNS,
+    "components": _RUNS,
+    "ranks": _RUNS,
+    "widest": [float],
+    "most": int,
+    "longest": int,
+    "declaration": Either((_DECLARATION, {**_DECLARATION, **_CONSTANTS[1]})),
 }  # fmt: skip
 _BOUNDS = Named((NUMBER, NUMBER))
 CENSUS = {

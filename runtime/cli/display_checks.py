@@ -20,6 +20,7 @@ from nonsmooth.runtime.cli.display_certificates import (
     share_table,
     show_derivatives,
 )
+from nonsmooth.runtime.cli.display_graphs import show_boxes
 from nonsmooth.runtime.cli.display_regions import show_regions
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.core.values import Value
@@ -33,6 +34,7 @@ from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
+from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 
 __all__ = ["show_check"]
 
@@ -71,6 +73,8 @@ def show_check(found: Check) -> None:
             _show_census(out, census, compared=found.compared)
         case BasinCertificate() as basin:
             _show_basin(out, basin)
+        case GraphCertificate() as graph:
+            _show_graph(out, graph)
         case ChaosCertificate() as chaos:
             _show_chaos(out, chaos)
         case tuple() as events:
@@ -193,6 +197,12 @@ def _show_basin(out: Console, found: BasinCertificate) -> None:
     # what it is called was not compared
     for line in basin_lines(replace(found, orbit="the orbit through the core")):
         out.print(line)
+
+
+def _show_graph(out: Console, found: GraphCertificate) -> None:
+    out.print(Text(shown_name(found.system), style="bold"))
+    _show_values(out, found.parameters)
+    show_boxes(out, found)
 
 
 def _show_chaos(out: Console, found: ChaosCertificate) -> None:

@@ -10,10 +10,12 @@ from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
 from nonsmooth.runtime.model.naming import shown_name
 
 if TYPE_CHECKING:
+    from rich.console import Console
+
     from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
     from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 
-__all__ = ["section_words", "show_graph"]
+__all__ = ["section_words", "show_boxes", "show_graph"]
 
 _MOST = 12  # components that are listed
 
@@ -26,11 +28,24 @@ def show_graph(found: GraphCertificate) -> None:
     found : GraphCertificate
         As `certify_graph` gives it.
     """
-    out, graph = console_as_wide(), found.graph
+    out = console_as_wide()
     out.print(Text(f"{shown_name(found.system)}, {found.bits} bits", style="bold"))
+    show_boxes(out, found)
+
+
+def show_boxes(out: Console, found: GraphCertificate) -> None:
+    """Show what `show_graph` does below the name of the system.
+
+    Parameters
+    ----------
+    out : Console
+    found : GraphCertificate
+    """
+    grid = found.graph.grid
     region = ", ".join(f"{name} = {a:g}:{b:g}" for name, (a, b) in found.region.items())
     out.print(f"the map P {section_words(found)}")
-    out.print(f"region {region} in {' x '.join(map(str, graph.grid.counts))} boxes")
+    divided = f", divided into {len(grid)}" if len(grid) > len(grid.grid) else ""
+    out.print(f"region {region} in {' x '.join(map(str, grid.grid.counts))} boxes{divided}")
     out.print(f"largest trapping region: {len(found.trapping)} boxes")
     table = listing("component", "boxes", "within", "", "leads to")
     for number, own in enumerate(found.components[:_MOST]):

@@ -3,30 +3,30 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from nonsmooth.runtime.cli.application import (
-    ANSWERED,
     NOT_MET,
     answering,
     app,
     assignments,
-    check_drawing,
     ranges,
     split,
 )
-from nonsmooth.runtime.cli.keeping import say
+from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, say, worked
+from nonsmooth.runtime.cli.long_proofs import LongProof
 from nonsmooth.runtime.cli.options import (
     AsJson,
     Physical,
     Plot,
+    SaveResult,
     Start,
     SystemName,
     missing_start,
 )
-from nonsmooth.runtime.cli.written import Written
 
 __all__ = ["graph"]
 
@@ -40,9 +40,9 @@ class Trapping(StrEnum):
 @app.command(
     epilog="Examples:\n\n"
     "nonsmooth graph dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
-    " --from x1=5,x2=4,v1=0.5,v2=0.25 --region x2=2:14 --boxes 512 --require trapping\n\n"
-    "nonsmooth graph impact_oscillator.py r=0.65 sigma=0 w=2.8 --from x=-0.5,v=0.1"
-    " --boxes 128 --plot graph.png"
+    " --from x1=5,x2=4,v1=0.5,v2=0.25 --region x2=2:14 --boxes 64 --levels 3 --save graph.json\n\n"
+    "nonsmooth graph impact_oscillator.py r=0.65 sigma=0 w=2.3 --from x=-0.7,v=0.1"
+    " --region x=-2:0,v=-2:2 --boxes 64 --levels 2 --plot graph.png --require trapping"
 )
 @answering
 def graph(
@@ -73,6 +73,15 @@ def graph(
             " quarter more at both sides.",
         ),
     ] = None,
+    levels: Annotated[
+        int,
+        typer.Option(
+            "--levels",
+            metavar="N",
+            help="How often boxes are divided at most: those on cycles, of unknown image, and"
+            " those that leave the region in part.",
+        ),
+    ] = 0,
     parts: Annotated[
         int, typer.Option("--parts", metavar="N", help="Parts of one box on its ways, at most.")
     ] = 400,
@@ -84,41 +93,69 @@ def graph(
         Trapping | None,
         typer.Option("--require", help="Exit with 3 unless an attracting component is proved."),
     ] = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option(
+            "--resume", metavar="FILE", help="Go on with a saved graph: unknown images, levels."
+        ),
+    ] = None,
+    save: SaveResult = None,
     plot: Plot = None,
+    overwrite: Overwrite = False,
     as_json: AsJson = False,
 ) -> int:
     """Prove where motions stay: trapping regions and components of a graph of boxes.
 
     The section is chosen along the motion from the start, and the image of each box of a region
-    on it is enclosed. What is proved is not saved: there is no check of graphs yet.
+    on it is enclosed. `certify --check` proves what is saved again.
     """
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.cli.display_graphs import show_graph
-    from nonsmooth.runtime.present.pictures.box_graphs import graph_figure
+    from nonsmooth.runtime.present.files.graph_certificates import load_graph_certificate
     from nonsmooth.runtime.proof.graphs.certify_graph import certify_graph
 
     if not start:
         raise missing_start(system)
-    check_drawing(plot)
+    proof = LongProof(
+        name=system,
+        parameters=parameters or [],
+        near=None,
+        resume=resume,
+        save=resume if save is None else save,
+        plot=plot,
+        overwrite=overwrite,
+        as_json=as_json,
+    )
+    known = proof.known(load_graph_certificate)
     values, state = assignments("parameter", parameters or []), assignments("state", split(start))
     limits = ranges("coordinate", split(region))
     with counted("enclosing images") as progress:
-        found = certify_graph(
-            system,
-            values,
-            state,
-            configuration,
-            boxes=boxes,
-            region={name: (low, high) for name, (low, high, _) in limits.items()},
-            parts=parts,
-            transitions=transitions,
-            progress=progress,
+        found, stopped = worked(
+            lambda: certify_graph(
+                system,
+                values,
+                state,
+                configuration,
+                boxes=boxes,
+                region={name: (low, high) for name, (low, high, _) in limits.items()},
+                parts=parts,
+                transitions=transitions,
+                levels=levels,
+                resume=known,
+                progress=progress,
+                keep=proof.keep,
+            )
         )
-    written = Written()
-    if plot is not None:
-        written.draw(lambda: graph_figure(found), plot)
-    code = written.show(found.to_json, lambda: show_graph(found), as_json=as_json)
-    if require is not None and not found.proved:
+    seen = len(found.graph.grid) - len(found.unknown)
+    claims, code = proof.answer(
+        found,
+        stopped,
+        lambda found: {},
+        show_graph,
+        enough=True,
+        done=f"{seen} images of {len(found.graph.grid)} boxes are known",
+    )
+    if code != INTERRUPTED and require is not None and claims["trapping"] != "proved":
         say("required: trapping; found: no attracting component")
         return NOT_MET
-    return code or ANSWERED
+    return code

@@ -5,6 +5,7 @@
 `arithmetic`               one set of functions for floats, mpmath and balls
 `box_grid`                 grids of boxes, and which of them others meet
 `complex_steps`            derivatives by tiny imaginary parts, in doubles and in any digits
+`divided_grid`             the same with boxes of several sizes, some divided
 `differentiable`           functions with exact derivatives, as optimisers take them
 `errors`                   the exceptions of the package, under one root
 `exponential_balls`        divided differences of the exponential in balls and Taylor models

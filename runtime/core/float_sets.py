@@ -294,7 +294,7 @@ class ManySets:
         reach = np.abs(side) * upward(far + 1)[:, None] + np.abs(self.sides).sum(axis=2)
         rounded = ROUNDING * (np.abs(self.centre) + reach)
         box = upward(self.box + np.abs(side) * upward(loose / size)[:, None] + rounded)
-        before, after = np.abs(self.sides).sum(axis=2), np.abs(sides).sum(axis=2) + box
+        before, after = np.abs(self.sides).sum(axis=2), np.abs(sides).sum(axis=2)
         wider = np.where(before > 0, after / np.where(before > 0, before, 1.0), 0.0)
         taken = (thin & (wider.mean(axis=1) <= _WIDER))[:, None]
         return ManySets(

@@ -228,6 +228,7 @@ register(
         "plot_orbit": "present.pictures.plot",
         "plot_trajectory": "present.pictures.scenes",
         "save_basin": "present.files.basin_certificates",
+        "save_graph": "present.files.graph_certificates",
         "save_box": "present.files.box_certificates",
         "save_branch": "present.files.branches",
         "save_chaos": "present.files.chaos_certificates",

@@ -471,6 +471,7 @@ RUNTIME = files("nonsmooth.runtime")
 ARITHMETIC = {
     "taylor_models", "taylor_averages", "jets", "rational_functions", "irrational_numbers",
     "matrix_chains", "float_sets", "float_flows", "box_grid",
+    "divided_grid",
 }  # fmt: skip
 
 

@@ -36,6 +36,7 @@ CHAOS = (
     "chaos dry-friction chi=0.34 eta=2.88 V=1.23 us1=0.75 us2=1.19 ur1=2.04 ur2=1.83"
     " --from x1=1.93,x2=7.18,v1=1.18,v2=1.18"
 )
+GRAPH = f"{CHAOS.replace('chaos', 'graph')} --region x2=8:8.5 --boxes 8"
 BASIN = f"basin {ORBIT} us1=1 us2=1 ur1=4.0195 ur2=1.4831 --side 1 --tiles 10"
 # each option that names a file or a folder to be written, and a command that asks for little
 WRITERS = {
@@ -51,7 +52,8 @@ WRITERS = {
     ("basin", "--plot"): f"{BASIN} --plot TARGET.png",
     ("chaos", "--save"): f"{CHAOS} --save TARGET",
     ("chaos", "--plot"): f"{CHAOS} --plot TARGET.png",
-    ("graph", "--plot"): f"{CHAOS.replace('chaos', 'graph')} --boxes 32 --plot TARGET.png",
+    ("graph", "--save"): f"{GRAPH} --save TARGET",
+    ("graph", "--plot"): f"{GRAPH} --plot TARGET.png",
     ("chart", "--out"): f"chart {ORBIT} V=0.99:1.01:2 --out TARGET",
     ("continue", "--plot"): f"continue {ORBIT} V=0.99:1.01 --plot TARGET.png",
     ("continue", "--save"): f"continue {ORBIT} V=0.99:1.01 --save TARGET",
@@ -78,7 +80,7 @@ LONG = ("certify", "continue", "find", "sweep")  # what is done is kept before C
 # a basin is many motions, and sets that cover each other are looked for along many
 SLOW_IN_PYTHON = {
     *(("find", "--plot"), ("chaos", "--save"), ("chaos", "--plot")),
-    ("graph", "--plot"),
+    *(("graph", "--save"), ("graph", "--plot")),
 }
 each = pytest.mark.parametrize(
     "writer",

@@ -237,6 +237,13 @@ def basin() -> Any:
     return ns.certify_basin(ns.solve("dry-friction/global-stick", data), side=1.0, tiles=10)
 
 
+def graph() -> Any:
+    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+    return ns.certify_graph(
+        "dry-friction", data, [5, 4, 0.5, 0.25], region={"x2": (2, 13)}, boxes=16, levels=1
+    )
+
+
 def proven_map() -> Any:
     return ns.certify_box(loop(), {"r": ("2/5", "3/5")})
 
@@ -257,6 +264,7 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth certified cascade": doubled,
     "nonsmooth basin certificate": basin,
     "nonsmooth chaos certificate": chaotic,
+    "nonsmooth graph certificate": graph,
     "nonsmooth census": census,
 }
 # chaos is looked for along many motions, which take minutes in Python

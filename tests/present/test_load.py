@@ -34,6 +34,7 @@ TYPES: dict[str, type] = {
     "nonsmooth certified cascade": ns.CertifiedCascade,
     "nonsmooth basin certificate": ns.BasinCertificate,
     "nonsmooth chaos certificate": ns.ChaosCertificate,
+    "nonsmooth graph certificate": ns.GraphCertificate,
     "nonsmooth census": ns.Census,
 }
 WITHOUT_PICTURE = {"nonsmooth certificate", "nonsmooth event certificate", "nonsmooth census"}

@@ -9,7 +9,8 @@ import nonsmooth as ns
 from nonsmooth.runtime.checker.many_sets import ManyMotions
 from nonsmooth.runtime.checker.switching import StatedSection
 from nonsmooth.runtime.core.box_grid import BoxGrid
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.divided_grid import DividedGrid
+from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
@@ -106,7 +107,7 @@ def test_the_attracting_component_contains_the_stable_orbit(friction):
         place = (place + returned(place)) / 2  # the multiplier is near -1
     assert abs(returned(place) - place) < 1e-3
     assert friction.box_of([place]) in attracting.boxes
-    assert attracting.visited
+    assert friction.component_of([place]) is attracting
     assert friction.proved
 
 
@@ -158,11 +159,11 @@ def test_the_check_carries_no_state_out_of_what_is_trapping(friction):
 
 def graph_of(edges, count, outside=(), unknown=()):
     """Boxes of width 1; the image of each is inside of those that edges name."""
-    grid = BoxGrid((0,), (0,), (count,))
+    grid = DividedGrid.of(BoxGrid((0,), (0,), (count,)))
     origin = np.array([i for i, _ in edges] + list(outside))
     low = np.array([[j + 0.25] for _, j in edges] + [[count + 5.5]] * len(outside))
     lost = np.isin(np.arange(count), unknown)
-    return BoxGraph.of_leaves(grid, [(0, Leaves(origin, low, low + 0.5, lost))])
+    return BoxGraph.unseen(grid).seen(np.arange(count), Leaves(origin, low, low + 0.5, lost))
 
 
 def test_components_trapping_regions_and_the_morse_graph_of_a_small_graph():
@@ -180,10 +181,10 @@ def test_components_trapping_regions_and_the_morse_graph_of_a_small_graph():
 
 @pytest.mark.parametrize("bad", [np.inf, -np.inf, np.nan, 1e300])
 def test_images_that_are_no_boxes_are_not_known_or_outside(bad):
-    grid = BoxGrid((0,), (0,), (4,))
+    grid = DividedGrid.of(BoxGrid((0,), (0,), (4,)))
     low, high = np.array([[1.2], [min(bad, 1.0)]]), np.array([[1.4], [max(bad, 1.0)]])
     leaves = Leaves(np.array([0, 1]), low, high, np.zeros(4, dtype=bool))
-    graph = BoxGraph.of_leaves(grid, [(0, leaves)])
+    graph = BoxGraph.unseen(grid).seen(np.arange(4), leaves)
     assert (graph.outside | graph.unknown).tolist() == [False, True, False, False]
     assert not graph.trapping[1]
 
@@ -208,3 +209,109 @@ def test_a_picture_shows_the_components(friction, impacts):
         told = [text.get_text() for text in boxes.get_legend().get_texts()]
         assert sum("attracting" in text for text in told) == 1
         assert any(text.startswith("trapping region") for text in told)
+
+
+CHAOTIC = {
+    "chi": "0.34",
+    "eta": "2.88",
+    "V": "1.23",
+    "us1": "0.75",
+    "us2": "1.19",
+    "ur1": "2.04",
+    "ur2": "1.83",
+}
+
+
+@pytest.fixture(scope="module")
+def chaotic():
+    return ns.certify_graph("dry-friction", CHAOTIC, [1.93, 7.18, 1.18, 1.18], levels=1)
+
+
+def test_a_chaotic_set_lies_in_an_attracting_component(chaotic):
+    motion = ns.simulate("dry-friction", CHAOTIC, [1.93, 7.18, 1.18, 1.18], transitions=4000)
+    names = motion.configurations
+    places = [
+        k for k in range(400, len(names)) if names[k - 1 : k + 1] == ("stick-stick", "slip-stick")
+    ]
+    seen = motion.states[places, 1]
+    assert len(seen) > 300
+    assert np.ptp(seen) > 6
+    own = {id(chaotic.component_of([x2])): chaotic.component_of([x2]) for x2 in seen}
+    (component,) = own.values()
+    assert component.attracting
+    # the stable orbit beside it is in another one
+    other = chaotic.component_of([8.34])
+    assert other.attracting
+    assert other is not component
+
+
+def test_a_box_where_both_masses_break_away_together_has_a_known_image(chaotic):
+    corner = (float(CHAOTIC["ur2"]) / 0.34 + float(CHAOTIC["ur1"])) / 0.66
+    box = chaotic.box_of([corner])
+    assert not chaotic.graph.unknown[box]
+    low, high = chaotic.graph.grid.bounds(chaotic.targets(box))
+    for x2 in corner - np.array([1e-3, 1e-6, 1e-9]):
+        start = [0.34 * x2 + float(CHAOTIC["ur1"]), x2, 1.23, 1.23]
+        motion = ns.simulate("dry-friction", CHAOTIC, start, "slip-stick", transitions=12)
+        names = motion.configurations
+        k = next(k for k in range(1, 12) if names[k - 1 : k + 1] == ("stick-stick", "slip-stick"))
+        there = motion.states[k, 1]
+        assert ((low[:, 0] <= there) & (there <= high[:, 0])).any()
+
+
+def test_boxes_are_divided_where_it_helps():
+    asked = {"region": {"x2": (2, 14)}, "boxes": 64}
+    start = [5, 4, 0.5, 0.25]
+    coarse = ns.certify_graph("dry-friction", DATA, start, **asked)
+    fine = ns.certify_graph("dry-friction", DATA, start, levels=2, **asked)
+    again = ns.certify_graph("dry-friction", DATA, start, levels=2, resume=coarse, **asked)
+    assert again.to_json() == fine.to_json()
+    assert len(coarse.graph.grid) < len(fine.graph.grid) < 2 * len(coarse.graph.grid)
+    (one,) = (own for own in coarse.components if own.attracting)
+    (two,) = (own for own in fine.components if own.attracting)
+    assert two.high[0] - two.low[0] < 0.7 * (one.high[0] - one.low[0])
+    # what motions do of each box is the same as with boxes of one size
+    low, high = fine.graph.grid.bounds(np.arange(len(fine.graph.grid)))
+    for box in range(1, len(low), 9):
+        there = returned((low[box, 0] + high[box, 0]) / 2)
+        if fine.graph.unknown[box] or there is None:
+            continue
+        found = fine.targets(box)
+        assert ((low[found, 0] <= there + 1e-9) & (there - 1e-9 <= high[found, 0])).any()
+    with pytest.raises(InputError, match="another"):
+        ns.certify_graph("dry-friction", {**DATA, "ur1": "4.02"}, start, resume=coarse, **asked)
+
+
+def test_an_interrupted_graph_goes_on():
+    start, region = [5, 4, 0.5, 0.25], {"x2": (2, 14)}
+    counts = []
+
+    def stopping(done, count):
+        counts.append(count)
+        if len(counts) == 2:
+            raise KeyboardInterrupt
+
+    asked = {"region": region, "boxes": 32, "levels": 2}
+    with pytest.raises(Interrupted) as stopped:
+        ns.certify_graph("dry-friction", DATA, start, progress=stopping, **asked)
+    known = stopped.value.partial
+    assert 0 < known.graph.unknown.sum() < len(known.graph.grid)
+    whole = ns.certify_graph("dry-friction", DATA, start, **asked)
+    again = ns.certify_graph("dry-friction", DATA, start, resume=known, **asked)
+    assert again.to_json() == whole.to_json()
+
+
+def test_ranks_descend_but_for_components():
+    edges = [(0, 1), (1, 0), (1, 2), (2, 3), (3, 3), (3, 4), (4, 5), (5, 4), (6, 6), (8, 7)]
+    ranks = graph_of(edges, 10, outside=[6], unknown=[7]).ranks
+    assert ranks.tolist() == [3, 3, 2, 1, 0, 0, 0, 0, 1, 0]
+
+
+def test_images_that_do_not_change_are_not_lost_when_others_are_divided():
+    graph = graph_of([(0, 1), (1, 2), (2, 2), (3, 0)], 4)
+    more, again = graph.halved(np.array([False, False, True, False]))
+    low, _ = more.grid.bounds(np.arange(len(more.grid)))
+    assert sorted(low[again, 0].tolist()) == [1.0, 2.0, 2.5]
+    pairs = {(low[s, 0], low[t, 0]) for s, t in zip(more.sources, more.targets, strict=True)}
+    assert pairs == {(0.0, 1.0), (3.0, 0.0)}
+    assert sorted(low[more.unknown, 0].tolist()) == [1.0, 2.0, 2.5]

@@ -24,6 +24,7 @@ from nonsmooth.runtime.checker import (
     check_census,
     check_chaos,
     check_events,
+    check_graph,
     check_tiles,
 )
 from nonsmooth.runtime.core.errors import InputError
@@ -60,6 +61,7 @@ from nonsmooth.runtime.present.files.event_certificates import (
     event_entries,
     events_of,
 )
+from nonsmooth.runtime.present.files.graph_certificates import GRAPH, graph_entries, graph_of
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
@@ -68,6 +70,7 @@ from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
 from nonsmooth.runtime.proof.counting.census import Census
 from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate, events_claim
+from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 
 __all__ = ["Check", "check_certificate"]
 
@@ -79,6 +82,7 @@ Proven = (
     | Census
     | ChaosCertificate
     | BasinCertificate
+    | GraphCertificate
     | tuple[EventCertificate, ...]
 )
 _HELD = "{} is the system as the file holds it: no declaration was run"
@@ -97,7 +101,7 @@ class Check(Shown):
     note : str or None
         What is not compared, or not proved again.
     certificate : Certificate, BoxCertificate, CertifiedBranch, CertifiedCascade, Census,
-        ChaosCertificate, BasinCertificate, tuple, or None
+        ChaosCertificate, BasinCertificate, GraphCertificate, tuple, or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
         Reasons why a claim is undecided, which parameters were chosen, and of a census all but
         its orbits are as the file says.
@@ -147,6 +151,7 @@ _KINDS = {
         _Kind(EVENTS, check_events, events_of, event_entries, events_claim),
         _Kind(CENSUS, check_census, census_of, census_entries, _listed),
         _Kind(BASIN, check_basin, basin_of, basin_entries, _own, divides=True),
+        _Kind(GRAPH, check_graph, graph_of, graph_entries, _own),
         _Kind(CHAOS, check_chaos, chaos_of, chaos_entries, lambda found: {"chaos": found.claim}),
     )
 }
@@ -168,7 +173,7 @@ def check_certificate(
     ----------
     path : str or path
         What `save` of a `Certificate`, `BoxCertificate`, `CertifiedBranch`, `CertifiedCascade`,
-        `EventCertificate`, `ChaosCertificate`, `BasinCertificate` or `Census`
+        `EventCertificate`, `ChaosCertificate`, `BasinCertificate`, `GraphCertificate` or `Census`
         wrote.
     declared : str, optional
         A system or an orbit by name, such as ``FILE.py:ORBIT``: its tables have to be those of

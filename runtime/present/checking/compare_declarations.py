@@ -155,6 +155,15 @@ def _basin(content: Content) -> bool:
     return False
 
 
+def _graph(content: Content) -> bool:
+    """Compare the system of a graph of boxes."""
+    with flint_precision(content["bits"]):
+        kernels, system = _system_of(content)
+        if listed_declaration(kernels, system) != content["declaration"]:
+            raise Failure(f"the declaration is not that of {content['system']}")
+    return True
+
+
 def _chaos(content: Content) -> bool:
     """Compare the system of a certificate of chaos."""
     with flint_precision(content["bits"]):
@@ -274,4 +283,5 @@ _COMPARISONS: Mapping[str, Callable[[Content], bool]] = {
     "nonsmooth census": _census,
     "nonsmooth basin certificate": _basin,
     "nonsmooth chaos certificate": _chaos,
+    "nonsmooth graph certificate": _graph,
 }

@@ -10,6 +10,8 @@
 `certified_branches`  certified branches
 `certified_cascades`  certified cascades of doublings
 `basin_certificates`  certificates of basins
+`graph_certificates`  certificates of graphs of boxes
+`grid_entries`        grids of boxes, and what is said of each box
 `chaos_certificates`  certificates of chaos
 `claim_entries`       entries that the files of all proofs share
 `declared_table`      the table of an orbit without kernels, as a declaration would have it

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
-
-import numpy as np
-from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError
@@ -18,22 +15,19 @@ from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 from nonsmooth.runtime.present.files.chaos_certificates import HSetEntries
+from nonsmooth.runtime.present.files.grid_entries import (
+    GridEntries,
+    Runs,
+    grid_entries,
+    grid_of,
+    listed,
+    runs,
+)
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.certificate import VERSION
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 
 __all__ = ["BASIN", "basin_entries", "basin_of", "load_basin_certificate", "save_basin"]
-
-_MOST = 10**8  # boxes of a grid
-
-
-@dataclass(frozen=True, kw_only=True)
-class GridEntries:
-    """What a file states of a grid of boxes."""
-
-    exponents: tuple[int, ...]
-    first: tuple[int, ...]
-    counts: tuple[int, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,10 +54,10 @@ class BasinEntries:
     itinerary: tuple[tuple[str, str, str], ...]
     contraction: Exact
     grid: GridEntries | None
-    ranks: tuple[tuple[int, int], ...]
+    ranks: Runs
     tiles: GridEntries | None
     states: tuple[str, ...]
-    verdicts: tuple[tuple[int, int], ...]
+    verdicts: Runs
     widest: float
     most: int
     bits: int
@@ -125,11 +119,11 @@ def basin_entries(found: BasinCertificate) -> BasinEntries:
         if core is None
         else HSetEntries(name=core.name, centre=core.centre, sides=core.sides),
         contraction=found.contraction,
-        grid=_grid_entries(found.grid),
-        ranks=_runs(found.ranks),
-        tiles=_grid_entries(found.tiles),
+        grid=None if found.grid is None else grid_entries(found.grid),
+        ranks=runs(found.ranks),
+        tiles=None if found.tiles is None else grid_entries(found.tiles),
         states=found.states,
-        verdicts=_runs(found.looked.astype(int) + found.attracted),
+        verdicts=runs(found.looked.astype(int) + found.attracted),
         declaration=dict(found.declaration),
         **{key: getattr(found, key) for key in (*texts, *numbers)},
     )
@@ -154,45 +148,24 @@ def basin_of(entries: BasinEntries) -> BasinCertificate:
     """
     own = {**vars(entries)}
     system_in(entries.system, own.pop("tables"))
-    core, verdicts = entries.core, _listed(own.pop("verdicts"), entries.tiles)
+    grid = None if entries.grid is None else grid_of(entries.grid)
+    tiles = None if entries.tiles is None else grid_of(entries.tiles)
+    core, verdicts = entries.core, listed(own.pop("verdicts"), _size(tiles))
     return BasinCertificate(
         **{
             **own,
             "core": None if core is None else HSet(core.name, core.centre, core.sides),
-            "grid": _grid(entries.grid),
-            "ranks": _listed(entries.ranks, entries.grid),
-            "tiles": _grid(entries.tiles),
+            "grid": grid,
+            "ranks": listed(entries.ranks, _size(grid)),
+            "tiles": tiles,
             "looked": verdicts > 0,
             "attracted": verdicts > 1,
         }
     )
 
 
-def _grid(entries: GridEntries | None) -> BoxGrid | None:
-    if entries is None:
-        return None
-    return BoxGrid(entries.exponents, entries.first, entries.counts)
-
-
-def _grid_entries(grid: BoxGrid | None) -> GridEntries | None:
-    if grid is None:
-        return None
-    return GridEntries(exponents=grid.exponents, first=grid.first, counts=grid.counts)
-
-
-def _runs(values: NDArray[np.int_]) -> tuple[tuple[int, int], ...]:
-    if not values.size:
-        return ()
-    starts = np.flatnonzero(np.r_[True, values[1:] != values[:-1]])
-    lengths = np.diff(np.r_[starts, values.size])
-    return tuple((int(values[k]), int(n)) for k, n in zip(starts, lengths, strict=True))
-
-
-def _listed(runs: Sequence[tuple[int, int]], grid: GridEntries | None) -> NDArray[np.int_]:
-    size = 0 if grid is None else int(np.prod([float(n) for n in grid.counts]))
-    if size > _MOST or any(n < 1 for _, n in runs) or sum(n for _, n in runs) != size:
-        raise InputError("a grid has another number of boxes than is told of")
-    return np.repeat([x for x, _ in runs] or [0], [n for _, n in runs] or [0])
+def _size(grid: BoxGrid | None) -> int:
+    return 0 if grid is None else len(grid)
 
 
 load_basin_certificate = BASIN.reader(basin_of)

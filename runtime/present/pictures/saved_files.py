@@ -181,6 +181,14 @@ def _chaos(path: Path) -> Drawn:
     return {"system": found.system}, chaos_figure(found)
 
 
+def _graph(path: Path) -> Drawn:
+    from nonsmooth.runtime.present.files.graph_certificates import load_graph_certificate
+    from nonsmooth.runtime.present.pictures.box_graphs import graph_figure
+
+    found = load_graph_certificate(path)
+    return {"system": found.system}, graph_figure(found)
+
+
 def _sweep(path: Path) -> Drawn:
     from nonsmooth.runtime.present.files.sweeps import load_sweep
     from nonsmooth.runtime.present.pictures.maps import draw_sweep
@@ -211,6 +219,7 @@ _IN_ONE_WAY: dict[str, tuple[str, Callable[[Path], Drawn]]] = {
     "nonsmooth certified cascade": ("a certified cascade", _certified_cascade),
     "nonsmooth basin certificate": ("a certificate of a basin", _basin),
     "nonsmooth chaos certificate": ("a certificate of chaos", _chaos),
+    "nonsmooth graph certificate": ("a graph of boxes", _graph),
     "nonsmooth sweep": ("a sweep", _sweep),
     "nonsmooth fit": ("a fit", _fit),
 }

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonsmooth.runtime.core.box_grid import BoxGrid
+from nonsmooth.runtime.core.divided_grid import DividedGrid
 from nonsmooth.runtime.core.float_sets import Floats
 from nonsmooth.runtime.proof.sets.branching import Leaves
 
@@ -19,6 +19,8 @@ __all__ = ["BoxGraph"]
 Numbers = NDArray[np.int_]
 Flags = NDArray[np.bool_]
 
+_SPARE = 2.0**-10  # of a side, at each side of an image: who encloses it again rounds otherwise
+
 
 @dataclass(frozen=True, eq=False)
 class BoxGraph:
@@ -26,7 +28,7 @@ class BoxGraph:
 
     Attributes
     ----------
-    grid : BoxGrid
+    grid : DividedGrid
     sources, targets : array of int (E,)
         Numbers of boxes: the image of a source may meet the target.
     outside : array of bool (B,)
@@ -35,43 +37,89 @@ class BoxGraph:
         Whether the image is not known; such boxes have no edges.
     """
 
-    grid: BoxGrid
+    grid: DividedGrid
     sources: Numbers
     targets: Numbers
     outside: Flags
     unknown: Flags
 
     @staticmethod
-    def of_leaves(grid: BoxGrid, found: Iterable[tuple[int, Leaves]]) -> BoxGraph:
-        """The graph of images.
+    def unseen(grid: DividedGrid) -> BoxGraph:
+        """The graph of which no image is known.
 
         Parameters
         ----------
-        grid : BoxGrid
-        found : iterable of (int, Leaves)
-            Of successive boxes, each time with the number of the first one.
+        grid : DividedGrid
 
         Returns
         -------
         BoxGraph
         """
-        outside, unknown = np.zeros(len(grid), dtype=bool), np.zeros(len(grid), dtype=bool)
-        edges = [np.zeros((2, 0), dtype=int)]
-        for first, leaves in found:
-            lost = leaves.lost.copy()
-            lost[
-                leaves.origin[~(np.isfinite(leaves.low) & np.isfinite(leaves.high)).all(axis=1)]
-            ] = True
-            kept = ~lost[leaves.origin]
-            origin = leaves.origin[kept]
-            owner, number, inside = grid.numbers_met(
-                _near(grid, leaves.low[kept]), _near(grid, leaves.high[kept])
-            )
-            unknown[first : first + len(lost)] = lost
-            outside[first + origin[~inside]] = True
-            edges.append(np.unique(np.stack([first + origin[owner], number]), axis=1))
-        sources, targets = np.concatenate(edges, axis=1)
-        return BoxGraph(grid, sources, targets, outside, unknown)
+        none, size = np.zeros(0, dtype=int), len(grid)
+        return BoxGraph(grid, none, none, np.zeros(size, dtype=bool), np.ones(size, dtype=bool))
+
+    def seen(self, numbers: Numbers, leaves: Leaves) -> BoxGraph:
+        """The same with the images of some boxes of which none was known.
+
+        Parameters
+        ----------
+        numbers : array of int (B,)
+        leaves : Leaves
+            Of these boxes, in their order.
+
+        Returns
+        -------
+        BoxGraph
+        """
+        outside, unknown = self.outside.copy(), self.unknown.copy()
+        lost = leaves.lost.copy()
+        lost[leaves.origin[~(np.isfinite(leaves.low) & np.isfinite(leaves.high)).all(axis=1)]] = (
+            True
+        )
+        kept = ~lost[leaves.origin]
+        origin, spare = numbers[leaves.origin[kept]], _SPARE * self.grid.finest
+        owner, number, inside = self.grid.numbers_met(
+            _near(self.grid, leaves.low[kept]) - spare, _near(self.grid, leaves.high[kept]) + spare
+        )
+        unknown[numbers] = lost
+        outside[origin[~inside]] = True
+        # every pair once
+        pairs = np.unique(origin[owner] * len(self.grid) + number)
+        sources, targets = np.divmod(pairs, len(self.grid))
+        return replace(
+            self,
+            sources=np.concatenate([self.sources, sources]),
+            targets=np.concatenate([self.targets, targets]),
+            outside=outside,
+            unknown=unknown,
+        )
+
+    def halved(self, chosen: Flags) -> tuple[BoxGraph, Numbers]:
+        """Divide some boxes; images of these, and of those that come to them, are to be seen.
+
+        Parameters
+        ----------
+        chosen : array of bool (B,)
+
+        Returns
+        -------
+        tuple of (BoxGraph, array of int)
+            And the boxes that are to be seen again.
+        """
+        grid, origin = self.grid.halved(chosen)
+        stale = chosen.copy()
+        stale[self.sources[chosen[self.targets]]] = True
+        place = np.zeros(len(self.grid), dtype=int)
+        place[origin] = np.arange(len(origin))
+        kept = ~stale[self.sources]
+        graph = BoxGraph(
+            grid,
+            place[self.sources[kept]],
+            place[self.targets[kept]],
+            (self.outside & ~stale)[origin],
+            (self.unknown | stale)[origin],
+        )
+        return graph, np.flatnonzero(stale[origin])
 
     def _matrix(self, sources: Numbers, targets: Numbers, size: int) -> Any:
         from scipy.sparse import csr_array
@@ -84,15 +132,77 @@ class BoxGraph:
         return self._matrix(self.sources, self.targets, len(self.grid))
 
     @cached_property
-    def components(self) -> tuple[Numbers, ...]:
-        """Strong components with a cycle: boxes that lie on one together, the largest first."""
+    def coarse(self) -> Flags:
+        """Boxes that are worth dividing: what is said of them may be sharper of their halves.
+
+        Those on cycles, those of which a part of the image alone may be outside, and those of
+        unknown image to which an edge leads.
+        """
+        recurrent, met = (np.zeros(len(self.grid), dtype=bool) for _ in range(2))
+        recurrent[np.concatenate([self.targets[:0], *self.components])] = True
+        met[self.targets] = True
+        leaving = self.outside.copy()
+        leaving[np.setdiff1d(np.flatnonzero(leaving), self.sources)] = False
+        found: Flags = recurrent | leaving | (self.unknown & met)
+        return found
+
+    @cached_property
+    def _strong(self) -> Numbers:
+        """Of each box the number of its strong component, with a cycle or alone."""
         from scipy.sparse.csgraph import connected_components
 
-        _, label = connected_components(self.edges, connection="strong")
+        found: Numbers = connected_components(self.edges, connection="strong")[1]
+        return found.astype(int)
+
+    @cached_property
+    def ranks(self) -> Numbers:
+        """Over how many strong components the longest walk from each box leads, beside its own."""
+        label, size = self._strong, int(self._strong.max()) + 1
+        apart = label[self.sources] != label[self.targets]
+        pairs = np.unique(label[self.targets[apart]] * size + label[self.sources[apart]])
+        later, earlier = np.divmod(pairs, size)
+        begins = np.searchsorted(later, np.arange(size + 1))
+        left, rank = np.bincount(earlier, minlength=size), np.zeros(size, dtype=int)
+        last, level = np.flatnonzero(left == 0), 0
+        while len(last):
+            rank[last] = level
+            counts = begins[last + 1] - begins[last]
+            shift = np.repeat(begins[last] - np.cumsum(counts) + counts, counts)
+            met, times = np.unique(earlier[np.arange(len(shift)) + shift], return_counts=True)
+            left[met] -= times
+            last, level = met[left[met] == 0], level + 1
+        return rank[label]
+
+    @cached_property
+    def components(self) -> tuple[Numbers, ...]:
+        """Strong components with a cycle: boxes that lie on one together.
+
+        First those that no edge leaves, then the others, the largest first.
+        """
+        label = self._strong
         inner = label[self.sources] == label[self.targets]
         recurrent = np.unique(label[self.sources[inner]])
-        found = [np.flatnonzero(label == own) for own in recurrent]
-        return tuple(sorted(found, key=lambda own: (-len(own), int(own[0]))))
+        order = np.argsort(label, kind="stable")
+        begins = np.searchsorted(label[order], np.append(recurrent, recurrent + 1))
+        ends = zip(*np.split(begins, 2), strict=True)
+        found = [np.sort(order[first:last]) for first, last in ends]
+        return tuple(sorted(found, key=lambda own: (not self.stays(own), -len(own), int(own[0]))))
+
+    def stays(self, boxes: Numbers) -> bool:
+        """Whether no edge leads from some boxes to others, outside, or to where is not known.
+
+        Parameters
+        ----------
+        boxes : array of int
+
+        Returns
+        -------
+        bool
+        """
+        own = np.zeros(len(self.grid), dtype=bool)
+        own[boxes] = True
+        left = self.outside | self.unknown
+        return bool(own[self.targets[own[self.sources]]].all() and not left[boxes].any())
 
     def ahead(self, first: Numbers) -> Flags:
         """Boxes to which walks lead from some of these, with these.
@@ -168,7 +278,8 @@ class BoxGraph:
         yield from ((int(i), int(j)) for i, j in np.argwhere(direct))
 
 
-def _near(grid: BoxGrid, places: Floats) -> Floats:
+def _near(grid: DividedGrid, places: Floats) -> Floats:
     """Places, those far outside of a grid no further than some boxes."""
-    first, counts = np.array(grid.first), np.array(grid.counts)
-    return np.clip(places, (first - 4.0) * grid.sides, (first + counts + 4.0) * grid.sides)
+    whole = grid.grid
+    first, counts = np.array(whole.first), np.array(whole.counts)
+    return np.clip(places, (first - 4.0) * whole.sides, (first + counts + 4.0) * whole.sides)

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.box_grid import BoxGrid
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.divided_grid import DividedGrid
+from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.float_sets import Floats
+from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.proof.chaos.section_choice import Sampled, sampled_sections
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
-from nonsmooth.runtime.proof.graphs.graph_certificate import Component, GraphCertificate
+from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
+from nonsmooth.runtime.proof.sets.branching import BranchingMap
+from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration
 from nonsmooth.runtime.simulation.simulate import follow, simulate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -33,6 +38,8 @@ _AT_ONCE = 2048  # boxes
 _MOST_BOXES = 4_000_000
 _DEFAULT_BOXES = {1: 1024, 2: 96}  # by the number of coordinates
 _FEW_BOXES = 16  # with more coordinates
+_MOST_LEVELS = 24
+_EVERY = 10.0  # seconds between states that are kept
 
 
 def certify_graph(
@@ -46,7 +53,10 @@ def certify_graph(
     parts: int = 400,
     transitions: int = 40,
     bits: int = _BITS,
+    levels: int = 0,
+    resume: GraphCertificate | None = None,
     progress: Callable[[int, int], object] = lambda done, count: None,
+    keep: Callable[[GraphCertificate], object] | None = None,
 ) -> GraphCertificate:
     """Enclose the images of all boxes of a region of a section; find what motions do not leave.
 
@@ -79,8 +89,17 @@ def certify_graph(
     bits : int
         Working precision of the flow's coefficients, 64 to 4096; sets are carried in doubles,
         with bounds of all roundings.
+    levels : int
+        How often boxes are divided at most, each time into halves along all coordinates: those
+        on cycles, those that leave the region in part, and those of unknown image to which an
+        edge leads.
+    resume : GraphCertificate, optional
+        What was proved before on the same region: images that are unknown are enclosed again,
+        and boxes are divided up to `levels`.
     progress : callable
         Told how many boxes of how many were mapped.
+    keep : function of a GraphCertificate, optional
+        Is given the state every ten seconds.
 
     Returns
     -------
@@ -89,8 +108,10 @@ def certify_graph(
     Raises
     ------
     InputError
-        For wrong names or numbers, a parameter that is not rational, several forcings, or a
-        motion that comes to no section often enough.
+        For wrong names or numbers, a parameter that is not rational, several forcings, a
+        motion that comes to no section often enough, or a state of another question.
+    Interrupted
+        By Ctrl-C; its `partial` is what is proved until then.
 
     References
     ----------
@@ -115,6 +136,7 @@ def certify_graph(
         ("parts", parts, 1, 1_000_000),
         ("transitions", transitions, 1, 10_000),
         ("bits", bits, _FEWEST_BITS, _MOST_BITS),
+        ("levels", levels, 0, _MOST_LEVELS),
     ):
         if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
             raise InputError(f"{name} = {number!r} is not an integer from {least} to {most}")
@@ -128,12 +150,63 @@ def certify_graph(
         sampled = next(iter(sampled_sections(enclosed, motion)), None)
         if sampled is None:
             raise InputError("the motion comes to no section often enough")
-        grid = _grid(enclosed, sampled, boxes, region or {})
-        mapped = BranchingMap(
-            enclosed, sampled.section, _extents(motion), _WIDEST, most=parts, longest=transitions
+        widest = _WIDEST * _extents(motion)
+        empty = _certificate(
+            kernels, enclosed, sampled, _grid(enclosed, sampled, boxes, region or {}), widest
         )
-        graph = BoxGraph.of_leaves(grid, _leaves(mapped, grid, progress))
-    return _certificate(enclosed, sampled, graph)
+        known = replace(empty, most=parts, longest=transitions)
+        if resume is not None:
+            _check_same(known, resume)
+            known = replace(
+                known,
+                graph=resume.graph,
+                most=max(parts, resume.most),
+                longest=max(transitions, resume.longest),
+            )
+        mapped = BranchingMap(
+            enclosed, sampled.section, widest, 1.0, most=parts, longest=transitions
+        )
+        return _BoxImages(mapped, known, progress, keep).refined(levels)
+
+
+@dataclass
+class _BoxImages:
+    """How images are enclosed, and what is known."""
+
+    mapped: BranchingMap
+    known: GraphCertificate
+    progress: Callable[[int, int], object]
+    keep: Callable[[GraphCertificate], object] | None
+    kept: float = field(default_factory=time.monotonic)
+
+    def refined(self, levels: int) -> GraphCertificate:
+        """Enclose all that is unknown, and divide boxes."""
+        graph, left = self.known.graph, np.flatnonzero(self.known.graph.unknown)
+        try:
+            graph = self._seen(graph, left)
+            while len(graph.grid.divided) <= levels:
+                coarse = graph.coarse
+                more = int(coarse.sum()) * (2 ** len(graph.grid.grid.counts) - 1)
+                if not more or len(graph.grid) + more > _MOST_BOXES:
+                    break
+                graph, left = graph.halved(coarse)
+                self.known = replace(self.known, graph=graph)
+                graph = self._seen(graph, left)
+        except KeyboardInterrupt:
+            raise Interrupted(self.known) from None
+        return self.known
+
+    def _seen(self, graph: BoxGraph, left: NDArray[np.int_]) -> BoxGraph:
+        """The graph with images of boxes."""
+        for first in range(0, len(left), _AT_ONCE):
+            numbers = left[first : first + _AT_ONCE]
+            graph = graph.seen(numbers, self.mapped.leaves(graph.grid.sets(numbers)))
+            self.known = replace(self.known, graph=graph)
+            self.progress(first + len(numbers), len(left))
+            if self.keep is not None and time.monotonic() - self.kept > _EVERY:
+                self.keep(self.known)
+                self.kept = time.monotonic()
+        return graph
 
 
 def _extents(motion: Trajectory) -> Floats:
@@ -172,24 +245,12 @@ def _grid(
     return grid
 
 
-def _leaves(
-    mapped: BranchingMap, grid: BoxGrid, progress: Callable[[int, int], object]
-) -> Iterator[tuple[int, Leaves]]:
-    for first in range(0, len(grid), _AT_ONCE):
-        numbers = np.arange(first, min(first + _AT_ONCE, len(grid)))
-        yield first, mapped.leaves(grid.sets(numbers))
-        progress(int(numbers[-1]) + 1, len(grid))
-
-
-def _certificate(system: EnclosedSystem, sampled: Sampled, graph: BoxGraph) -> GraphCertificate:
+def _certificate(
+    kernels: SystemKernels, system: EnclosedSystem, sampled: Sampled, grid: BoxGrid, widest: Floats
+) -> GraphCertificate:
+    """What is asked, and that nothing is known yet."""
     section, structure = sampled.section, system.structure
     names = structure.configurations
-    _, visited, _ = graph.grid.numbers_met(sampled.points, sampled.points)
-    visited = np.unique(visited)
-    found = _components(graph, visited)
-    # the attracting ones first
-    order = sorted(range(len(found)), key=lambda k: not found[k].attracting)
-    place = {k: number for number, k in enumerate(order)}
     shapes = structure.boundaries[section.source] if section.phase is None else ()
     return GraphCertificate(
         system=structure.name,
@@ -199,28 +260,20 @@ def _certificate(system: EnclosedSystem, sampled: Sampled, graph: BoxGraph) -> G
         source=names[section.source] if section.phase is None else "",
         boundary="+".join(sorted(shapes[b].name for b in section.boundaries)),
         coordinates=tuple(structure.states[k] for k in section.free),
-        graph=graph,
-        components=tuple(found[k] for k in order),
-        arrows=tuple(sorted((place[i], place[j]) for i, j in graph.arrows())),
-        visited=visited,
+        graph=BoxGraph.unseen(DividedGrid.of(grid)),
+        widest=tuple(widest.tolist()),
+        most=0,
+        longest=0,
         bits=system.bits,
+        declaration=listed_declaration(kernels, system),
     )
 
 
-def _components(graph: BoxGraph, visited: Any) -> list[Component]:
-    found = []
-    for own in graph.components:
-        ahead = graph.ahead(own)
-        escapes = bool((ahead & (graph.outside | graph.unknown)).any())
-        low, high = graph.grid.bounds(own)
-        found.append(
-            Component(
-                boxes=own,
-                low=tuple(low.min(axis=0).tolist()),
-                high=tuple(high.max(axis=0).tolist()),
-                attracting=not escapes and int(ahead.sum()) == len(own),
-                leaves=escapes,
-                visited=bool(np.isin(visited, own).any()),
-            )
-        )
-    return found
+def _check_same(asked: GraphCertificate, known: GraphCertificate) -> None:
+    """Refuse a state of another question."""
+    names = ("system", "parameters", "configuration", "phase", "source", "boundary", "region")
+    check_same_question(
+        "graph",
+        {name: getattr(asked, name) for name in names} | {"boxes": asked.graph.grid.grid},
+        {name: getattr(known, name) for name in names} | {"boxes": known.graph.grid.grid},
+    )

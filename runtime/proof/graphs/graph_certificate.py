@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import registered
-from nonsmooth.runtime.core.showing import Shown
+from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
 
@@ -32,8 +33,6 @@ class Component:
         Whether it is a trapping region by itself: every image of its boxes lies in it.
     leaves : bool
         Whether a walk from it leads outside of the region or to a box of unknown image.
-    visited : bool
-        Whether the sampled motion comes to it.
     """
 
     boxes: NDArray[np.int_] = field(repr=False)
@@ -41,11 +40,10 @@ class Component:
     high: tuple[float, ...]
     attracting: bool
     leaves: bool
-    visited: bool
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class GraphCertificate(Shown):
+class GraphCertificate(Kept):
     """A rigorous outer approximation of a section's map on a region, at one parameter point.
 
     P is the map from a section to its next return: over periods of the forcing, or from one
@@ -69,16 +67,18 @@ class GraphCertificate(Shown):
         States that are the coordinates of the section.
     graph : BoxGraph
         Boxes and edges.
-    components : tuple of Component
-        Where motions that stay in the region accumulate, the attracting ones first.
-    arrows : tuple of (int, int)
-        The Morse graph: from which component motions may come to which, without those that
-        follow from others.
-    visited : array of int
-        Boxes that the sampled motion visits.
+    widest : tuple of float
+        Sets that are wider along a state than this were divided on the way.
+    most, longest : int
+        Parts of one box, and transitions until it returns, at most.
     bits : int
         Precision of the exact part of the proof.
+    declaration : dict
+        The system, as functions of its parameters, as in the file; empty where a contact law
+        decides what follows.
     """
+
+    _kept_by = "save_graph"
 
     system: str
     parameters: Mapping[str, Value]
@@ -88,10 +88,54 @@ class GraphCertificate(Shown):
     boundary: str
     coordinates: tuple[str, ...]
     graph: BoxGraph = field(repr=False)
-    components: tuple[Component, ...]
-    arrows: tuple[tuple[int, int], ...]
-    visited: NDArray[np.int_] = field(repr=False)
+    widest: tuple[float, ...]
+    most: int
+    longest: int
     bits: int
+    declaration: Mapping[str, Any] = field(repr=False)
+
+    @cached_property
+    def components(self) -> tuple[Component, ...]:
+        """Where motions that stay in the region accumulate, the attracting ones first."""
+        graph, found = self.graph, []
+        for own in graph.components:
+            low, high = graph.grid.bounds(own)
+            found.append(
+                Component(
+                    boxes=own,
+                    low=tuple(low.min(axis=0).tolist()),
+                    high=tuple(high.max(axis=0).tolist()),
+                    attracting=graph.stays(own),
+                    leaves=bool((graph.ahead(own) & (graph.outside | graph.unknown)).any()),
+                )
+            )
+        return tuple(found)
+
+    @cached_property
+    def arrows(self) -> tuple[tuple[int, int], ...]:
+        """The Morse graph: from which component motions may come to which.
+
+        Without those that follow from others.
+        """
+        return tuple(self.graph.arrows())
+
+    @property
+    def claims(self) -> dict[str, str]:
+        """Verdict on "trapping": whether there is an attracting component."""
+        return {"trapping": "proved" if self.proved else "undecided"}
+
+    @property
+    def statement(self) -> str:
+        """What is proved, in words."""
+        graph = self.graph
+        count, few = len(self.components), sum(own.attracting for own in self.components)
+        known = f"the images of {int((~graph.unknown).sum())} of {len(graph.grid)} boxes are known"
+        stays = f"all returns of a motion from {len(self.trapping)} trapping boxes are in these"
+        parts = "component" if count == 1 else "components"
+        return (
+            f"{known}; {stays}; among known boxes motions recur in {count} {parts} alone,"
+            f" {few} of them attracting"
+        )
 
     @property
     def proved(self) -> bool:
@@ -101,7 +145,8 @@ class GraphCertificate(Shown):
     @property
     def region(self) -> dict[str, tuple[float, float]]:
         """Bounds of the coordinates in the region, exactly."""
-        low, high = self.graph.grid.bounds(np.array([0, len(self.graph.grid) - 1]))
+        grid = self.graph.grid.grid
+        low, high = grid.bounds(np.array([0, len(grid) - 1]))
         ends = zip(low[0].tolist(), high[1].tolist(), strict=True)
         return dict(zip(self.coordinates, ends, strict=True))
 
@@ -144,6 +189,27 @@ class GraphCertificate(Shown):
         if not inside[0]:
             raise InputError(f"{point!r} is not in the region")
         return int(number[0])
+
+    def component_of(self, point: Sequence[float]) -> Component | None:
+        """The component that contains a point of the section.
+
+        Parameters
+        ----------
+        point : sequence (d,)
+            The coordinates.
+
+        Returns
+        -------
+        Component or None
+            None if its box is on no cycle.
+
+        Raises
+        ------
+        InputError
+            If it is not in the region.
+        """
+        box = self.box_of(point)
+        return next((own for own in self.components if box in own.boxes), None)
 
     def targets(self, box: int) -> NDArray[np.int_]:
         """Boxes of the region that the image of a box may meet.
@@ -192,7 +258,12 @@ class GraphCertificate(Shown):
             "boundary": self.boundary,
             "coordinates": list(self.coordinates),
             "region": {name: list(ends) for name, ends in self.region.items()},
-            "counts": list(graph.grid.counts),
+            "claims": self.claims,
+            "statement": self.statement,
+            "counts": list(graph.grid.grid.counts),
+            "boxes": len(graph.grid),
+            "levels": len(graph.grid.divided) - 1,
+            "smallest": graph.grid.finest.tolist(),
             "edges": len(graph.sources),
             "outside": len(self.outside),
             "unknown": self.unknown.tolist(),
@@ -204,7 +275,6 @@ class GraphCertificate(Shown):
                     "high": list(own.high),
                     "attracting": own.attracting,
                     "leaves": own.leaves,
-                    "visited": own.visited,
                 }
                 for own in self.components
             ],

@@ -261,13 +261,12 @@ class BranchingMap:
         exact = self.system.exact
         inside = [exact.rows[s.row] for b, s in enumerate(self._shapes(here)) if b not in reached]
         known = frozenset(
-            _direction(end.facts.reduce(row))
-            for row in (*inside, *(tuple(-x for x in own) for own in end.rising))
+            _direction(end.facts.reduce(row)) for row in (*inside, *map(_opposite, end.rising))
         )
-        for target, reset, own, under in self._followed(
+        for target, reset, own, before, under in self._followed(
             here, reached, end.facts, parts, known, work
         ):
-            facts = end.facts.reset(exact.resets[reset])
+            facts = before.reset(exact.resets[reset])
             if not facts.consistent:
                 continue
             states = own.states.mapped(self._resets[reset])
@@ -278,7 +277,7 @@ class BranchingMap:
             below = frozenset(
                 b
                 for b, shape in enumerate(self._shapes(target))
-                if self._below(target, shape.row, facts, reset, end.facts, under)
+                if self._below(target, shape.row, facts, reset, before, under)
             )
             next_kind = _StartKind(target, facts, below, kind.clock)
             yield next_kind, _SetParts(states, own.origin, own.depth + 1), passage
@@ -331,10 +330,10 @@ class BranchingMap:
         parts: _SetParts,
         known: frozenset[Row],
         work: _PartsLeft,
-    ) -> Iterator[tuple[int, int, _SetParts, frozenset[Row]]]:
+    ) -> Iterator[tuple[int, int, _SetParts, Invariants, frozenset[Row]]]:
         """Targets and resets that may follow, with the parts for which they may.
 
-        And with functions that are known not to be positive.
+        And with what is exactly true of these, and functions that are known not to be positive.
         """
         structure = self.system.structure
         listed = [t for t in structure.listed(here, reached) if t.path is None]
@@ -348,7 +347,7 @@ class BranchingMap:
             except Undecided:
                 work.lose(one.origin)
                 continue
-            yield target, reset, one, known
+            yield target, reset, one, facts, known
 
     def _judged(
         self, here: int, reached: frozenset[int], facts: Invariants, states: ManySets
@@ -369,8 +368,12 @@ class BranchingMap:
         parts: _SetParts,
         known: frozenset[Row],
         work: _PartsLeft,
-    ) -> Iterator[tuple[int, int, _SetParts, frozenset[Row]]]:
-        """What may follow of the transitions from the first on, from one of its conditions on."""
+    ) -> Iterator[tuple[int, int, _SetParts, Invariants, frozenset[Row]]]:
+        """What may follow of the transitions from the first on, from one of its conditions on.
+
+        Where a function would have a sign that it is known not to have it is exactly zero, and
+        its next derivative decides.
+        """
         if not len(parts.origin):
             return
         if not listed:
@@ -378,20 +381,29 @@ class BranchingMap:
             return
         shape = listed[0]
         if place == len(shape.conditions):
-            yield shape.target, shape.reset, parts, known
+            yield shape.target, shape.reset, parts, facts, known
             return
         number, along, holds = shape.conditions[place]
         row, order = _leading(
             self.system.exact.rows[number], self.system.exact.fields[along], facts
         )
-        above, below, more, less = parts.chosen(slice(0, 0)), parts, known, known
-        if order >= 0:
-            positive = _rounded(row)
-            above, below = _kept(parts, positive), _kept(parts, _negative(positive))
-            more = known | {_direction(tuple(-x for x in row))}
-            less = known | {_direction(row)}
-        for part, met, now in ((above, holds, more), (below, not holds, less)):
-            if met:
+        if order < 0:
+            ways = [(parts, False, known)]
+        else:
+            ways = []
+            for positive, towards in ((True, row), (False, _opposite(row))):
+                if _direction(towards) not in known:
+                    part = _kept(parts, _rounded(towards))
+                    ways.append((part, positive, known | {_direction(_opposite(towards))}))
+                    continue
+                exactly = Invariants.of([*facts.rows, row])
+                if exactly.consistent:
+                    states, alive = parts.states.cut(_rounded(row), zero=True)
+                    part = parts.chosen(alive)._replace(states=states[alive])
+                    still = frozenset(_direction(exactly.reduce(own)) for own in known)
+                    yield from self._tried(listed, place, exactly, part, still, work)
+        for part, positive, now in ways:
+            if positive == holds:
                 yield from self._tried(listed, place + 1, facts, part, now, work)
             else:
                 yield from self._tried(listed[1:], 0, facts, part, now, work)
@@ -487,6 +499,7 @@ class _StartedPhase:
         self.stuck = False  # beyond a boundary all along
         self.functions: list[WatchedFunction] = []
         self.under: list[bool] = []
+        self.still: list[bool] = []
         self.starts: list[Row] = []
         together: dict[Any, tuple[list[int], Row]] = {}
         for b, boundary in enumerate(structure.boundaries[here]):
@@ -502,6 +515,7 @@ class _StartedPhase:
             if order < 0:
                 continue
             self.under.append(any(b in kind.under for b in own))
+            self.still.append(not any(lasting.reduce(product(row, exact.fields[here]))))
             facts = Invariants.of([*lasting.rows, row])
             rate = facts.reduce(product(row, exact.fields[here]))
             self.functions.append(
@@ -517,8 +531,11 @@ class _StartedPhase:
             self.functions.append(WatchedFunction((CLOCK,), clock, clock, 0, facts, ()))
             # states that reach a boundary just then are both on the section and beyond it
             self.under.append(True)
+            self.still.append(False)
         self.begins = [Rounded.of(f.leading) for f in self.functions]
-        self.phase = PhaseEnds(mapped._flows[here], self.functions, mapped.finest)
+        # a function that does not change ends no phase that it does not end at once
+        moving = [f for f, still in zip(self.functions, self.still, strict=True) if not still]
+        self.phase = PhaseEnds(mapped._flows[here], moving, mapped.finest)
 
     def ends(self, parts: _SetParts, work: _PartsLeft) -> Iterator[EndedSets]:
         """The ways in which it may end; origins are numbers of the parts."""
@@ -592,6 +609,10 @@ def _leading(row: Row, along: Sequence[Row], facts: Invariants) -> tuple[Row, in
             return reduced, order
         row = product(row, along)
     return row, -1
+
+
+def _opposite(row: Row) -> Row:
+    return tuple(-x for x in row)
 
 
 def _direction(row: Row) -> Row:

@@ -1,0 +1,100 @@
+"""Grids of boxes as files state them, and numbers that they state of each box."""
+
+from collections.abc import Sequence
+from math import prod
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.checker.exact import demand
+from nonsmooth.runtime.core.box_grid import BoxGrid
+from nonsmooth.runtime.core.divided_grid import DividedGrid
+
+__all__ = ["listed", "stated_divided_grid", "stated_grid"]
+
+_LARGEST = 10**8  # boxes of a grid
+_SIDES = 40  # powers of 2: of a side
+
+
+def stated_grid(entries: Any, size: int) -> BoxGrid:
+    """A grid of boxes of some coordinates.
+
+    Parameters
+    ----------
+    entries : dict or None
+        Of a file.
+    size : int
+        How many coordinates.
+
+    Returns
+    -------
+    BoxGrid
+
+    Raises
+    ------
+    Failure
+        If there is no such grid.
+    """
+    demand(entries is not None, "there is no grid")
+    exponents, first, counts = (tuple(entries[x]) for x in ("exponents", "first", "counts"))
+    demand(size > 0 and all(len(x) == size for x in (exponents, first, counts)), "no such grid")
+    small = all(abs(e) <= _SIDES for e in exponents) and all(abs(f) < 2**_SIDES for f in first)
+    demand(small and all(n > 0 for n in counts) and prod(counts) <= _LARGEST, "no such grid")
+    return BoxGrid(exponents, first, counts)
+
+
+def stated_divided_grid(entries: Any, levels: Sequence[Any], size: int) -> DividedGrid:
+    """A grid of which some boxes are divided, in levels.
+
+    Parameters
+    ----------
+    entries : dict
+        Of a file: the grid.
+    levels : sequence of runs
+        Which cells of each level are divided.
+    size : int
+        How many coordinates.
+
+    Returns
+    -------
+    DividedGrid
+
+    Raises
+    ------
+    Failure
+        If there is no such grid.
+    """
+    whole = stated_grid(entries, size)
+    demand(0 < len(levels) <= _SIDES, "no such levels of a grid")
+    cells, divided = len(whole), []
+    for runs in levels:
+        told = listed(runs, cells)
+        demand(np.isin(told, (0, 1)).all(), "a box is divided or not")
+        divided.append(told == 1)
+        cells = int(told.sum()) * 2**size
+    demand(not cells, "no such levels of a grid")
+    return DividedGrid(whole, tuple(divided))
+
+
+def listed(runs: Sequence[Any], size: int) -> Any:
+    """The numbers of all boxes, of runs of them.
+
+    Parameters
+    ----------
+    runs : sequence of (int, int)
+    size : int
+        How many boxes there are.
+
+    Returns
+    -------
+    array of int (size,)
+
+    Raises
+    ------
+    Failure
+        If there are more or fewer.
+    """
+    fits = all(n > 0 for _, n in runs) and sum(n for _, n in runs) == size <= _LARGEST
+    demand(fits, "another number of boxes than the grid has")
+    demand(all(abs(x) < 2**_SIDES for x, _ in runs), "no such numbers")
+    return np.repeat([x for x, _ in runs] or [0], [n for _, n in runs] or [0])

@@ -1,0 +1,204 @@
+"""Boxes of several sizes: those of a grid, some divided into boxes of half the sides, and so on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonsmooth.runtime.core.box_grid import BoxGrid
+from nonsmooth.runtime.core.float_sets import Floats, ManySets
+
+__all__ = ["DividedGrid"]
+
+Numbers = NDArray[np.int_]
+Flags = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class DividedGrid:
+    """Boxes without common inner points that cover the region of a grid.
+
+    The cells of the first level are the boxes of the grid; those of each further one are the 2^d
+    halves of the divided cells of the level before, in their order. Cells that are not divided
+    are the boxes: they have numbers, first those of the first level.
+
+    Attributes
+    ----------
+    grid : BoxGrid
+    divided : tuple of array of bool
+        Which cells of each level are divided; of the last level none is.
+    """
+
+    grid: BoxGrid
+    divided: tuple[Flags, ...]
+
+    @staticmethod
+    def of(grid: BoxGrid) -> DividedGrid:
+        """The boxes of a grid, none of them divided.
+
+        Parameters
+        ----------
+        grid : BoxGrid
+
+        Returns
+        -------
+        DividedGrid
+        """
+        return DividedGrid(grid, (np.zeros(len(grid), dtype=bool),))
+
+    def __len__(self) -> int:
+        return int(self._first[-1])
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, DividedGrid):
+            return NotImplemented
+        same = self.grid == other.grid and len(self.divided) == len(other.divided)
+        pairs = zip(self.divided, other.divided, strict=False)
+        return same and all(np.array_equal(one, two) for one, two in pairs)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @cached_property
+    def _first(self) -> Numbers:
+        """The number of each level's first box, and how many there are in all."""
+        return np.cumsum([0, *(int((~own).sum()) for own in self.divided)])
+
+    @cached_property
+    def _halves(self) -> Numbers:
+        """Places of the halves of a cell."""
+        count = len(self.grid.counts)
+        return np.stack(np.unravel_index(np.arange(2**count), (2,) * count), axis=1)
+
+    @cached_property
+    def _places(self) -> tuple[Numbers, ...]:
+        """Of each level the places (C, d) of its cells, in units of their sides."""
+        counts = self.grid.counts
+        cells = np.stack(np.unravel_index(np.arange(len(self.grid)), counts), axis=1)
+        found = [cells + np.array(self.grid.first)]
+        for divided in self.divided[:-1]:
+            halves = 2 * found[-1][divided][:, None, :] + self._halves
+            found.append(halves.reshape(-1, len(counts)))
+        return tuple(found)
+
+    @cached_property
+    def _number(self) -> tuple[Numbers, ...]:
+        """Of each cell: its number if it is a box, else -1 minus which of the divided it is."""
+        found = []
+        for first, divided in zip(self._first[:-1], self.divided, strict=True):
+            box = first + np.cumsum(~divided) - 1
+            found.append(np.where(divided, -1 * np.cumsum(divided), box))
+        return tuple(found)
+
+    @cached_property
+    def _levels(self) -> Numbers:
+        """Of each box its level."""
+        return np.repeat(np.arange(len(self.divided)), np.diff(self._first))
+
+    @cached_property
+    def _ends(self) -> tuple[Floats, Floats]:
+        """Least and largest coordinates (B, d) of all boxes."""
+        kept = zip(self._places, self.divided, strict=True)
+        places = np.concatenate([own[~divided] for own, divided in kept])
+        sides = self.grid.sides * 0.5 ** self._levels[:, None]
+        return places * sides, (places + 1) * sides
+
+    @property
+    def finest(self) -> Floats:
+        """Sides of the smallest boxes."""
+        found: Floats = self.grid.sides * 0.5 ** (len(self.divided) - 1)
+        return found
+
+    def bounds(self, numbers: Numbers) -> tuple[Floats, Floats]:
+        """Least and largest coordinates (B, d) of boxes, exactly.
+
+        Parameters
+        ----------
+        numbers : array of int (B,)
+
+        Returns
+        -------
+        tuple of arrays
+        """
+        low, high = self._ends
+        return low[numbers], high[numbers]
+
+    def sets(self, numbers: Numbers) -> ManySets:
+        """Boxes as sets.
+
+        Parameters
+        ----------
+        numbers : array of int (B,)
+
+        Returns
+        -------
+        ManySets
+            In R^(d + 1).
+        """
+        return ManySets.of_boxes(*self.bounds(numbers))
+
+    def numbers_met(self, low: Floats, high: Floats) -> tuple[Numbers, Numbers, Flags]:
+        """Pairs: the number of one of the boxes given, and of one of these that it meets.
+
+        Parameters
+        ----------
+        low, high : array (B, d)
+
+        Returns
+        -------
+        tuple of arrays
+            (P,), (P,), and whether all of each is inside of the region, (B,).
+        """
+        owner, cell, inside = self.grid.numbers_met(low, high)
+        found = []
+        for level, (divided, numbers) in enumerate(zip(self.divided, self._number, strict=True)):
+            box = ~divided[cell]
+            found.append((owner[box], numbers[cell[box]]))
+            if level + 1 == len(self.divided):
+                break
+            owner = np.repeat(owner[~box], len(self._halves))
+            first = (-1 - numbers[cell[~box]]) * len(self._halves)
+            cell = (first[:, None] + np.arange(len(self._halves))).reshape(-1)
+            size = self.grid.sides * 0.5 ** (level + 1)
+            place = self._places[level + 1][cell]
+            met = np.floor(low / size)[owner] <= place
+            met &= place <= np.floor(high / size)[owner]
+            kept = met.all(axis=1)
+            owner, cell = owner[kept], cell[kept]
+        pairs = [np.concatenate(part) for part in zip(*found, strict=True)]
+        return pairs[0], pairs[1], inside
+
+    def halved(self, chosen: Flags) -> tuple[DividedGrid, Numbers]:
+        """The same with some boxes divided.
+
+        Parameters
+        ----------
+        chosen : array of bool (len(self),)
+
+        Returns
+        -------
+        tuple of (DividedGrid, array of int)
+            And of which of these boxes each new one is, or is a part.
+        """
+        count, level = len(self._halves), 0
+        # of the cells of a level: which of the old ones each is, if any, and of which box it is
+        old, owner = np.arange(len(self.grid)), np.full(len(self.grid), -1)
+        divided, origin = [], []
+        while len(old):
+            kept = old >= 0
+            number = np.full(len(old), -1)
+            before = np.zeros(len(old), dtype=bool)
+            if level < len(self.divided):
+                number[kept] = self._number[level][old[kept]]
+                before[kept] = self.divided[level][old[kept]]
+            owner = np.where(kept & ~before, number, owner)
+            now = before | (kept & chosen[owner])
+            divided.append(now)
+            origin.append(owner[~now])
+            halves = (-1 - number[now])[:, None] * count + np.arange(count)
+            old = np.where(before[now][:, None], halves, -1).reshape(-1)
+            owner = np.repeat(np.where(before, -1, owner)[now], count)
+            level += 1
+        return DividedGrid(self.grid, tuple(divided)), np.concatenate(origin)

@@ -1,0 +1,243 @@
+"""The check of graphs of boxes: true files pass, and false ones do not."""
+
+import json
+from io import BytesIO
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.model.kernels import load_system
+
+GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
+DATA = {
+    "chi": "0.5",
+    "eta": "1",
+    "V": "1",
+    "us1": "1",
+    "us2": "1",
+    "ur1": "4.0195",
+    "ur2": "1.4831",
+}
+
+
+@pytest.fixture(scope="module")
+def found():
+    return ns.certify_graph(
+        "dry-friction", DATA, [5, 4, 0.5, 0.25], region={"x2": (3.5, 5.5)}, boxes=16, levels=2
+    )
+
+
+@pytest.fixture(scope="module")
+def path(found, tmp_path_factory):
+    path = tmp_path_factory.mktemp("graph") / "graph.json"
+    found.save(path)
+    return path
+
+
+@pytest.fixture
+def content(path):
+    return json.loads(path.read_text())
+
+
+def refused(content, tmp_path, told):
+    path = tmp_path / "false.json"
+    path.write_text(json.dumps({**content, "sha256": checksum_of(content)}))
+    try:
+        difference = ns.check_certificate(path).difference
+    except ns.InputError as problem:
+        difference = str(problem)
+    assert difference is not None
+    assert told in difference, difference
+
+
+def test_a_true_file_is_proved_again_and_loaded(found, path):
+    check = ns.check_certificate(path)
+    assert check.difference is None
+    assert check.claims == {"trapping": "proved"}
+    again = ns.load(path)
+    assert again.to_json() == found.to_json()
+    assert again.graph.grid == found.graph.grid
+    for box in range(0, len(found.graph.grid), 7):
+        assert set(again.targets(box)) == set(found.targets(box))
+    pictures = []
+    for own in (found, again):
+        target = BytesIO()
+        own.plot().savefig(target, format="png")
+        pictures.append(target.getvalue())
+    assert pictures[0] == pictures[1]
+
+
+def test_a_true_file_of_two_coordinates_is_proved_again(tmp_path):
+    system = load_system(str(GALLERY / "impact_oscillator.py"))
+    data, region = {"r": "0.65", "sigma": "0", "w": "2.3"}, {"x": (-2, 0), "v": (-2, 2)}
+    found = ns.certify_graph(system, data, {"x": -0.7, "v": 0.1}, boxes=24, region=region, levels=2)
+    assert found.proved
+    assert found.graph.unknown.any()
+    found.save(tmp_path / "graph.json")
+    check = ns.check_certificate(tmp_path / "graph.json")
+    assert check.difference is None
+    assert check.claims == {"trapping": "proved"}
+    # a box of unknown image is not called known
+    content = json.loads((tmp_path / "graph.json").read_text())
+    content["unknown"] = [[0, len(found.graph.grid)]]
+    refused(content, tmp_path, "")
+
+
+def flat(runs):
+    return [value for value, count in runs for _ in range(count)]
+
+
+def runs(values):
+    found = []
+    for value in values:
+        if found and found[-1][0] == value:
+            found[-1][1] += 1
+        else:
+            found.append([value, 1])
+    return found
+
+
+def rewritten(content, change):
+    """A file of a graph that follows from other edges, with all that is said of them."""
+    from nonsmooth.runtime.core.json_codec import encode
+    from nonsmooth.runtime.present.files.graph_certificates import GRAPH, graph_entries, graph_of
+
+    content = json.loads(json.dumps(content))
+    change(content)
+    signed = {**content, "sha256": checksum_of(content)}
+    return {**content, **encode(graph_entries(graph_of(GRAPH.check_entries(signed))))}
+
+
+def without_edges(content, dropped):
+    edges = [
+        [source, first + k, 1]
+        for source, first, count in content["edges"]
+        for k in range(count)
+        if not dropped(source, first + k)
+    ]
+    content["edges"] = edges
+
+
+def test_the_rewritten_file_of_the_same_graph_passes(content, tmp_path):
+    same = rewritten(content, lambda content: None)
+    assert {**same, "sha256": checksum_of(same)} == content
+
+
+def test_a_component_is_not_split(found, content, tmp_path):
+    own = found.components[0].boxes
+    half = {*own[: len(own) // 2].tolist()}
+
+    def split(content):
+        without_edges(content, lambda s, t: (s in half) != (t in half) and {s, t} <= {*own})
+
+    refused(rewritten(content, split), tmp_path, "the image of a box")
+
+
+def test_edges_are_stated_once_and_in_order(content, tmp_path):
+    edges = content["edges"]
+    refused({**content, "edges": [*edges, edges[-1]]}, tmp_path, "edges are not in order")
+    refused({**content, "edges": edges[::-1]}, tmp_path, "edges are not in order")
+
+
+def test_what_is_not_trapping_is_not_added(found, content, tmp_path):
+    outer = next(k for k in range(len(found.graph.grid)) if k not in found.trapping)
+
+    def alone(content):
+        without_edges(content, lambda s, t: s == outer)
+        for name in ("outside", "unknown"):
+            told = flat(content[name])
+            told[outer] = 0
+            content[name] = runs(told)
+
+    refused(rewritten(content, alone), tmp_path, "the image of a box")
+    told = flat(content["trapping"])
+    told[outer] = 1
+    refused({**content, "trapping": runs(told)}, tmp_path, "a trapping region is left")
+
+
+def test_every_edge_counts_where_images_are_sharp(found, content, tmp_path):
+    wide = [box for box in range(len(found.graph.grid)) if len(found.targets(box)) > 2]
+    for box in wide[:: max(len(wide) // 2, 1)]:
+        targets = found.targets(box)
+        low, _ = found.graph.grid.bounds(targets)
+        inner = int(targets[np.argsort(low[:, 0])[len(targets) // 2]])
+
+        def cut(content, box=box, inner=inner):
+            without_edges(content, lambda s, t: (s, t) == (box, inner))
+
+        refused(rewritten(content, cut), tmp_path, "the image of a box")
+    assert wide
+
+
+def test_an_image_that_leaves_the_region_is_said_to(content, tmp_path):
+    def narrower(content):
+        # the same boxes, moved by one: their images are others
+        content["grid"]["first"][0] += 1
+
+    refused(rewritten(content, narrower), tmp_path, "the image of a box")
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "told"),
+    [
+        ("ranks", lambda told: [max(told)] * len(told), "an edge ascends"),
+        ("ranks", lambda told: [x + 1 for x in told], "what follows from other entries"),
+        ("components", lambda told: [-1] * len(told), "an edge ascends"),
+        ("components", lambda told: [0] * len(told), "a box is not of its component"),
+        ("trapping", lambda told: [0] * len(told), "what follows from other entries"),
+        ("unknown", lambda told: [1] * len(told), "an edge of an unknown image"),
+        ("outside", lambda told: [2] * len(told), "a box is so or not"),
+        ("outside", lambda told: told[1:], "another number of boxes"),
+    ],
+)
+def test_other_numbers_of_boxes_are_refused(content, tmp_path, name, change, told):
+    other = {**content, name: runs(change(flat(content[name])))}
+    refused(other, tmp_path, told)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "told"),
+    [
+        ("coordinates", ["x1"], "coordinates"),
+        ("widest", [0.0] * 4, "no limits of sets"),
+        ("widest", [1.0] * 3, "no limits of sets"),
+        ("longest", 2, "the image of a box"),
+        ("boundary", "second-breaks-forward", "no such transition"),
+        ("claim", "undecided", "the verdict is another one"),
+        ("divided", [[[0, 3]]], "another number of boxes"),
+        ("edges", [[0, 0, 10**6]], "an edge leads to no box"),
+        ("edges", [], ""),
+    ],
+)
+def test_other_entries_are_refused(content, tmp_path, name, value, told):
+    refused({**content, name: value}, tmp_path, told)
+
+
+def test_other_parameters_and_declarations_are_refused(tmp_path):
+    few = ns.certify_graph(
+        "dry-friction", DATA, [5, 4, 0.5, 0.25], region={"x2": (3.75, 5)}, boxes=8
+    )
+    few.save(tmp_path / "few.json")
+    content = json.loads((tmp_path / "few.json").read_text())
+    refused({**content, "parameters": {**content["parameters"], "ur1": "5"}}, tmp_path, "")
+    declared = json.loads(json.dumps(content["declaration"]))
+    rows = declared["configurations"]["slip-slip"]["boundaries"]
+    rows.pop(next(iter(rows)))
+    refused({**content, "declaration": declared}, tmp_path, "")
+
+
+@pytest.mark.parametrize("region", [(11.23, 11.25), (5.51, 5.53)])
+def test_the_check_follows_sets_at_corners(region, tmp_path):
+    """One mass breaks away, or reaches the belt, just as the other one breaks away."""
+    data = {"chi": "0.34", "eta": "2.88", "V": "1.23"}
+    data |= {"us1": "0.75", "us2": "1.19", "ur1": "2.04", "ur2": "1.83"}
+    found = ns.certify_graph(
+        "dry-friction", data, [1.93, 7.18, 1.18, 1.18], region={"x2": region}, boxes=4
+    )
+    assert not found.graph.unknown.any()
+    assert found.graph.outside.any()
+    found.save(tmp_path / "corner.json")
+    assert ns.check_certificate(tmp_path / "corner.json").difference is None
