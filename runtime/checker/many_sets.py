@@ -172,9 +172,20 @@ class ManyMotions:
                 if not on_section or end.at_once:
                     remaining.add(behind, own)
                 elif all(not any(reduced(row, behind.facts)) for row in self.facts):
-                    yield own
+                    yield self._inside(behind, own, remaining)
                 else:
                     remaining.lose(own.origin)
+
+    def _inside(self, known: KnownStart, own: Portions, remaining: Remaining) -> Portions:
+        """Of arrivals those that no boundary lies behind: what is beyond one goes on at once."""
+        for name, row in self.system.boundaries[known.configuration].items():
+            if name in known.below or not any(reduced(row, known.facts)):
+                continue
+            if any(reduced(row, self.facts)):
+                function = rounded(row)
+                remaining.add(known, own.where(function))
+                own = own.where(negative(function))
+        return own
 
     def _narrow(self, portions: Portions, remaining: Remaining) -> Portions:
         while True:

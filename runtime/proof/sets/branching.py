@@ -176,9 +176,12 @@ class BranchingMap:
                 continue
             for next_kind, next_parts, forced in self._behind_phase(kind, parts, work):
                 if self._is_leaf(next_kind, forced, kind):
-                    low, high = next_parts.states.hull
+                    leaf = next_parts
+                    if forced is not None:
+                        leaf = self._inside(next_kind, next_parts, work)
+                    low, high = leaf.states.hull
                     free = list(self.section.free)
-                    found.append((next_parts.origin, low[:, free], high[:, free]))
+                    found.append((leaf.origin, low[:, free], high[:, free]))
                 else:
                     work.add(next_kind, next_parts)
         size = len(self.section.free)
@@ -223,6 +226,18 @@ class BranchingMap:
         ):
             return False
         return all(not any(kind.facts.reduce(row)) for row in section.facts.rows)
+
+    def _inside(self, kind: _StartKind, parts: _SetParts, work: _PartsLeft) -> _SetParts:
+        """Of leaves what no boundary lies behind: states beyond one leave their phase at once."""
+        for b, shape in enumerate(self._shapes(kind.configuration)):
+            row = self.system.exact.rows[shape.row]
+            if b in kind.under or not any(kind.facts.reduce(row)):
+                continue
+            if any(self.section.facts.reduce(row)):
+                function = _rounded(row)
+                work.add(kind, _kept(parts, function))
+                parts = _kept(parts, _negative(function))
+        return parts
 
     # along a phase and behind it
 
