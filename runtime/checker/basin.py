@@ -138,7 +138,7 @@ def _check_ranks(
 
     inner = np.flatnonzero(ranks == 0)
     demand(in_core(*grid.bounds(inner)).all(), "a box of the rank 0 is not in the core")
-    for rank in range(1, int(ranks.max()) + 1):
+    for rank in np.unique(ranks[ranks > 0]):  # the file may leave many out
         sums = grid.sums((ranks >= 0) & (ranks < rank))
 
         def known(low: Any, high: Any, sums: Any = sums) -> Any:

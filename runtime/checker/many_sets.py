@@ -27,7 +27,7 @@ from nonsmooth.runtime.checker.portions import (
 from nonsmooth.runtime.checker.sets import matrix_of
 from nonsmooth.runtime.checker.switching import StatedSection, SwitchingSystem, echelon_behind
 from nonsmooth.runtime.core.float_flows import FloatFlow
-from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, within
+from nonsmooth.runtime.core.float_sets import LONGEST, Floats, ManySets, Rounded, within
 
 __all__ = ["Arrivals", "ManyMotions"]
 
@@ -88,6 +88,7 @@ class ManyMotions:
         longest: int = 40,
     ) -> None:
         self.system, self.section = SwitchingSystem(declared, parameters), section
+        demand(self.system.size + 2 <= LONGEST, "too many states for sets in double precision")
         self.scales, self.widest = np.array(scales, dtype=float), widest
         self.most, self.longest = most, longest
         self.exactly = Elimination()
@@ -112,6 +113,7 @@ class ManyMotions:
             lifted = starts.mapped(self.lift(self.facts, timed=False))
         return self.leaves(lifted, self.section.configuration, self.facts)
 
+    @np.errstate(all="ignore")  # sets without bounds are lost
     def leaves(self, starts: ManySets, configuration: str, facts: Sequence[Any]) -> Arrivals:
         """Boxes that contain the first arrival of every state of every set.
 

@@ -16,8 +16,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.float_flows import FloatFlow
-from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, joined_sets, within
+from nonsmooth.runtime.core.float_sets import (
+    LONGEST,
+    Floats,
+    ManySets,
+    Rounded,
+    joined_sets,
+    within,
+)
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.model.structure import BoundaryShape, TransitionShape
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
@@ -117,7 +125,12 @@ class BranchingMap:
     passages: set[PassedTransition] = field(default_factory=set)
 
     def __post_init__(self) -> None:
-        exact, count = self.system.exact, len(self.system.structure.configurations)
+        exact, structure = self.system.exact, self.system.structure
+        count, states = len(structure.configurations), len(structure.states)
+        if states + 2 > LONGEST:
+            raise InputError(
+                f"{structure.name} has {states} states: sets are carried with up to {LONGEST - 2}"
+            )
         self._fields = [with_time(exact.fields[c], 1) for c in range(count)]
         self._flows = [
             FloatFlow(own, float(flow.half) * _STEP)
