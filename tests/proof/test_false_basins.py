@@ -114,3 +114,11 @@ def test_the_check_does_not_take_it_for_an_arrival(beyond, tmp_path, rank):
     _, found = beyond
     told = with_rank(found, 0.6686, rank, tmp_path / "false.json")
     assert told == f"a box of the rank {rank} may lead elsewhere"
+
+
+def test_a_trapping_region_has_no_box_that_motions_leave(beyond):
+    orbit, _ = beyond
+    region = {"y": (-1, 1.2)}
+    graph = ns.certify_graph(orbit.system, {}, [-1, 0.5], "loop", boxes=256, region=region)
+    assert graph.box_of([0.5]) in graph.trapping
+    assert graph.box_of([0.6686]) not in graph.trapping
