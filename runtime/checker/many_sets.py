@@ -27,7 +27,7 @@ from nonsmooth.runtime.checker.portions import (
 from nonsmooth.runtime.checker.sets import matrix_of
 from nonsmooth.runtime.checker.switching import StatedSection, SwitchingSystem, echelon_behind
 from nonsmooth.runtime.core.float_flows import FloatFlow
-from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, within
+from nonsmooth.runtime.core.float_sets import LONGEST, Floats, ManySets, Rounded, within
 
 __all__ = ["Arrivals", "ManyMotions"]
 
@@ -93,6 +93,7 @@ class ManyMotions:
         finest: float = 1.0,
     ) -> None:
         self.system, self.section = SwitchingSystem(declared, parameters), section
+        demand(self.system.size + 2 <= LONGEST, "too many states for sets in double precision")
         self.scales, self.widest = np.array(scales, dtype=float), widest
         self.most, self.longest, self.finest = most, longest, finest
         self.exactly = Elimination()
@@ -117,6 +118,7 @@ class ManyMotions:
             lifted = starts.mapped(self.lift(self.facts, timed=False))
         return self.leaves(lifted, self.section.configuration, self.facts)
 
+    @np.errstate(all="ignore")  # sets without bounds are lost
     def leaves(self, starts: ManySets, configuration: str, facts: Sequence[Any]) -> Arrivals:
         """Boxes that contain the first arrival of every state of every set.
 
@@ -213,9 +215,20 @@ class ManyMotions:
                 if not on_section or end.at_once:
                     remaining.add(behind, own)
                 elif all(not any(reduced(row, behind.facts)) for row in self.facts):
-                    yield own
+                    yield self._inside(behind, own, remaining)
                 else:
                     remaining.lose(own.origin)
+
+    def _inside(self, known: KnownStart, own: Portions, remaining: Remaining) -> Portions:
+        """Of arrivals those that no boundary lies behind: what is beyond one goes on at once."""
+        for name, row in self.system.boundaries[known.configuration].items():
+            if name in known.below or not any(reduced(row, known.facts)):
+                continue
+            if any(reduced(row, self.facts)):
+                function = rounded(row)
+                remaining.add(known, own.where(function))
+                own = own.where(negative(function))
+        return own
 
     def _narrow(self, portions: Portions, remaining: Remaining) -> Portions:
         while True:

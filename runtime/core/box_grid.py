@@ -104,12 +104,13 @@ class BoxGrid:
             From which place and up to behind which, (B, d) each; and whether all of each is
             inside of the grid, (B,).
         """
-        size, counts = self.sides, np.array(self.counts)
-        begin = np.floor(low / size).astype(int) - np.array(self.first)
-        end = np.floor(high / size).astype(int) + 1 - np.array(self.first)
-        inside = ((begin >= 0) & (end <= counts)).all(axis=1)
-        begin, end = np.clip(begin, 0, counts), np.clip(end, 0, counts)
-        return begin, end, inside
+        size, first, counts = self.sides, np.array(self.first), np.array(self.counts)
+        least, most = np.floor(low / size) - first, np.floor(high / size) + 1 - first
+        inside = ((least >= 0) & (most <= counts)).all(axis=1)
+        # in integers only where they fit; what is no number may be anywhere
+        begin, end = np.clip(np.nan_to_num(least), 0, counts), np.clip(most, 0, counts)
+        end = np.where(np.isnan(end), counts, end)
+        return begin.astype(int), end.astype(int), inside
 
     def numbers_met(
         self, low: Floats, high: Floats

@@ -168,7 +168,7 @@ class FloatFlow:
         radius = upward(radius + (np.abs(self._rest.middle) + self._rest.radius).reshape(-1))
         shape = (len(times), self.size, self.size)
         steps, place = np.unique(numbers, return_inverse=True)
-        grid = [self.at_step(int(k)) for k in steps]
+        grid = [self.at_step(int(k)) for k in steps] or [self.at_step(0)]  # of no times too
         start = Rounded(*(np.stack(x)[place] for x in zip(*grid, strict=True)))
         return Rounded(middle.reshape(shape), radius.reshape(shape)) @ start
 

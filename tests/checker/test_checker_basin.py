@@ -5,7 +5,9 @@ import json
 import pytest
 
 import nonsmooth as ns
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.present.checking.compare_declarations import compare
 
 DATA = {
     "chi": "0.5",
@@ -50,7 +52,26 @@ def test_a_true_file_is_proved_again(path):
     check = ns.check_certificate(path)
     assert check.difference is None
     assert check.claims == {"basin": "proved"}
-    assert not check.compared  # the orbit is that through the core, whatever it is called
+    assert check.compared
+
+
+@pytest.mark.parametrize(
+    ("label", "told"),
+    [
+        ("dry-friction/symmetric", "the orbit through the core is not dry-friction/symmetric"),
+        ("dry-friction/solution-ii", "a phase of dry-friction/solution-ii lasts no time"),
+        ("dry-friction/another", "dry-friction/another is no orbit of dry-friction"),
+        ("", " is no orbit of dry-friction"),
+    ],
+)
+def test_a_basin_is_of_the_orbit_that_is_named(content, label, told):
+    with pytest.raises(Failure, match=told):
+        compare({**content, "orbit": label})
+
+
+def test_an_orbit_without_a_name_is_not_compared(content):
+    assert compare(content)
+    assert not compare({**content, "orbit": "dry-friction, 4 phases"})
 
 
 def test_several_processes_prove_a_file_again(path, content, tmp_path):

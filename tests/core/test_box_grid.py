@@ -43,3 +43,24 @@ def test_boxes_are_covered_where_all_that_they_meet_are_good(boxes):
     for k in range(len(low)):
         assert covered[k] == bool(inside[k] and good[number[owner == k]].all())
     assert 0 < covered.sum() < len(low)
+
+
+@pytest.mark.parametrize("first", [-1, 0, 1, 2])
+@pytest.mark.parametrize("end", [1e30, -1e30, np.inf, -np.inf, np.nan])
+def test_boxes_beyond_all_integers_are_not_covered(first, end):
+    # the other coordinate is where no box is among the chosen ones
+    grid = BoxGrid((0, 0), (first, first), (2, 2))
+    sums = grid.sums(np.array([True, False, True, False]))
+    inner = first + 1.2
+    for low, high in ((end, end), (min(end, 0.5), max(end, 0.5))):
+        box = np.array([[low, inner]]), np.array([[high, inner]])
+        assert not grid.covered(sums, *box).any()
+        assert not grid.met(*box)[2].any()
+
+
+def test_what_is_no_number_may_be_in_any_box():
+    box = np.array([[np.nan, 2.2]])
+    owner, number, inside = BoxGrid((0, 0), (1, 1), (2, 2)).numbers_met(box, box)
+    assert owner.tolist() == [0, 0]
+    assert number.tolist() == [1, 3]
+    assert not inside.any()

@@ -212,3 +212,12 @@ def test_windows_bound_functions_rates_and_values_at_their_ends(flow):
             if share == 1.0:
                 assert (values.min(axis=1) >= first[:, own] - 1e-12).all()
                 assert (values.max(axis=1) <= last[:, own] + 1e-12).all()
+
+
+def test_no_sets_at_no_times_have_no_states():
+    # all pieces of a way may be seen not to reach a boundary
+    flow = FloatFlow(arb_mat([[0, 1], [-1, 0]]), 0.25)
+    none = ManySets(np.zeros((0, 2)), np.zeros((0, 2, 3)), np.zeros((0, 2)))
+    moved, way = flow.between(none, np.zeros(0), np.zeros(0))
+    assert len(moved) == len(way) == 0
+    assert way.sides.shape == (0, 2, 4)

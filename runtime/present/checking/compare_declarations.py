@@ -19,7 +19,7 @@ from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.model.completion import complete, system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
-from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in
+from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in, phases_called
 from nonsmooth.runtime.proof.certificate import GUARD
 from nonsmooth.runtime.proof.exact_tables import exact_tables, irrational_texts
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
@@ -145,14 +145,24 @@ def _system_of(content: Content) -> tuple[SystemKernels, EnclosedSystem]:
 
 
 def _basin(content: Content) -> bool:
-    """Compare the system of a certificate of a basin: the orbit is that through the core."""
+    """Compare the system of a certificate of a basin, and the way around its core with the orbit's.
+
+    The orbit is that through the core: where the system knows the name it has that orbit's phases.
+    """
     with flint_precision(content["bits"]):
         kernels, system = _system_of(content)
         if content["claim"] != "proved":
             return False
         if listed_declaration(kernels, system) != content["declaration"]:
             raise Failure(f"the declaration is not that of {content['system']}")
-    return False
+    phases = phases_called(kernels, content)
+    if phases is None:
+        return False
+    way = [(source, boundary) for source, boundary, _ in content["itinerary"]]
+    turns, count = len(way) // len(phases), len(phases)
+    if not any(way == (phases[k:] + phases[:k]) * turns for k in range(count)):
+        raise Failure(f"the orbit through the core is not {content['orbit']}")
+    return True
 
 
 def _graph(content: Content) -> bool:

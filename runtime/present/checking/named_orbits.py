@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -18,7 +19,7 @@ from nonsmooth.runtime.proof.contact_statement import kernels_with
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, itinerary_shape
 
-__all__ = ["NamedOrbit", "named_in"]
+__all__ = ["NamedOrbit", "named_in", "phases_called"]
 
 
 class NamedOrbit(NamedTuple):
@@ -117,6 +118,41 @@ def named_in(content: Mapping[str, Any]) -> NamedOrbit:
         return NamedOrbit(kernels, orbit, cycle, start_names(states, {*dwell, *own}), dwell)
     names = whole_names(orbit, len(itinerary))
     return NamedOrbit(kernels, orbit, cycle, names[len(itinerary) :], names[: len(itinerary)])
+
+
+def phases_called(
+    kernels: SystemKernels, content: Mapping[str, Any]
+) -> list[tuple[str, str]] | None:
+    """The phases, all of which last, of an orbit that a file names and its built-in system knows.
+
+    Parameters
+    ----------
+    kernels : SystemKernels
+        Of the system.
+    content : dict
+        The file, read as JSON.
+
+    Returns
+    -------
+    list of (configuration, boundary), or None
+        None where the system is a user's, or no declaration names the orbit.
+
+    Raises
+    ------
+    Failure
+        If a built-in system has no such orbit, or one of its phases lasts no time.
+    """
+    system, label = content["system"], content["orbit"]
+    if content["tables"] is not None or is_saved(label):
+        return None
+    if label in {f"{system}/{own}" for own in kernels.module.ORBITS}:
+        table = load_orbit(label).table
+        if table.get("vanishing"):
+            raise Failure(f"a phase of {label} lasts no time")
+        return [(c, b) for c, b, _ in table["phases"]]
+    if re.fullmatch(rf"{re.escape(system)}, \d+ phases?", label):
+        return None
+    raise Failure(f"{label} is no orbit of {system}")
 
 
 def _of_file(

@@ -16,8 +16,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.float_flows import FloatFlow
-from nonsmooth.runtime.core.float_sets import Floats, ManySets, Rounded, joined_sets, within
+from nonsmooth.runtime.core.float_sets import (
+    LONGEST,
+    Floats,
+    ManySets,
+    Rounded,
+    joined_sets,
+    within,
+)
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.model.structure import BoundaryShape, TransitionShape
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
@@ -117,7 +125,12 @@ class BranchingMap:
     passages: set[PassedTransition] = field(default_factory=set)
 
     def __post_init__(self) -> None:
-        exact, count = self.system.exact, len(self.system.structure.configurations)
+        exact, structure = self.system.exact, self.system.structure
+        count, states = len(structure.configurations), len(structure.states)
+        if states + 2 > LONGEST:
+            raise InputError(
+                f"{structure.name} has {states} states: sets are carried with up to {LONGEST - 2}"
+            )
         self._fields = [with_time(exact.fields[c], 1) for c in range(count)]
         self._flows = [
             FloatFlow(own, float(flow.half) * _STEP)
@@ -185,10 +198,13 @@ class BranchingMap:
                 continue
             for next_kind, next_parts, forced in self._behind_phase(kind, parts, work):
                 if self._is_leaf(next_kind, forced, kind):
-                    low, high = (x[:, list(self.section.free)] for x in next_parts.states.hull)
+                    leaf = next_parts
+                    if forced is not None:
+                        leaf = self._inside(next_kind, next_parts, work)
+                    low, high = (x[:, list(self.section.free)] for x in leaf.states.hull)
                     if wanted is not None:
-                        work.lose(next_parts.origin[~wanted(low, high)])
-                    found.append((next_parts.origin, low, high))
+                        work.lose(leaf.origin[~wanted(low, high)])
+                    found.append((leaf.origin, low, high))
                 else:
                     work.add(next_kind, next_parts)
         size = len(self.section.free)
@@ -233,6 +249,18 @@ class BranchingMap:
         ):
             return False
         return all(not any(kind.facts.reduce(row)) for row in section.facts.rows)
+
+    def _inside(self, kind: _StartKind, parts: _SetParts, work: _PartsLeft) -> _SetParts:
+        """Of leaves what no boundary lies behind: states beyond one leave their phase at once."""
+        for b, shape in enumerate(self._shapes(kind.configuration)):
+            row = self.system.exact.rows[shape.row]
+            if b in kind.under or not any(kind.facts.reduce(row)):
+                continue
+            if any(self.section.facts.reduce(row)):
+                function = _rounded(row)
+                work.add(kind, _kept(parts, function))
+                parts = _kept(parts, _negative(function))
+        return parts
 
     # along a phase and behind it
 
