@@ -192,9 +192,7 @@ def _proved(orbit: Orbit, own: OrbitCurve, met: MetBorder, value: float) -> Orbi
         tile = stated_tile(by, piece.tube, found, place, forwards=True)
         with flint_precision(SHARP):
             other = _met(by, tile, piece.tube)
-            pair = [met, other]
-            pair.sort(key=lambda each: -len(each.region.cycle.configurations))
-            same = is_same_motion(*pair)
+            same = is_same_motion(*sorted([met, other], key=lambda each: (each.free, -each.count)))
         side = _side(by, tile, piece) if same else ""
         if side:
             verdict = tile.after if tile.before == NOT_ADMISSIBLE else tile.before
