@@ -95,7 +95,7 @@ def _check(content: dict[str, Any], tile: CheckedTile, beyond: dict[str, Any]) -
     demand(verdict == {beyond["verdict"]}, "it has another verdict")
     with ctx.workprec(_SHARP):
         pair = [_Met(tile), _Met(tiles[0])]
-        pair.sort(key=lambda met: -len(met.steps))
+        pair.sort(key=lambda met: (met.free, -len(met.steps)))
         _demand_one_motion(*pair)
 
 
@@ -159,6 +159,11 @@ class _Met:
         covered = closing["kind"] in ("state", "forcing") and declared.dropped < 0
         demand(covered and not declared.translations, "cycles of another closing")
         demand(len(declared.forcing) <= 1, "several forcings: times a turn apart differ")
+
+    @property
+    def free(self) -> bool:
+        """Whether it reaches no boundary."""
+        return _FORCING_PHASE in self.steps[0].taken.begins
 
     @cached_property
     def point(self) -> list[Any]:
@@ -260,10 +265,10 @@ def _demand_one_motion(longer: _Met, shorter: _Met) -> None:
     """The longer one's motion is the orbit of the shorter one at its event."""
     one, two = longer.curve.declared.closing, shorter.curve.declared.closing
     demand(one["kind"] == two["kind"] and one.get("turns") == two.get("turns"), "other closings")
-    if _FORCING_PHASE in shorter.steps[0].taken.begins:
+    demand(not longer.free, "both reach no boundary")
+    if shorter.free:
         _demand_free(longer, shorter)
         return
-    demand(_FORCING_PHASE not in longer.steps[0].taken.begins, "the longer one has no boundary")
     reason = "no phases of one itinerary are those of the other"
     for parts in _matches(longer, shorter):
         try:

@@ -19,6 +19,7 @@ from nonsmooth.runtime.checker.stability import (
     MULTIPLIERS,
     characteristic,
     demand_alone,
+    outside_if_reached,
     paired,
     passing,
     stability,
@@ -281,7 +282,8 @@ class _CheckedEvent:
             orbit.returns(self.curve.energies)
             told = admissibility(orbit, [], self.borders, self.window)
             demand(told == "proved", f"but for the event admissibility is {told}")
-            demand(_verdict(orbit) == verdict, f"it is {_verdict(orbit)}")
+            found = self._verdict_beside(orbit)
+            demand(found == verdict, f"it is {found}")
 
         self.tile.parts(but_for_it)
         rises = {self._passes(border, border) for border in self.borders}
@@ -290,6 +292,14 @@ class _CheckedEvent:
         if rises == {False}:
             verdicts.reverse()
         demand(verdicts == [self.below, self.above], "other verdicts beside the event")
+
+    def _verdict_beside(self, orbit: CheckedOrbit) -> str:
+        """What an orbit is where the borders are not crossed."""
+        verdict = _verdict(orbit)
+        slow = [b.phase for b in self.borders if (b.kind, b.instant) == ("tangent", "end")]
+        if verdict == OPEN and len(slow) == 1 and outside_if_reached(orbit, slow[0]):
+            return "unstable"
+        return verdict
 
     def _passes(self, which: Any, border: Border | None) -> bool:
         """Whether its number rises through zero, once; Failure if it does not pass."""

@@ -340,7 +340,7 @@ class CheckedOrbit:
         """
         return self.map_on(*self.declared.section)
 
-    def map_on(self, begin: int, free: Sequence[int], basis: Any) -> Any:
+    def map_on(self, begin: int, free: Sequence[int], basis: Any, slow: int | None = None) -> Any:
         """The derivative of the Poincare map by some coordinates where a phase begins.
 
         Parameters
@@ -351,6 +351,8 @@ class CheckedOrbit:
             The n coordinates.
         basis : rows (N + 1, n)
             Changes of the state by these: exact entries.
+        slow : int, optional
+            A phase by whose speed, at its end, the map is multiplied: that may be zero.
 
         Returns
         -------
@@ -358,15 +360,31 @@ class CheckedOrbit:
             Of the coordinates.
         """
         count = len(self.chain.fields)
-        steps = [partial(self._moved, k % count) for k in range(begin, begin + count)]
+        places = [k % count for k in range(begin, begin + count)]
+        steps = [partial(self._moved, k, slow=k == slow) for k in places]
         found = along_chain(steps, self.numbers(basis))
         return matrix([[found[i, j] for j in range(len(free))] for i in free])
 
-    def _moved(self, place: int, found: Any) -> Any:
-        """Changes where a phase begins, moved to where the next one does."""
+    def speed(self, place: int) -> Any:
+        """The rate of the boundary function that ends a phase, where it ends.
+
+        Parameters
+        ----------
+        place : int
+            The phase, counted from 0.
+
+        Returns
+        -------
+        arb or TaylorModel
+        """
+        rate = self.chain.fields[place] * self.now.ends[place]
+        return (self.chain.rows[place] * rate)[0, 0]
+
+    def _moved(self, place: int, found: Any, slow: bool = False) -> Any:
+        """Changes where a phase begins, moved to where the next one does; times its speed."""
         chain, now, count = self.chain, self.now, len(self.chain.fields)
         known = None if self.short is None else self.short.jumps[place]
-        if known is not None:
+        if known is not None and not slow:
             found = self.flows[place] * found
             ahead = self.numbers([[x] for x in known]) * (chain.rows[place] * found)
             return chain.resets[place] * found + ahead
@@ -380,6 +398,8 @@ class CheckedOrbit:
                 behind = behind - self.numbers(column) * share
             jump = jump - behind
         moved, n = self.flows[place] * found, chain.rows[place]
+        if slow:
+            return chain.resets[place] * moved * self.speed(place) - jump * (n * moved)
         return chain.resets[place] * moved - jump * ((n * moved) / (n * rate)[0, 0])
 
     def enclosures(self, section: Any = None) -> dict[str, Any]:

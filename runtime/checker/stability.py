@@ -16,6 +16,7 @@ __all__ = [
     "characteristic",
     "demand_alone",
     "has_multipliers",
+    "outside_if_reached",
     "paired",
     "passing",
     "products_less_one",
@@ -75,6 +76,34 @@ def stability(orbit: CheckedOrbit) -> str:
     if orbit.declared.stability == "stable":
         return _inside(characteristic(orbit.section))
     return _neutral(orbit.section, orbit.declared.size)
+
+
+def outside_if_reached(orbit: CheckedOrbit, place: int) -> bool:
+    """Whether a multiplier is outside the unit circle wherever a phase ends with a speed v > 0.
+
+    The map divides by v. All roots of v p(z), with p its characteristic polynomial, are inside
+    only if the coefficient of z^(n - 1) is at most n v: that is minus the trace of v times the map,
+    which is regular where v is zero.
+
+    Parameters
+    ----------
+    orbit : CheckedOrbit
+        The orbit, located.
+    place : int
+        The phase, counted from 0.
+
+    Returns
+    -------
+    bool
+        True if that is proved.
+    """
+    declared = orbit.declared
+    if not declared.alone or declared.stability != "stable":
+        return False
+    square = orbit.map_on(*declared.section, slow=place)
+    total, most = trace_of(square), square.nrows() * orbit.speed(place)
+    signs = [total - most, total + most]
+    return all(x > 0 for x in signs) or all(x < 0 for x in signs)
 
 
 def _neutral(square: Any, size: int) -> str:

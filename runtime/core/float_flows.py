@@ -153,9 +153,6 @@ class FloatFlow:
         -------
         Rounded (B, n, n)
         """
-        if not len(times):
-            none = np.zeros((0, self.size, self.size))
-            return Rounded(none, none)
         numbers = np.rint(times / self.step)
         left = times - numbers * self.step  # exact: the step is a power of 2
         powers = left[:, None] ** np.arange(_TERMS)

@@ -50,6 +50,11 @@ class OpenInequality(NamedTuple):
     boundary: str
     instant: str
 
+    @property
+    def slow(self) -> bool:
+        """Whether it is that a boundary is reached with a positive speed."""
+        return (self.kind, self.instant) == ("tangent", "end")
+
 
 class Margin(NamedTuple):
     """How clearly a boundary is respected.
@@ -188,6 +193,7 @@ class _Phase:
                     found += self._watched(watched, functions)
                 except _NotTold as trouble:
                     if not self._bends(watched, functions):
+                        self._not_inside(watched, functions)
                         self.open.append((trouble.which, trouble.reason))
             self._follows()
         except Undecided as trouble:
@@ -241,6 +247,14 @@ class _Phase:
         if least is not None:
             found.append(self._margin(name, "distance", least))
         return found
+
+    def _not_inside(self, watched: Watched, functions: EventFunctions | None) -> None:
+        """Refute what is open at an end of the phase, where the boundary is passed inside too."""
+        if functions is None or watched.still:
+            return
+        time = functions.crossed(functions.function(matrix([watched.row])))
+        if time is not None:
+            raise _Refuted(_crossed(watched.name, time))
 
     def _bends(self, watched: Watched, functions: EventFunctions | None) -> bool:
         """Whether a function is convex that is exactly zero at both ends of the phase.
@@ -306,10 +320,7 @@ class _Phase:
                         pass  # a smaller distance may do
             functions.stays_negative(function, zeros)
         except Crossed as found:
-            raise _Refuted(
-                f"{name} is crossed before it ends, {found.time.str(6, radius=False)}"
-                " after its start"
-            ) from None
+            raise _Refuted(_crossed(name, found.time)) from None
         except Undecided as trouble:
             last = evaluate(watched.ends, self.behind)
             at_end = not (zeros.last or last < 0 or last > 0)
@@ -385,6 +396,10 @@ class _Phase:
         if behind is None:
             return 0
         return 1 if _signed(behind, self.behind, "it") > 0 else -1
+
+
+def _crossed(name: str, time: arb) -> str:
+    return f"{name} is crossed before it ends, {time.str(6, radius=False)} after its start"
 
 
 def _signed(derivative: Derivative, state: Sequence[Any], told: str) -> Any:

@@ -29,7 +29,15 @@ from nonsmooth.runtime.shooting.variational import Phase, Shooting
 if TYPE_CHECKING:
     from flint import acb
 
-__all__ = ["NOT_CONSERVED", "MapClaim", "claim_of_map", "conserved", "judged", "named_numbers"]
+__all__ = [
+    "NOT_CONSERVED",
+    "MapClaim",
+    "claim_of_map",
+    "conserved",
+    "judged",
+    "named_numbers",
+    "unstable_if_reached",
+]
 
 NOT_CONSERVED = "the energy does not give the coordinate that is left out"
 
@@ -119,6 +127,46 @@ def claim_of_map(region: Region, number: Number, equations: Equations, now: Shoo
     if region.cycle.one_sided:
         verdict, reason = "undecided", CORNER
     return MapClaim(verdict, reason, trace, section, pairs or ())
+
+
+def unstable_if_reached(
+    region: Region, number: Number, equations: Equations, now: Shooting, place: int
+) -> bool:
+    """Whether orbits that reach a boundary with a positive speed, however low, are unstable.
+
+    The map has that speed in its denominator. Multiplied by it the map is regular, and has rank
+    one where the speed is zero. If its trace is above n times the speed, a multiplier lies outside
+    the unit circle: next to the grazing of a rigid stop it grows beyond all bounds (A. Nordmark,
+    Non-periodic motion caused by grazing incidence in an impact oscillator, J. Sound Vib. 145,
+    1991).
+
+    Parameters
+    ----------
+    region : Region
+        The orbit's cycle, its tables and its closure.
+    number : callable
+        Maps exact entries to numbers: balls or Taylor models.
+    equations : Equations
+        Of the orbit.
+    now : Shooting
+        The cycle, passed once over the enclosures.
+    place : int
+        The phase that the boundary ends, counted from 0.
+
+    Returns
+    -------
+    bool
+        True if that is proved.
+    """
+    if region.closing.form is not None or region.cycle.one_sided:
+        return False
+    maps, speed = equations.maps(now, place), equations.speed(now, place)
+    if not all(x.is_finite() for found in maps for x in range_of(found).entries()):
+        return False
+    section = reduced_map(maps, region.invariants, region.closing, number)
+    trace, bound = trace_of(section), speed * section.nrows()
+    above, below = trace - bound, trace + bound
+    return bool((above > 0 and below > 0) or (above < 0 and below < 0))
 
 
 def judged(

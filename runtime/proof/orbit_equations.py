@@ -23,6 +23,7 @@ from nonsmooth.runtime.shooting.variational import (
     Phase,
     Shooting,
     section_map,
+    section_map_times_speed,
     shooting_map,
 )
 
@@ -338,43 +339,50 @@ class Equations:
             found.append((count + len(self.closed), self.first - 1))
         return found
 
-    def maps(self, now: Shooting) -> list[Any]:
+    def maps(self, now: Shooting, slow: int | None = None) -> list[Any]:
         """Derivative (N, N) of each phase's start by that before it, as the cycle closes.
 
         Parameters
         ----------
         now : Shooting
             The cycle, passed once over the enclosures.
+        slow : int, optional
+            A phase, counted from 0, whose map is multiplied by the speed at which its boundary is
+            reached: the product is regular where that is zero.
 
         Returns
         -------
         list of matrices (N, N)
             One for each phase.
         """
-        return self.timed_maps(now) if self.closing.timed else self.section_maps(now)
+        return self.timed_maps(now, slow) if self.closing.timed else self.section_maps(now, slow)
 
-    def section_maps(self, now: Shooting) -> list[Any]:
+    def section_maps(self, now: Shooting, slow: int | None = None) -> list[Any]:
         """Derivative (N, N) of each phase's start by that before it, on the sections.
 
         Parameters
         ----------
         now : Shooting
             The cycle, passed once over the enclosures.
+        slow : int, optional
+            A phase whose map is multiplied by its speed.
 
         Returns
         -------
         list of matrices (N, N)
             One for each phase.
         """
-        return self._maps(now, [None] * len(self.phases))
+        return self._maps(now, [None] * len(self.phases), slow)
 
-    def timed_maps(self, now: Shooting) -> list[Any]:
+    def timed_maps(self, now: Shooting, slow: int | None = None) -> list[Any]:
         """Derivative (N, N) of each phase's start by that before it, at fixed times.
 
         Parameters
         ----------
         now : Shooting
             The cycle, passed once over the enclosures.
+        slow : int, optional
+            A phase whose map is multiplied by its speed.
 
         Returns
         -------
@@ -384,17 +392,37 @@ class Equations:
         fields = [phase.field for phase in (*self.phases[1:], self.phases[0])]
         behind = [field * start for field, start in zip(fields, now.starts[1:], strict=True)]
         behind[-1] = behind[-1] if self.projection is None else self.projection * behind[-1]
-        return self._maps(now, behind)
+        return self._maps(now, behind, slow)
 
-    def _maps(self, now: Shooting, behind: Sequence[Any]) -> list[Any]:
+    def speed(self, now: Shooting, place: int) -> Any:
+        """The speed at which a phase's boundary is reached.
+
+        Parameters
+        ----------
+        now : Shooting
+            The cycle, passed once over the enclosures.
+        place : int
+            The phase, counted from 0.
+
+        Returns
+        -------
+        arb or TaylorModel
+        """
+        return (self.phases[place].row * now.velocities[place])[0, 0]
+
+    def _maps(self, now: Shooting, behind: Sequence[Any], slow: int | None) -> list[Any]:
         parts = zip(self.phases, now.flows, now.velocities, behind, strict=True)
         known = [None] * len(self.phases) if self.short is None else self.short.saltations
-        return [
-            self._linear(
-                section_map(MATRICES, *part) if column is None else _salted(*part[:2], column)
-            )
-            for part, column in zip(parts, known, strict=True)
-        ]
+        found = []
+        for place, (part, column) in enumerate(zip(parts, known, strict=True)):
+            if place == slow:
+                whole = section_map_times_speed(MATRICES, *part)
+            elif column is None:
+                whole = section_map(MATRICES, *part)
+            else:
+                whole = _salted(*part[:2], column)
+            found.append(self._linear(whole))
+        return found
 
     def _linear(self, whole: Any) -> Any:
         """The part that acts on changes of the state."""

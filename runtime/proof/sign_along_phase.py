@@ -11,7 +11,7 @@ sign of its first derivative that is not.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
@@ -139,13 +139,34 @@ class EventFunctions:
         arb
             In the function's units.
         """
+        values = [value.mid() for _, value in self._sampled(function)]
+        return max(values, key=float)
+
+    def crossed(self, function: list[Expansion]) -> arb | None:
+        """A time inside the phase at which a function is proved to be positive, if one is seen.
+
+        Parameters
+        ----------
+        function : list of Expansion
+            One for each segment.
+
+        Returns
+        -------
+        arb or None
+            None where none of those that are looked at is one: nothing is proved.
+        """
+        found = (time for time, value in self._sampled(function) if value > 0)
+        return next((time for time in found if time > 0 and time < self.dwell), None)
+
+    def _sampled(self, function: list[Expansion]) -> Iterator[tuple[arb, arb]]:
+        """Times, and the function's values there."""
         from flint import arb
 
-        seen = []
         for number, expansion in enumerate(function):
             last = min(1.0, float(self._place(self.end, number)))
-            seen += [expansion.at(0, arb(u * (last + 1) / 4 - 1)).mid() for u in range(5)]
-        return max(seen, key=float)
+            for u in range(5):
+                place = arb(u * (last + 1) / 4 - 1)
+                yield expansion.time(place), expansion.at(0, place)
 
     def stays_negative(self, function: list[Expansion], zeros: ExactZeros) -> None:
         """Prove that a function is negative inside the phase.

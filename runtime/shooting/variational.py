@@ -27,6 +27,7 @@ __all__ = [
     "Phase",
     "Shooting",
     "section_map",
+    "section_map_times_speed",
     "shooting_map",
 ]
 
@@ -346,3 +347,34 @@ def section_map(
         return arithmetic.carry(phase.reset, linear - velocity * ahead / speed)
     jump = behind - arithmetic.carry(phase.reset, velocity)
     return arithmetic.carry(phase.reset, linear) + jump * ahead / speed
+
+
+def section_map_times_speed(
+    arithmetic: Arithmetic, phase: Phase, flow: Any, velocity: Any, behind: Any = None
+) -> Any:
+    """Multiply `section_map` by the speed n f- at which the boundary is reached.
+
+    The product is regular where the speed is zero: there it has rank one.
+
+    Parameters
+    ----------
+    arithmetic : Arithmetic
+    phase : Phase
+    flow : affine map
+        Of the phase, over its dwell time.
+    velocity : column
+        f-, at the phase's end.
+    behind : column, optional
+        f+; without it the map is that between sections.
+
+    Returns
+    -------
+    columns
+    """
+    linear = arithmetic.linear(flow)
+    jump = -arithmetic.carry(phase.reset, velocity)
+    if behind is not None:
+        jump = behind + jump
+    speed = arithmetic.number(arithmetic.carry(phase.row, velocity))
+    moved = arithmetic.carry(phase.reset, linear) * speed
+    return moved + jump * arithmetic.carry(phase.row, linear)

@@ -34,6 +34,7 @@ from nonsmooth.runtime.proof.branch.certify_branch import _begin
 from nonsmooth.runtime.proof.branch.crossing import crossing_of
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
 from nonsmooth.runtime.proof.branch.look import UNDECIDED, look
+from nonsmooth.runtime.proof.branch.march import _equations_for
 from nonsmooth.runtime.proof.branch.passage import CyclePassage, time_of_touch
 from nonsmooth.runtime.proof.branch.stating import _event, stated_branch
 from nonsmooth.runtime.proof.branch.tube import orbit_at, proved_piece
@@ -514,3 +515,12 @@ def test_an_edited_end_is_refused(grazing: Path, attack: Any) -> None:
     digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
     with pytest.raises(Failure):
         check_branch({**content, "sha256": digest})
+
+
+def test_of_many_phases_none_is_short_for_being_one_of_many() -> None:
+    """All of 64 impacts last a 64th of the period; divided equations are not seen from frames."""
+    curve: Any = SimpleNamespace(first_time=3, divided=dict.fromkeys(range(64), "divided"))
+    point = [arb(0)] * 3 + [arb("2.2")] * 64 + [arb(1)]
+    assert _equations_for(curve, point) == (curve, None)
+    point[curve.first_time + 5] = arb("0.001")
+    assert _equations_for(curve, point) == ("divided", 5)

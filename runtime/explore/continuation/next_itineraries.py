@@ -40,6 +40,7 @@ _LONGER, _MOST_WAYS = 2, 300  # phases that a way may have more; ways
 _SHORT = 0.02  # of the phases that are replaced: a new one
 _SHORTER = _SHORT / 50  # very near the collision
 _SHORTEST = 1e-9  # of the period: what lasts less is no phase
+_SAME = 1e-6  # of dwell times: how near those of one orbit are
 _NEAR = 0.3  # of the period: how much another orbit's may differ
 _TRANSITIONS = 400
 
@@ -189,13 +190,13 @@ def _candidates(base: Orbit, event: Event) -> list[_Way]:
         return []
     first, count = _first(base, event)
     phases = [base.itinerary[(first + k) % len(base.itinerary)] for k in range(count + 1)]
-    found: dict[_Phases, _Way] = {}
+    found: list[_Way] = []
     for begin, end, way in _ways(
         base.tables.cycle.structure, phases, (event.phase - first) % count
     ):
         itinerary = (*phases[:begin], *way, *phases[end + 1 : count])
-        found.setdefault(itinerary, _Way(itinerary, begin, end, len(way)))
-    return list(found.values())[:_MOST_WAYS]
+        found.append(_Way(itinerary, begin, end, len(way)))
+    return found[:_MOST_WAYS]
 
 
 def _composed(
@@ -210,7 +211,9 @@ def _composed(
     point, symmetry = piecewise(base.system, parameters), base.symmetry
     first, count = _first(base, event)
     dwell = np.roll(base.dwell_times, -first)[:count].astype(float)
-    state = base.states[first].astype(float)
+    state, time = base.states[first].astype(float), event.time
+    if base.itinerary[0][1] == FORCING_PHASE and time is not None:
+        state, time = base.motion()(time), None  # a cycle that has boundaries begins at one
     length = np.nan if period is None else float(period) * count / len(base.itinerary)
     for way in ways:
         try:
@@ -225,28 +228,28 @@ def _composed(
         replaced = float(dwell[way.begin : way.end + 1].sum())
         rows = [
             [*dwell[: way.begin], *split, *dwell[way.end + 1 :]]
-            for split in _splits(replaced, way.phases, event.time, short)
+            for split in _splits(replaced, way.phases, time, short)
         ]
-        solved = _solved(part, numbers_of(closed), np.array(rows), state, length)
-        if solved is None or not _near(solved[0].sum() * len(base.itinerary) / count, base):
-            continue
-        orbit = solve_itinerary(
-            base.system,
-            parameters,
-            way.itinerary,
-            solved[0].tolist(),
-            solved[1].tolist(),
-            period=period,
-            symmetry=None if symmetry is None else symmetry.matrix,
-        )
-        if orbit.converged and orbit.admissibility.verdict is True:
-            yield orbit
+        for solved in _solved(part, numbers_of(closed), np.array(rows), state, length):
+            if not _near(solved[0].sum() * len(base.itinerary) / count, base):
+                continue
+            orbit = solve_itinerary(
+                base.system,
+                parameters,
+                way.itinerary,
+                solved[0].tolist(),
+                solved[1].tolist(),
+                period=period,
+                symmetry=None if symmetry is None else symmetry.matrix,
+            )
+            if orbit.converged and orbit.admissibility.verdict is True and not _repeats(orbit):
+                yield orbit
 
 
 def _solved(
     part: ItineraryShape, flat: np.ndarray, dwell: np.ndarray, state: np.ndarray, length: float
-) -> tuple[np.ndarray, np.ndarray] | None:
-    """Of several guesses that converge the nearest, from a start or the one that fits best."""
+) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Orbits to which guesses lead, from a start or the one that fits best: the nearest first."""
     count = len(dwell)
     numbers = np.repeat(flat[None], count, axis=0)
     for start in (np.repeat(state[None], count, axis=0), None):
@@ -257,11 +260,24 @@ def _solved(
                 continue
         least = _SHORTEST * found.dwell.sum(axis=-1)
         sound = np.flatnonzero((found.status == CONVERGED) & (found.dwell.min(axis=-1) > least))
-        if len(sound):
-            away = abs(found.dwell[sound].sum(axis=-1) - dwell[sound].sum(axis=-1))
-            nearest = sound[np.argmin(away)]
-            return found.dwell[nearest], found.starts[nearest, 0]
-    return None
+        away = abs(found.dwell[sound] - dwell[sound]).max(axis=-1)
+        told: list[int] = []
+        for k in sound[np.argsort(away, kind="stable")]:
+            if not any(np.allclose(found.dwell[k], found.dwell[j], rtol=_SAME) for j in told):
+                told.append(int(k))
+        if told:
+            return [(found.dwell[k], found.starts[k, 0]) for k in told]
+    return []
+
+
+def _repeats(orbit: Orbit) -> bool:
+    """Whether it is an orbit of a shorter period, passed several times."""
+    phases, dwell, states = orbit.itinerary, orbit.dwell_times, orbit.states.astype(float)
+    told = np.column_stack((dwell.astype(float), states))
+    return any(
+        phases == phases[k:] + phases[:k] and np.allclose(told, np.roll(told, -k, 0), _SAME, _SAME)
+        for k in range(1, len(phases))
+    )
 
 
 def _ways(
@@ -316,10 +332,15 @@ def _splits(total: float, count: int, time: float | None, share: float) -> list[
 
 
 def _without_boundary(base: Orbit, parameters: Mapping[str, Any], event: Event) -> Iterator[Orbit]:
-    """The motion that reaches no boundary any more, where one of two phases vanishes."""
-    if event.kind != "vanishing-phase" or event.phase is None or len(base.itinerary) != 2:
+    """The motion that reaches no boundary any more.
+
+    One of two phases vanishes, or the only boundary that is reached is reached without speed.
+    """
+    vanishes, count = event.kind == "vanishing-phase", len(base.itinerary)
+    slows = event.kind == "tangent"
+    if event.phase is None or not (vanishes or slows) or count != 1 + vanishes:
         return
-    left = base.itinerary[1 - event.phase % 2][0]
+    left = base.itinerary[(event.phase + vanishes) % count][0]
     try:
         orbit = solve_itinerary(
             base.system, parameters, ((left, FORCING_PHASE),), [float(base.period)]
@@ -351,7 +372,9 @@ def _near(period: float, base: Orbit) -> bool:
 
 
 def canonical_itinerary(itinerary: Sequence[tuple[str, str]]) -> _Phases:
-    """The same for all rotations and repetitions of an itinerary.
+    """The same for all rotations of an itinerary.
+
+    A mass that strikes once in a time and one that strikes twice have two itineraries.
 
     Parameters
     ----------
@@ -360,11 +383,7 @@ def canonical_itinerary(itinerary: Sequence[tuple[str, str]]) -> _Phases:
     Returns
     -------
     tuple of (str, str)
-        Of its shortest period the first rotation by names.
+        The first rotation by names.
     """
     phases = tuple(itinerary)
-    for length in range(1, len(phases)):
-        if len(phases) % length == 0 and phases[:length] * (len(phases) // length) == phases:
-            phases = phases[:length]
-            break
     return min(phases[k:] + phases[:k] for k in range(len(phases)))

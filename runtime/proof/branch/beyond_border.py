@@ -46,7 +46,8 @@ if TYPE_CHECKING:
 
 __all__ = ["with_beyond"]
 
-_TRIES = 6
+_TRIES = 8
+_LARGER = 16  # times the orbit's distance: what is tried first by the parameter
 _WIDE = 1e-4  # of the interval: the first tile at least
 _SMALLER = 4  # times, from try to try
 _BACK = 32  # share of a tile over a dwell time that lies behind its border
@@ -192,9 +193,7 @@ def _proved(orbit: Orbit, own: OrbitCurve, met: MetBorder, value: float) -> Orbi
         tile = stated_tile(by, piece.tube, found, place, forwards=True)
         with flint_precision(SHARP):
             other = _met(by, tile, piece.tube)
-            pair = [met, other]
-            pair.sort(key=lambda each: -len(each.region.cycle.configurations))
-            same = is_same_motion(*pair)
+            same = is_same_motion(*sorted([met, other], key=lambda each: (each.free, -each.count)))
         side = _side(by, tile, piece) if same else ""
         if side:
             verdict = tile.after if tile.before == NOT_ADMISSIBLE else tile.before
@@ -213,7 +212,7 @@ def _tried(curve: OrbitCurve, value: float) -> Iterator[tuple[int | None, int, F
     times = [float(x.mid()) for x in region.guess[curve.first_time :]]
     for step in range(_TRIES):
         share = _SMALLER**-step
-        half = Fraction(f"{away * share / 2:.2g}")
+        half = Fraction(f"{away * _LARGER * share / 2:.2g}")
         middle = _decimal(value, half)
         lower, upper = max(region.box[0][0], middle - half), min(region.box[0][1], middle + half)
         yield None, curve.parameter, lower, upper

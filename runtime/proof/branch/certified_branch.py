@@ -377,7 +377,8 @@ class CertifiedBranch(DrawnOverParameter):
 
 def _told_beyond(found: OrbitBeyond) -> str:
     """In words: which orbits begin at an event, on which side, and how far they are proved."""
-    way = " -> ".join(configuration for configuration, _ in found.itinerary)
+    alone = len({configuration for configuration, _ in found.itinerary}) == 1
+    way = " -> ".join(f"{c} ({b})" if alone else c for c, b in found.itinerary)
     return (
         f"there {way} begins, {found.verdict}, {found.side} it up to {found.reach:.10g}"
         f" ({found.scenario})"

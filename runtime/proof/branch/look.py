@@ -85,8 +85,6 @@ def look(curve: OrbitCurve, piece: Piece) -> Look:
             if verdict != UNDECIDED:
                 return Look(verdict, verdict, "")
             return _multipliers(curve, piece, passage)
-        if verdict == UNDECIDED:
-            return _undecided(judgement.reason)
         return _border(curve, piece, passage, judgement, verdict, turns=turns is None)
 
 
@@ -185,19 +183,26 @@ def _border(
     condition is divided: to leading order the parameter is even in the dwell time.
     """
     opens = [which for which in judgement.open if which is not None]
-    if len(opens) < len(judgement.open):
+    slows = any(which.kind == "tangent" for which in opens)
+    if len(opens) < len(judgement.open) or (verdict == UNDECIDED and not slows):
         return _undecided(judgement.reason)
     told = passage.judged(opens)
-    if told.verdict == "undecided":
-        # beside a phase that vanishes more may be open
-        opens += [which for which in told.open if which is not None]
-        if None in told.open:
+    while told.verdict == "undecided":
+        # beside a phase that vanishes, or a boundary that is reached slowly, more may be open
+        more = [which for which in told.open if which is not None]
+        if not more or len(more) < len(told.open) or {*more} & {*opens}:
             return _undecided(told.reason)
+        opens += more
         told = passage.judged(opens)
     if told.verdict != "proved":
         return _undecided(told.reason or judgement.reason)
-    # a phase that vanishes ends where the one before it does
-    opens.sort(key=lambda which: which.kind != "vanishing-phase")
+    if verdict == UNDECIDED:
+        verdict = _beside(passage, opens)
+    if verdict == UNDECIDED:
+        return _undecided(judgement.reason)
+    # a phase that vanishes ends where the one before it does; of a boundary that is reached
+    # without speed all else follows
+    opens.sort(key=lambda which: (which.kind != "vanishing-phase", not which.slow))
     found: list[EventCrossing] = []
     for which in opens:
         crossing = crossing_of(curve, piece, which, told.touching.get(which))
@@ -216,3 +221,10 @@ def _border(
     event = found[0]._replace(lower=lower, upper=upper, also=tuple(opens[1:]))
     ends = [verdict, NOT_ADMISSIBLE] if event.rises else [NOT_ADMISSIBLE, verdict]
     return Look(ends[0], ends[1], "", event)
+
+
+def _beside(passage: CyclePassage, opens: Sequence[OpenInequality]) -> str:
+    """The verdict beside a border at which the map is singular: a boundary is reached slowly."""
+    slow = [which.phase for which in opens if which.slow]
+    unstable = len(slow) == 1 and passage.unstable_if_reached(slow[0])
+    return "unstable" if unstable else UNDECIDED

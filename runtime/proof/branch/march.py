@@ -28,7 +28,7 @@ _GROWTH, _SHRINK = Fraction(2), Fraction(1, 3)
 _LEAST = Fraction(1, 2**45)  # of these: what stays undecided at an event
 _STEEP, _FLAT = 30.0, 8.0  # relative rates at which the coordinate is changed, and changed back
 _OVERLAP = Fraction(1, 1000)  # of a step, where the coordinate changes
-_SHORT = 0.02  # of the period: dwell times by which the equations are divided
+_SHORT = 0.05  # of the mean dwell time: those by which the equations are divided
 
 
 @dataclass(frozen=True, eq=False)
@@ -255,11 +255,11 @@ def _tried(
 def _equations_for(curve: OrbitCurve, point: Sequence[arb]) -> tuple[OrbitCurve, int | None]:
     """The curve by equations that are regular where a short phase vanishes, and that phase."""
     times = point[curve.first_time : -1]
-    period = sum(abs(float(time.mid())) for time in times)
+    mean = sum(abs(float(time.mid())) for time in times) / len(times)
     for place, divided in curve.divided.items():
         time = times[place]
         # where it is zero other solutions of the conditions may be
-        if abs(float(time.mid())) < _SHORT * period and (time > 0 or time < 0):
+        if abs(float(time.mid())) < _SHORT * mean and (time > 0 or time < 0):
             return divided, place
     return curve, None
 

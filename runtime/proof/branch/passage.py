@@ -14,7 +14,13 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.events.augmented_system import determinant, pair_products
 from nonsmooth.runtime.proof.motion.exact_rows import evaluate
 from nonsmooth.runtime.proof.multipliers import reduced_map, trace_of
-from nonsmooth.runtime.proof.orbit_claims import MapClaim, claim_of_map, conserved, judged
+from nonsmooth.runtime.proof.orbit_claims import (
+    MapClaim,
+    claim_of_map,
+    conserved,
+    judged,
+    unstable_if_reached,
+)
 
 __all__ = [
     "MULTIPLIERS",
@@ -75,6 +81,21 @@ class CyclePassage:
     def stability(self) -> MapClaim:
         """What is proved of the multipliers."""
         return claim_of_map(self.region, self.number, self.equations, self.shooting)
+
+    def unstable_if_reached(self, place: int) -> bool:
+        """Whether it is unstable if the boundary that ends a phase is reached with a speed.
+
+        Parameters
+        ----------
+        place : int
+            The phase, counted from 0.
+
+        Returns
+        -------
+        bool
+            True if that is proved, however low the speed is.
+        """
+        return unstable_if_reached(self.region, self.number, self.equations, self.shooting, place)
 
     def judged(self, assumed: Sequence[OpenInequality] = ()) -> Judgement:
         """Whether it is a motion of the system, if these inequalities hold.

@@ -61,6 +61,16 @@ class MetBorder:
         return CyclePassage(self.region, self.point)
 
     @property
+    def count(self) -> int:
+        """How many phases it has."""
+        return len(self.region.cycle.configurations)
+
+    @property
+    def free(self) -> bool:
+        """Whether it reaches no boundary."""
+        return self.region.cycle.itinerary[0][1] == FORCING_PHASE
+
+    @property
     def gone(self) -> set[int]:
         """Phases that last no time."""
         return {border.phase for border in self.borders if border.kind == "vanishing-phase"}
@@ -68,7 +78,7 @@ class MetBorder:
     @property
     def lasting(self) -> list[int]:
         """All other phases."""
-        return [k for k in range(len(self.region.cycle.configurations)) if k not in self.gone]
+        return [k for k in range(self.count) if k not in self.gone]
 
     def name(self, place: int) -> str:
         """The configuration of a phase."""
@@ -88,7 +98,7 @@ class MetBorder:
 
     def behind(self, place: int) -> list[int]:
         """A phase, and those behind it that last no time."""
-        count, found = len(self.region.cycle.configurations), [place]
+        count, found = self.count, [place]
         while (found[-1] + 1) % count in self.gone and len(found) < count:
             found.append((found[-1] + 1) % count)
         return found
@@ -201,7 +211,7 @@ def is_same_motion(longer: MetBorder, shorter: MetBorder) -> bool:
     Parameters
     ----------
     longer : MetBorder
-        That with more phases.
+        That with more phases, or which reaches a boundary where the other one reaches none.
     shorter : MetBorder
         Of the same system, over the same parameter.
 
@@ -212,9 +222,9 @@ def is_same_motion(longer: MetBorder, shorter: MetBorder) -> bool:
     """
     if max(len(longer.gone), len(shorter.gone)) > 1 or not (longer.lasting and shorter.lasting):
         return False
-    if not _closes_alike(longer.region.closing, shorter.region.closing):
+    if longer.free or not _closes_alike(longer.region.closing, shorter.region.closing):
         return False
-    if shorter.region.cycle.itinerary[0][1] == FORCING_PHASE:
+    if shorter.free:
         return _grazes_freely(longer, shorter)
     matches = [*_rotated(longer, shorter), *_split(longer, shorter)]
     return any(_holds(longer, shorter, match) for match in matches)

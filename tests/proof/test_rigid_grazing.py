@@ -1,0 +1,318 @@
+"""The grazing of a rigid stop: the orbit with one impact more, against closed forms."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from flint import ctx
+
+import nonsmooth as ns
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.checker import Failure, check_branch
+from nonsmooth.runtime.checker.branch import checked_tiles
+from nonsmooth.runtime.checker.stability import outside_if_reached
+from nonsmooth.runtime.core.arithmetic import exact_ball
+from nonsmooth.runtime.core.taylor_models import range_of
+from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
+from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
+from nonsmooth.runtime.proof.branch.passage import CyclePassage
+from tests.proof.test_beyond_borders import forged, only
+
+GAP = Parameter("sigma", "position of the stop", lower=-sp.oo)
+SIGMA, W, R = sp.symbols("sigma w r")
+DAMPING = "1/20"
+STRIKER = oscillator(
+    "striker", ["x"], mass=[[1]], damping=[["1/10"]], stiffness=[[1]],
+    forcing=[Harmonic(W, cosine=[1])],
+    elements=[RigidStop("x", at=SIGMA, restitution=R, name="wall")],
+    parameters=[GAP],
+)  # fmt: skip
+FREE, IMPACT = ("free", "forcing-phase"), ("free", "wall-reaches-stop")
+
+
+class Closed:
+    """The orbit of one impact in a period, in 50 digits: its speed V solves a quadratic equation.
+
+    (gap D + (1 + r) h V)^2 + (k V / w)^2 = D^2 A^2, with the amplitude A without the stop.
+    """
+
+    def __init__(self, w: str, r: str) -> None:
+        mpmath.mp.dps = 50
+        w_, r_, beta = mpmath.mpf(w), mpmath.mpf(r), mpmath.mpf(1) / 20
+        period, nu = 2 * mpmath.pi / w_, mpmath.sqrt(1 - beta**2)
+        decay = mpmath.exp(-beta * period)
+        self.h = decay * mpmath.sin(nu * period) / nu
+        rate = decay * mpmath.cos(nu * period) - beta * self.h
+        self.d = 1 - 2 * rate - 2 * beta * self.h + decay**2
+        self.k = (rate * (1 - r_) + 2 * beta * self.h - 1 + r_ * decay**2) / w_
+        self.amplitude = 1 / mpmath.sqrt((1 - w_**2) ** 2 + (2 * beta * w_) ** 2)
+        self.share = (1 + r_) * self.h
+
+    def speed(self, gap: float) -> Any:
+        """The lowest positive speed of an impact."""
+        a = self.share**2 + self.k**2
+        b = 2 * mpmath.mpf(gap) * self.d * self.share
+        c = self.d**2 * (mpmath.mpf(gap) ** 2 - self.amplitude**2)
+        root = mpmath.sqrt(b * b - 4 * a * c)
+        return min(x for x in ((-b - root) / (2 * a), (-b + root) / (2 * a)) if x > 0)
+
+
+def without_impact(w: str, r: str, **options: Any) -> CertifiedBranch:
+    """The branch of motions that do not reach the stop, 5 % to both sides of its grazing."""
+    amplitude = float(Closed(w, r).amplitude)
+    low, high = f"{amplitude * 0.95:.4g}", f"{amplitude * 1.05:.4g}"
+    given = {"w": w, "r": r, "sigma": high}
+    orbit = ns.solve(STRIKER, given, [2 * np.pi / float(w)], itinerary=[FREE])
+    branch = ns.continue_orbit(orbit, "sigma", (float(low), float(high)))
+    return ns.certify_branch(branch, interval=(low, high), beyond=True, **options)
+
+
+def along(beyond: Any, e: float) -> dict[str, float]:
+    """The orbit at a place of a tile, from -1 to 1."""
+    tile = beyond.branch.tiles[0]
+    others = [float(np.polynomial.polynomial.polyval(e, row)) for row in tile.centre]
+    names = [*beyond.branch.unknown_names, beyond.branch.parameter]
+    value = float((tile.lower + tile.upper) / 2) + e * float(tile.upper - tile.lower) / 2
+    place = len(names) - 1 if tile.coordinate == names[-1] else names.index(tile.coordinate)
+    return dict(zip(names, [*others[:place], value, *others[place:]], strict=True))
+
+
+@pytest.fixture(scope="module")
+def fast(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path]:
+    """Above twice the natural frequency: where the free motion ends the impacts begin."""
+    found = without_impact("2.4", "0.8")
+    path = tmp_path_factory.mktemp("fast") / "branch.json"
+    found.save(path)
+    return found, path
+
+
+@pytest.mark.parametrize(
+    ("w", "r", "side", "scenario"),
+    [
+        ("2.4", "0.8", "below", "persistence"),
+        ("1.5", "0.8", "above", "nonsmooth fold"),
+        ("0.8", "0.3", "below", "persistence"),  # a motion that begins beyond the stop is none
+        ("1.1", "0.1", "above", "nonsmooth fold"),
+        ("0.58", "0.95", "above", "nonsmooth fold"),
+    ],
+)
+def test_an_impact_begins_with_the_speed_zero(
+    w: str, r: str, side: str, scenario: str, tmp_path: Path
+) -> None:
+    found, closed = without_impact(w, r), Closed(w, r)
+    assert found.complete, found.statement
+    (event,), beyond = found.events, only(found)
+    assert event.kind == "grazing"
+    with ctx.workprec(160):
+        assert event.enclosures["sigma"].ball.contains(exact_ball(closed.amplitude))
+    assert beyond.itinerary == (IMPACT,)
+    assert (beyond.side, beyond.own) == (side, "above")
+    assert (beyond.verdict, beyond.scenario) == ("unstable", scenario)
+    assert (side == "below") == (closed.share > 0)
+    tile = beyond.branch.tiles[0]
+    assert {tile.before, tile.after} == {"unstable", "not admissible"}
+    sign = -1 if side == "below" else 1
+    for e in (0.05, 0.4, 0.9):
+        about = along(beyond, sign * e)
+        speed = -list(about.values())[1]
+        assert speed == pytest.approx(float(r) * float(closed.speed(about["sigma"])), 1e-9)
+    # by an orbit that is solved for on its own
+    x, v, time, *_, value = along(beyond, sign * 0.8).values()
+    guess = [2 * np.pi / float(w), x, v, np.cos(time * float(w)), np.sin(time * float(w))]
+    orbit = ns.solve(STRIKER, {"w": w, "r": r, "sigma": value}, guess, itinerary=[IMPACT])
+    assert ns.certify(orbit).claims == {
+        "existence": "proved", "admissibility": "proved", "stability": "refuted",
+    }  # fmt: skip
+    found.save(tmp_path / "branch.json")
+    assert ns.check_certificate(tmp_path / "branch.json").claims == {"branch": "proved"}
+
+
+def test_a_branch_of_impacts_is_proved_up_to_the_speed_zero(tmp_path: Path) -> None:
+    """The multiplier grows beyond all bounds; behind it the motion without impacts is stable."""
+    closed = Closed("2.4", "0.8")
+    given = {"w": "2.4", "r": "0.8", "sigma": "0.2"}
+    orbit = ns.solve(STRIKER, given, [2 * np.pi / 2.4], itinerary=[IMPACT])
+    branch = ns.continue_orbit(orbit, "sigma", (0.19, 0.22))
+    found = ns.certify_branch(branch, interval=("0.19", "0.22"), beyond=True)
+    assert found.complete
+    assert [part.verdict for part in found.intervals] == ["unstable", "not admissible"]
+    (event,), beyond = found.events, only(found)
+    assert (event.kind, event.instant) == ("tangent", "end")
+    with ctx.workprec(160):
+        assert event.enclosures["sigma"].ball.contains(exact_ball(closed.amplitude))
+        assert list(event.enclosures.values())[1].ball.contains(0)
+    assert beyond.itinerary == (FREE,)
+    assert (beyond.side, beyond.own, beyond.verdict) == ("above", "below", "stable")
+    assert "there free (forcing-phase) begins, stable, above it" in found.statement
+    found.save(tmp_path / "branch.json")
+    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+
+
+def impacts(count: int, sigma: str, low: str, high: str) -> CertifiedBranch:
+    """A branch of so many impacts in one slow period of the forcing."""
+    found = ns.find_orbits(STRIKER, {"w": "0.7", "r": "0.6", "sigma": sigma}, 12, transitions=300)
+    orbit = next(o.orbit for o in found.orbits if len(o.orbit.itinerary) == count)
+    branch = ns.continue_orbit(orbit, "sigma", (float(low), float(high)))
+    return ns.certify_branch(branch, interval=(low, high), beyond=True)
+
+
+def test_a_third_impact_and_a_fourth(tmp_path: Path) -> None:
+    """From three impacts to four and back: both proofs meet in one value."""
+    three, four = impacts(3, "-0.1", "-0.12", "-0.1"), impacts(4, "-0.1", "-0.15", "-0.05")
+    events = []
+    for found, count, verdict in ((three, 4, "unstable"), (four, 3, "stable")):
+        assert found.complete, found.statement
+        beyond = only(found)
+        assert beyond.itinerary == (IMPACT,) * count
+        assert (beyond.side, beyond.own, beyond.verdict) == ("above", "above", verdict)
+        assert beyond.scenario == "nonsmooth fold"
+        event = next(event for event in found.events if event.beyond)
+        events.append(event.enclosures["sigma"].ball)
+        found.save(tmp_path / f"{count}.json")
+        assert ns.check_certificate(tmp_path / f"{count}.json").difference is None
+    assert events[0].overlaps(events[1])
+    assert max(float(x.rad()) for x in events) < 1e-32
+
+
+def test_a_motion_that_is_no_function_of_time(tmp_path: Path) -> None:
+    """Stick-slip beside a stop: the section of the impact is tangent to the motion that grazes."""
+    belt = oscillator(
+        "belt-beside-a-stop", ["x", "y"], mass=[[1, 0], [0, "1/2"]],
+        damping=[[0, 0], [0, "1/20"]], stiffness=[[2, -1], [-1, 3]],
+        elements=[
+            Friction("x", kinetic=1, static="3/2", velocity="1/2", name="belt"),
+            RigidStop("y", at=SIGMA, restitution="3/5", name="wall"),
+        ],
+        parameters=[GAP],
+    )  # fmt: skip
+    orbit = ns.find_orbits(belt, {"sigma": "0.42"}, 4, transitions=300).orbits[0].orbit
+    branch = ns.continue_orbit(orbit, "sigma", (0.415, 0.42))
+    found = ns.certify_branch(branch, interval=("0.415", "0.42"), beyond=True)
+    beyond = only(found)
+    assert [c for c, _ in beyond.itinerary].count("slip-free") == 2
+    assert (beyond.side, beyond.own, beyond.verdict) == ("below", "above", "unstable")
+    found.save(tmp_path / "branch.json")
+    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+
+
+def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond() -> None:
+    """One impact in two periods, as slow as may be: the motion touches the stop each period."""
+    given = {"w": "4.4", "r": "0.8", "sigma": "0.053"}
+    orbit = ns.solve(STRIKER, given, [4 * np.pi / 4.4], itinerary=[IMPACT])
+    branch = ns.continue_orbit(orbit, "sigma", (0.0525, 0.056))
+    found = ns.certify_branch(branch, interval=("0.0525", "0.056"), beyond=True)
+    assert found.complete
+    (event,) = found.events
+    assert event.beyond == ()
+    assert "grazing" in [kind for kind, *_ in event.also]
+    with ctx.workprec(160):
+        touches = exact_ball(Closed("4.4", "0.8").amplitude)
+        assert event.enclosures["sigma"].ball.contains(touches)
+
+
+def test_the_map_times_the_speed_is_that_product() -> None:
+    """Where the speed is not low both are known: prover and check multiply the same map."""
+    given = {"w": "2.4", "r": "0.8", "sigma": "0.1"}
+    orbit = ns.solve(STRIKER, given, [2 * np.pi / 2.4], itinerary=[IMPACT])
+    region = region_of(orbit, {"sigma": (sp.Rational(1, 20), sp.Rational(3, 20))})
+    with ctx.workprec(128):
+        from flint import arb
+
+        passage = CyclePassage(region, [*region.guess, arb("0.1")])
+        equations, now = passage.equations, passage.shooting
+        (plain,), (times,) = equations.maps(now), equations.maps(now, 0)
+        speed = equations.speed(now, 0)
+        assert speed > 0
+        for x, y in zip(plain.entries(), times.entries(), strict=True):
+            assert abs(range_of(x * speed - y)) < 1e-25
+        # a stable orbit is not called unstable
+        assert not passage.unstable_if_reached(0)
+
+
+def test_the_check_has_a_map_of_its_own(fast: Any) -> None:
+    _, path = fast
+    content = json.loads(path.read_text())
+    branch = next(t["event"] for t in content["tiles"] if t["event"])["beyond"][0]["branch"]
+    (tile,) = checked_tiles(branch)
+    with ctx.workprec(128):
+        from flint import arb
+
+        inside = tile.curve.orbit(tile.at((arb(tile.low) * 9 + arb(tile.high)) / 10))
+        speed, section = inside.speed(0), inside.section
+        times = inside.map_on(*inside.declared.section, slow=0)
+        for x, y in zip(section.entries(), times.entries(), strict=True):
+            assert abs(x * speed - y) < 1e-20
+        assert outside_if_reached(inside, 0)
+        # where the speed is zero the map is not known, the product is, and has rank one
+        event = tile.event
+        middle = arb(str(event["lower"]).split("/")[0]) / arb(str(event["lower"]).split("/")[1])
+        grazes = tile.curve.orbit(tile.at(middle))
+        product = grazes.map_on(*grazes.declared.section, slow=0)
+        assert abs(grazes.speed(0)) < 1e-20
+        assert abs(product.det()) < 1e-20
+        assert outside_if_reached(grazes, 0)
+
+
+def _mirrored(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    tile = beyond["branch"]["tiles"][0]
+    tile["before"], tile["after"] = tile["after"], tile["before"]
+
+
+def _stable(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    beyond["verdict"] = "stable"
+    tile = beyond["branch"]["tiles"][0]
+    for side in ("before", "after"):
+        tile[side] = tile[side].replace("unstable", "stable")
+
+
+def _moved(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    """The event of the impacts a bit beside where it is."""
+    own = beyond["branch"]["tiles"][0]["event"]
+    for end in ("lower", "upper"):
+        own[end] = str(sp.Rational(own[end]) - sp.Rational(1, 10**12))
+
+
+def _slower(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    """Another restitution on the other side of the event."""
+    beyond["branch"]["parameters"]["r"] = "7/10"
+
+
+def _other_law(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    """The square of the restitution."""
+    reset = beyond["branch"]["declaration"]["transitions"][0]["reset"]
+    reset[1][1]["above"][0][1][-1] = 2
+
+
+def _without(kind: str, instant: str) -> Any:
+    def change(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+        own = beyond["branch"]["tiles"][0]["event"]
+        own["also"] = [each for each in own["also"] if (each[0], each[3]) != (kind, instant)]
+
+    return change
+
+
+def _side(event: dict[str, Any], beyond: dict[str, Any]) -> None:
+    beyond["side"] = {"above": "below", "below": "above"}[beyond["side"]]
+
+
+FORGERIES: dict[str, Any] = {
+    "the side": (_side, "another side"),
+    "verdicts on both sides": (_mirrored, "other verdicts"),
+    "the verdict": (_stable, "it is unstable"),
+    "the event": (_moved, "no event between"),
+    "the restitution": (_slower, "other parameters"),
+    "the law of impact": (_other_law, None),
+    "the departure": (_without("tangent", "start"), "but for the event"),
+    "the condition": (_without("condition", "end"), "but for the event"),
+}
+
+
+@pytest.mark.parametrize("name", FORGERIES)
+def test_edited_files_are_refused(fast: Any, name: str) -> None:
+    change, reason = FORGERIES[name]
+    with pytest.raises(Failure, match=reason):
+        check_branch(forged(fast[1], change))
