@@ -52,7 +52,8 @@ def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
         demand(declared.bound and declared.rational, "the declaration is not exact")
         demand(content["stability"] == declared.stability, "stability of another kind")
         demand(content["unknown_names"] == declared.unknowns, "other unknowns")
-        curve = CheckedCurve(declared, declared.closes(), constants, content)
+        interval = [exact(end) for end in content["interval"]]
+        curve = CheckedCurve(declared, declared.closes(), constants, name, interval)
         found = [CheckedTile(curve, tile) for tile in tiles]
         for number, tile in enumerate(found, 1):
             try:

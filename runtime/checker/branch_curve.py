@@ -7,7 +7,7 @@ from typing import Any
 from flint import arb, arb_mat
 
 from nonsmooth.runtime.checker.declared import StatedSystem
-from nonsmooth.runtime.checker.exact import Failure, demand, exact
+from nonsmooth.runtime.checker.exact import Failure, demand
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import number_at
 from nonsmooth.runtime.checker.short import Short, short_phase
@@ -18,15 +18,20 @@ __all__ = ["CheckedCurve", "solution", "with_entry", "without_entry"]
 
 
 class CheckedCurve:
-    """The equations of the orbits: their unknowns, and last the parameter, on one footing."""
+    """The equations of the orbits: their unknowns, and last the parameter, on one footing.
+
+    Other parameters, beside that one, have values of their own.
+    """
 
     def __init__(
-        self, declared: StatedSystem, energies: Any, constants: Any, content: dict[str, Any]
-    ) -> None:
+        self, declared: StatedSystem, energies: Any, constants: Any, parameter: str,
+        interval: Sequence[Any], axis: int = 0, beside: Sequence[Any] = (),
+    ) -> None:  # fmt: skip
         self.declared, self.energies, self.constants = declared, energies, constants
-        self.names = [*declared.unknowns, content["parameter"]]
+        self.names = [*declared.unknowns, parameter]
         self.last = len(self.names) - 1
-        self.interval = tuple(map(exact, content["interval"]))
+        self.interval = tuple(interval)
+        self.axis, self.beside = axis, list(beside)
         self.short: Short | None = None
 
     def divided(self, place: int | None) -> "CheckedCurve":
@@ -50,7 +55,8 @@ class CheckedCurve:
 
     def _with(self, parameter: Any) -> CheckedOrbit:
         """An orbit of which only the parameter is known."""
-        return CheckedOrbit(self.declared, number_at([parameter, *self.constants]), self.short)
+        values = [*self.beside[: self.axis], parameter, *self.beside[self.axis :]]
+        return CheckedOrbit(self.declared, number_at([*values, *self.constants]), self.short)
 
     def orbit(self, point: Sequence[Any]) -> CheckedOrbit:
         """What passes with these numbers for unknowns and parameter."""

@@ -28,13 +28,54 @@ from nonsmooth.runtime.checker.stability import (
 from nonsmooth.runtime.core.jets import jet, part_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, range_of, space_of
 
-__all__ = ["Division", "Part"]
+__all__ = ["Division", "Part", "checked_band", "fraction"]
 
 Part = Sequence[tuple[Any, Any]]
 _PARAMETERS = 2
 _ORDER = 12  # of what is composed along a curve
 _NARROW = fmpq(1, 100_000)  # the largest radius of a band, as a share of the box
 _VERDICTS = {"proved": "proved", "refuted": "unstable"}
+
+
+def checked_band(
+    event: dict[str, Any], names: Sequence[str], place: Sequence[tuple[int, int]]
+) -> tuple[int, list[Any], Any]:
+    """The band of a tile's event: narrow, and with sides of one part each.
+
+    Parameters
+    ----------
+    event : dict
+        As the file states it.
+    names : sequence of str
+        Parameters of the box.
+    place : sequence of (int, int)
+        Step and level of the tile along each of them.
+
+    Returns
+    -------
+    tuple of (int, list of fmpq, fmpq)
+        The number of the parameter across, coefficients of the curve, and the radius; from -1 to
+        1 over the tile.
+
+    Raises
+    ------
+    Failure
+        If it is too wide, or a side may consist of several parts.
+    """
+    demand(len(names) == _PARAMETERS and event["across"] in names, "a curve in no plane")
+    axis, centre = names.index(event["across"]), [fraction(c) for c in event["centre"]]
+    radius = fraction(event["radius"])
+    demand(len(centre) > 1 and radius > 0, "a curve without width")
+    share = radius / 2 ** (place[axis][1] + 1)
+    demand(share < _NARROW, "a band is too wide: a part of the tile has no verdict")
+    bends = sum((k * abs(c) for k, c in enumerate(centre) if k > 1), fmpq(0))
+    over = sum((abs(c) for c in centre[1:]), fmpq(0))
+    whole = all(  # each side is on all lines along the axis, or on none
+        side * centre[0] + over + radius < 1 or side * centre[0] - over + radius >= 1
+        for side in (-1, 1)
+    )
+    demand(whole or abs(centre[1]) > bends, "a side may consist of several parts")
+    return axis, centre, radius
 
 
 class Division:
@@ -56,28 +97,15 @@ class Division:
         self, event: dict[str, Any], claims: tuple[str, str, str], names: Sequence[str],
         place: Sequence[tuple[int, int]],
     ) -> None:  # fmt: skip
-        demand(len(names) == _PARAMETERS and event["across"] in names, "a curve in no plane")
-        self.event, self.axis = event, names.index(event["across"])
-        self.centre = [_fraction(c) for c in event["centre"]]
-        self.radius = _fraction(event["radius"])
-        demand(len(self.centre) > 1 and self.radius > 0, "a curve without width")
-        share = self.radius / 2 ** (place[self.axis][1] + 1)
-        demand(share < _NARROW, "a band is too wide: a part of the tile has no verdict")
-        bends = sum((k * abs(c) for k, c in enumerate(self.centre) if k > 1), fmpq(0))
-        over = sum((abs(c) for c in self.centre[1:]), fmpq(0))
-        whole = all(  # each side is on all lines along the axis, or on none
-            side * self.centre[0] + over + self.radius < 1
-            or side * self.centre[0] - over + self.radius >= 1
-            for side in (-1, 1)
-        )
-        demand(whole or abs(self.centre[1]) > bends, "a side may consist of several parts")
+        demand(event["kind"] != "fold" and event["fold"] is None, "at a fold the orbit ends")
+        self.event = event
+        self.axis, self.centre, self.radius = checked_band(event, names, place)
         own = [event[name] for name in ("kind", "phase", "boundary", "instant")]
         self.borders: list[Border] = []
         self.window: tuple[Any, Any] | None = None
         _, admissible, stable = claims
         window = [arb(exact(x)) for x in event["window"]]
         if event["kind"] in MULTIPLIERS:
-            demand(event["kind"] != "fold", "at a fold the orbit ends")
             named = [own[1], event["configuration"], *own[2:]]
             demand(named == [None, "", "", ""] and not event["also"] and not window, "a phase")
             demand((admissible, stable) == ("proved", "undecided"), "claims of another event")
@@ -233,7 +261,22 @@ def _power(bound: Any, power: int) -> Any:
     return arb(0, bound**power) if power % 2 else arb(0).union(bound**power)
 
 
-def _fraction(number: float) -> Any:
+def fraction(number: float) -> Any:
+    """The exact value of a number in a file.
+
+    Parameters
+    ----------
+    number : float
+
+    Returns
+    -------
+    fmpq
+
+    Raises
+    ------
+    Failure
+        If it is not finite.
+    """
     demand(abs(number) < float("inf"), "a curve without bounds")
     return fmpq(*Fraction(number).as_integer_ratio())
 

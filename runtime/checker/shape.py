@@ -162,7 +162,8 @@ CERTIFICATE = {
     "directions": Maybe(Named(Named(NUMBER))),
     "no_derivatives": Maybe(Named(str)),
 }
-_SIDE = re.compile("proved|unstable|not admissible")
+_BESIDE = re.compile("proved|unstable|not admissible")
+_SIDE = re.compile("proved|unstable|not admissible|beyond a fold")
 MAP = {
     **_FILE,
     **_STATEMENT,
@@ -173,6 +174,7 @@ MAP = {
         "unstable": float,
         "not admissible": float,
         "divided": float,
+        "beyond a fold": float,
         "undecided": float,
     },
     "tiles": [
@@ -199,6 +201,18 @@ MAP = {
                         "radius": float,
                         "below": _SIDE,
                         "above": _SIDE,
+                        "fold": Either(
+                            (
+                                type(None),
+                                {
+                                    "coordinate": str,
+                                    "centre": [float],
+                                    "half": float,
+                                    "sheet": re.compile("below|above"),
+                                    "other": _BESIDE,
+                                },
+                            )
+                        ),
                     },
                 )
             ),

@@ -19,6 +19,7 @@ from nonsmooth.runtime.checker.exact import (
     exact,
     inside,
 )
+from nonsmooth.runtime.checker.folded import BEYOND, FoldedTile, beyond_folds
 from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
@@ -34,6 +35,7 @@ _SHARP, _PLANE = 6, 2  # order where a curve divides a tile, or the low one tell
 _DEEPEST = 4  # halvings of a tile whose claims take smaller ones
 _NEAR = 0.0625  # how far from the stated numbers the orbit may be in the middle of a tile
 _SMALLEST = 60  # halvings of the box along an axis
+_SHARES = tuple(fmpq(k, 32) for k in (16, 8, 24, 4, 28, 1, 31, 0, 32))  # of an edge
 _NEWTON = 3  # steps to the orbit in the middle of a tile
 
 Interval = tuple[Any, Any]
@@ -107,15 +109,21 @@ class _Tile:
         self.declared, self.energies, self.constants = declared, energies, constants
         self.tile = tile
         self.claims = agreed_claims(tile["claims"], tile["reasons"])
-        event = tile["event"]
+        self.names, event = names, tile["event"]
         self.division: Division | None = None
-        if event is not None:
+        self.fold: FoldedTile | None = None
+        if event is not None and event["kind"] != "fold":
             self.division = Division(event, self.claims, names, tile["place"])
         self.where: Sequence[Interval] = ()
 
     def check(self, where: Sequence[Interval]) -> None:
         """Prove it, on smaller tiles if need be."""
         self.where = where
+        if self.tile["event"] is not None and self.division is None:
+            self.fold = FoldedTile(
+                self.declared, self.energies, self.constants, self.tile, self.names, where
+            )
+            return
         if self.claims[0] == "undecided":
             demand(not self.tile["enclosures"], "enclosures of no orbit")
             return
@@ -173,15 +181,41 @@ class _Tile:
             return
         if all(low == high for low, high in both):
             return  # a corner
-        middle = [(low + high) / 2 for low, high in both]
-        own, its = (
-            [arb((2 * x - low - high) / (high - low)) for x, (low, high) in
-             zip(middle, tile.where, strict=True)]
-            for tile in (self, other)
-        )  # fmt: skip
-        if not self._holds(own, [_at(x, its) for x in other.root]):
-            found = self._orbit_at(own)
-            demand(other._holds(its, found.root), "its orbit is not that of a tile beside it")
+        for share in _SHARES:
+            point = [low + share * (high - low) for low, high in both]
+            own, its = (
+                [(2 * x - low - high) / (high - low) for x, (low, high) in
+                 zip(point, tile.where, strict=True)]
+                for tile in (self, other)
+            )  # fmt: skip
+            if self._claims_at(own) and other._claims_at(its):
+                break
+        else:
+            return  # none are claimed
+        if not self.holds(own, other.at(its)):
+            found = self._sharply(own)
+            demand(other.holds(its, found), "its orbit is not that of a tile beside it")
+
+    def _claims_at(self, point: Sequence[Any]) -> bool:
+        """Whether there is clearly an orbit at a point of it."""
+        return self.fold is None or self.fold.claims_at(point)
+
+    def at(self, point: Sequence[Any]) -> list[Any]:
+        """Its orbit at a point, from -1 to 1 over it."""
+        if self.fold is not None:
+            return self.fold.at(point)
+        return [_at(x, [arb(e) for e in point]) for x in self.root]
+
+    def _sharply(self, point: Sequence[Any]) -> list[Any]:
+        if self.fold is not None:
+            return self.fold.at(point)
+        return list(self._orbit_at([arb(e) for e in point]).root)
+
+    def holds(self, point: Sequence[Any], found: Sequence[Any]) -> bool:
+        """Whether an orbit at a point is its own."""
+        if self.fold is not None:
+            return self.fold.holds(point, found)
+        return self._holds([arb(e) for e in point], found)
 
     def _orbit(self, where: Sequence[Interval], guess: Sequence[Any]) -> CheckedOrbit:
         """The orbit for all parameters of a tile, from numbers near it in the middle."""
@@ -309,20 +343,26 @@ def _fill(places: list[list[tuple[int, int]]]) -> bool:
 def _total(content: dict[str, Any]) -> None:
     """What is said of the whole box follows from the tiles."""
     tiles, shares = content["tiles"], dict.fromkeys(content["shares"], fmpq(0))
-    for tile in tiles:
-        shares[_verdict(tile)] += fmpq(1, 2 ** sum(level for _, level in tile["place"]))
-    told = {name: int(share.p) / int(share.q) for name, share in shares.items()}
-    demand(content["shares"] == told, "the shares are not those of the tiles")
+    verdicts = [_verdict(tile) for tile in tiles]
+    beyond = [False] * len(tiles)
+    if len(content["box"]) == _PLANE:
+        beyond = beyond_folds(tiles, verdicts, [*content["box"]])
+    for tile, verdict, behind in zip(tiles, verdicts, beyond, strict=True):
+        shares[BEYOND if behind else verdict] += fmpq(
+            1, 2 ** sum(level for _, level in tile["place"])
+        )
+    stated = {name: int(share.p) / int(share.q) for name, share in shares.items()}
+    demand(content["shares"] == stated, "the shares are not those of the tiles")
     for name, verdict in content["claims"].items():
-        verdicts = {tile["claims"][name] for tile in tiles}
-        worst = next(v for v in ("refuted", "undecided", "proved") if v in verdicts)
+        told = {tile["claims"][name] for tile in tiles}
+        worst = next(v for v in ("refuted", "undecided", "proved") if v in told)
         demand(verdict == worst, f"{name} of the box is not that of the tiles")
     proved = [tile["enclosures"] for tile in tiles if tile["claims"]["existence"] == "proved"]
     common = {*proved[0]}.intersection(*proved) if proved else set()
     demand(content["enclosures"].keys() == common, "enclosures of the box are not those of tiles")
     for name, whole in content["enclosures"].items():
         middle, radius = exact(whole["mid"]), exact(whole["rad"])
-        for stated in proved:
-            away = exact(stated[name]["mid"]) - middle
-            holds = max(away, -away) + exact(stated[name]["rad"]) <= radius
+        for own in proved:
+            away = exact(own[name]["mid"]) - middle
+            holds = max(away, -away) + exact(own[name]["rad"]) <= radius
             demand(holds, f"{name} of the box does not contain that of a tile")

@@ -181,7 +181,7 @@ def share_table(found: BoxCertificate) -> Table:
     """
     table = listing("of the box", "", "tiles")
     for verdict, share in found.shares.items():
-        tiles = sum(tile.verdict == verdict for tile in found.tiles)
+        tiles = found.verdicts.count(verdict)
         name = f"{found.stability}, proved" if verdict == "proved" else verdict
         name = "divided by a curve" if verdict == "divided" else name
         if tiles:

@@ -6,17 +6,36 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
-from nonsmooth.runtime.core.taylor_models import matrix
+from nonsmooth.runtime.core.taylor_models import (
+    Space,
+    TaylorModel,
+    matrix,
+    middle_of,
+    range_of,
+    space_of,
+)
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.orbit_equations import Linearised
 
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Contraction", "Krawczyk", "Solvable", "krawczyk", "newton"]
+__all__ = [
+    "Contraction",
+    "Krawczyk",
+    "Solvable",
+    "contracted",
+    "followed",
+    "joined",
+    "krawczyk",
+    "newton",
+]
 
 _DOUBLE = 40  # bits that a root in double precision has at least, as a rule
 _MOST_STEPS = 6  # at the last precision
+_CLOSE = 50  # bits of the orbit in the middle of a tile
+_TRIES = 4  # sizes of Krawczyk's box
+_ALIKE = 30  # bits to which numbers of one orbit agree, at least
 
 
 class Solvable(Protocol):
@@ -223,6 +242,96 @@ class Krawczyk:
         inside = (unit - self.inverse * over.jacobian) * column
         entries: list[Any] = (inside - self.inverse * at.residual).entries()
         return entries
+
+
+def joined(equations: Solvable, found: Sequence[arb], numbers: Sequence[arb]) -> bool:
+    """Whether one box holds both of two points, and one root.
+
+    Parameters
+    ----------
+    equations : Solvable
+        Of the unknowns.
+    found, numbers : sequence of arb
+        Two enclosures of all unknowns.
+
+    Returns
+    -------
+    bool
+        True if that is proved: if both contain roots they are one.
+    """
+    from flint import arb
+
+    both = [x.union(y) for x, y in zip(found, numbers, strict=True)]
+    centre = [x.mid() for x in both]
+    radii = [2 * x.rad() + (1 + abs(x)) * arb(2) ** -_ALIKE for x in both]
+    if not all(r.is_finite() for r in radii):
+        return False
+    return krawczyk(equations, centre, [r.upper() for r in radii]).unique
+
+
+def followed(
+    equations: Solvable, guess: Sequence[arb], space: Space, orders: Sequence[int] = (1,)
+) -> list[Any] | None:
+    """Polynomials near the orbit, by Newton's method; nothing is proved of them.
+
+    Parameters
+    ----------
+    equations : Solvable
+        Of the unknowns; in Taylor models of the space.
+    guess : sequence of arb
+        The unknowns about, in the middle.
+    space : Space
+    orders : sequence of int, optional
+        Of the steps before the last: each step doubles the order that is right, and more.
+
+    Returns
+    -------
+    list of TaylorModel or None
+        None where Newton's method fails.
+    """
+    middle = equations.mapped(middle_of)
+    found = newton(lambda: middle, guess, _CLOSE)
+    if found is None:
+        return None
+    for order in (*orders, space.order):
+        rough = space_of(space.variables, order)
+
+        def cut(number: Any, rough: Space = rough) -> TaylorModel:
+            middle = number.mid()
+            return middle.cast(rough) if isinstance(number, TaylorModel) else rough.constant(middle)
+
+        centre = list(map(cut, found))
+        missed = Krawczyk(equations.mapped(cut), centre).missed
+        if not missed or not all(range_of(d).is_finite() for d in missed):
+            return None
+        found = [(x + d).mid() for x, d in zip(centre, missed, strict=True)]
+    return found
+
+
+def contracted(test: Krawczyk) -> Contraction | None:
+    """A box around the polynomials that Krawczyk's map takes into itself, if there is one.
+
+    Parameters
+    ----------
+    test : Krawczyk
+        About the polynomials.
+
+    Returns
+    -------
+    Contraction or None
+    """
+    from flint import arb
+
+    unit = arb(2) ** -_CLOSE
+    moved = [abs(range_of(d)) for d in test.missed]
+    for _ in range(_TRIES if moved else 0):
+        if not all(d.is_finite() for d in moved):
+            return None
+        found = test([(2 * d + unit).upper() for d in moved])
+        if found.unique:
+            return found
+        moved = [abs(range_of(x - c)) for x, c in zip(found.image, test.centre, strict=True)]
+    return None
 
 
 def _step(now: Linearised) -> list[arb] | None:

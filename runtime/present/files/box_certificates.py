@@ -23,7 +23,7 @@ from nonsmooth.runtime.present.files.claim_entries import (
 )
 from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS
-from nonsmooth.runtime.proof.boxes.tile_event import Band, TileEvent
+from nonsmooth.runtime.proof.boxes.tile_event import Band, Fold, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from nonsmooth.runtime.proof.certificate import VERSION
 
@@ -35,6 +35,17 @@ __all__ = [
     "load_box_certificate",
     "save_box",
 ]
+
+
+@dataclass(frozen=True, kw_only=True)
+class FoldEntries:
+    """What a map's file states of two sheets of orbits that meet along a curve."""
+
+    coordinate: str
+    centre: tuple[float, ...]
+    half: float
+    sheet: str
+    other: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,6 +64,7 @@ class CurveEntries:
     radius: float
     below: str
     above: str
+    fold: FoldEntries | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,7 +95,7 @@ class BoxEntries(OrbitProofEntries):
     closing: Mapping[str, Any]
 
 
-_VERSION = VERSION + 1  # of maps: curves divide tiles
+_VERSION = VERSION + 2  # of maps: curves divide tiles, and orbits meet in folds
 _PLANE = 2  # parameters of a box with curves
 
 BOX = FileFormat(
@@ -260,4 +272,5 @@ def _event(entries: CurveEntries, axes: tuple[str, ...]) -> TileEvent:
         band=Band(axes.index(entries.across), entries.centre, entries.radius),
         below=entries.below,
         above=entries.above,
+        fold=None if entries.fold is None else Fold(**vars(entries.fold)),
     )

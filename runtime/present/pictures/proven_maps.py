@@ -22,6 +22,7 @@ COLORS = {
     "neutral": "#33BBEE",
     "unstable": "#EE7733",
     "not admissible": "#BBBBBB",
+    "beyond a fold": "#EEEEEE",
     "undecided": "#FFFFFF",
 }
 _PLANE = 2  # parameters
@@ -128,12 +129,12 @@ def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
     def color_of(verdict: str) -> str:
         return COLORS[found.stability if verdict == "proved" else verdict]
 
-    for tile in found.tiles:
+    for tile, verdict in zip(found.tiles, found.verdicts, strict=True):
         where = found.where(tile)
         (left, right), (below, above) = where[across], where[up]
         corner = (float(left), float(below))
         patches.append(Rectangle(corner, float(right - left), float(above - below)))
-        colors.append(color_of(tile.verdict if tile.event is None else tile.event.above))
+        colors.append(color_of(verdict if tile.event is None else tile.event.above))
         if tile.event is not None:
             patches.append(Polygon(_side_of_tile(found, tile)))
             colors.append(color_of(tile.event.below))

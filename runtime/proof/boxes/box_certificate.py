@@ -19,7 +19,8 @@ from nonsmooth.runtime.proof.boxes.regions import (
     open_boxes_of,
     regions_of,
 )
-from nonsmooth.runtime.proof.boxes.tile_event import TileEvent
+from nonsmooth.runtime.proof.boxes.tile_edges import beyond_folds
+from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Fold, TileEvent
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import (
     CLAIMS,
@@ -34,7 +35,7 @@ __all__ = ["DIGITS", "VERDICTS", "BoxCertificate", "Tile"]
 
 _PLANE = 2  # parameters of a box that has regions and curves
 DIGITS = 6  # of the radii that are stated: they are as wide as the box
-VERDICTS = ("proved", "unstable", "not admissible", "divided", "undecided")
+VERDICTS = ("proved", "unstable", "not admissible", "divided", BEYOND, "undecided")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -68,7 +69,7 @@ class Tile:
 
     @property
     def verdict(self) -> str:
-        """What it comes to, one of `VERDICTS`; "divided" by the curve of an event."""
+        """What it comes to by itself, one of `VERDICTS`; "divided" by the curve of an event."""
         if self.event is not None:
             return "divided"
         existence, admissibility, stability = (self.claims[name] for name in CLAIMS)
@@ -87,7 +88,9 @@ class BoxCertificate(Kept):
     exactly one orbit next to a curve or surface of unknowns that was followed over the tile,
     it is a motion of the system, and it is stable; or a claim is refuted for every parameter.
     Of two parameters a tile may have two verdicts, with a curve of one event in between, and
-    where tiles with verdicts meet their orbits are proved to be the same.
+    where tiles with verdicts meet their orbits are proved to be the same. At a fold curve two
+    orbits meet: on one side of it both are in a tube, on the other none, and parts of the box
+    that are behind it alone are "beyond a fold".
 
     Attributes
     ----------
@@ -133,12 +136,18 @@ class BoxCertificate(Kept):
         """Whether all claims are proved for all parameters of the box."""
         return set(self.claims.values()) == {"proved"}
 
+    @cached_property
+    def verdicts(self) -> tuple[str, ...]:
+        """What each tile comes to, one of `VERDICTS`."""
+        beyond = beyond_folds(self.tiles) if len(self.box) == _PLANE else frozenset()
+        return tuple(BEYOND if k in beyond else t.verdict for k, t in enumerate(self.tiles))
+
     @property
     def shares(self) -> dict[str, Fraction]:
         """How much of the box has which of `VERDICTS`, exactly."""
         found = dict.fromkeys(VERDICTS, Fraction(0))
-        for tile in self.tiles:
-            found[tile.verdict] += tile.place.share
+        for tile, verdict in zip(self.tiles, self.verdicts, strict=True):
+            found[verdict] += tile.place.share
         return found
 
     @property
@@ -149,7 +158,8 @@ class BoxCertificate(Kept):
     @property
     def undecided(self) -> tuple[dict[str, Interval], ...]:
         """The boxes of parameters that are not decided."""
-        return tuple(self.where(t) for t in self.tiles if t.verdict == "undecided")
+        told = zip(self.tiles, self.verdicts, strict=True)
+        return tuple(self.where(tile) for tile, verdict in told if verdict == "undecided")
 
     @cached_property
     def regions(self) -> tuple[ProvedRegion, ...]:
@@ -178,10 +188,18 @@ class BoxCertificate(Kept):
         told = f"over {over}: {_many(len(parts), 'region')}"
         told += f", {', '.join(parts)}" if parts else ""
         if self.curves:
-            kinds = ", ".join(sorted({curve.event.kind for curve in self.curves}))
+            kinds = ", ".join(sorted({self._told(curve) for curve in self.curves}))
             told += f"; {_many(len(self.curves), 'curve')} of events ({kinds})"
         share = float(100 * self.shares["undecided"])
         return told + (f"; undecided: {share:.3g} % of the box" if share else "; no box is open")
+
+    def _told(self, curve: EventCurve) -> str:
+        """The kind of a curve's event; of a fold the orbits that meet there."""
+        if curve.event.fold is None:
+            return curve.event.kind
+        own = {curve.event.below, curve.event.above} - {BEYOND}
+        met = sorted(self.stability if v == "proved" else v for v in (*own, curve.event.fold.other))
+        return f"fold: two orbits meet, {' and '.join(met)}, and there is none beyond"
 
     @property
     def reasons(self) -> dict[str, str]:
@@ -316,6 +334,10 @@ def _tile_json(tile: Tile, axes: Sequence[str]) -> dict[str, Any]:
     }
 
 
+def _fold_json(fold: Fold) -> dict[str, Any]:
+    return {**vars(fold), "centre": list(fold.centre)}
+
+
 def _event_json(event: TileEvent, axes: Sequence[str]) -> dict[str, Any]:
     return {
         "kind": event.kind,
@@ -330,4 +352,5 @@ def _event_json(event: TileEvent, axes: Sequence[str]) -> dict[str, Any]:
         "radius": event.band.radius,
         "below": event.below,
         "above": event.above,
+        "fold": None if event.fold is None else _fold_json(event.fold),
     }

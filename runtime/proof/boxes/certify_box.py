@@ -23,11 +23,14 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
     region_of,
     with_open_ones,
 )
-from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, Tube, joined, prove
-from nonsmooth.runtime.proof.boxes.tile_edges import edges_of
+from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, Tube, prove
+from nonsmooth.runtime.proof.boxes.tile_edges import edges_of, meeting_point
+from nonsmooth.runtime.proof.boxes.tile_event import TileEvent
+from nonsmooth.runtime.proof.boxes.tile_fold import FoldTube, fold_on, fold_tube
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, Stated
 from nonsmooth.runtime.proof.exact_tables import rational_of
+from nonsmooth.runtime.proof.krawczyk import joined
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, system_of
 
 if TYPE_CHECKING:
@@ -41,6 +44,7 @@ _DEEPEST = 12  # halvings along each axis
 _EVERY = 10.0  # seconds between states that are kept
 _NOT_TRIED = "not looked at yet"
 _APART = "it may be another orbit than that of a tile beside it"
+_MEET = "two orbits meet there"
 
 
 def certify_box(
@@ -145,7 +149,7 @@ class _Work:
         self.waiting: list[tuple[Fraction, int, Tile]] = []
         self.stranded: list[Tile] = []  # no orbit has reached them
         self.reached: dict[Place, Tile] = {}  # the orbit is proved there
-        self.tubes: dict[Place, Tube] = {}
+        self.tubes: dict[Place, Tube | FoldTube] = {}
         self.decided = 0.0
         self._order = count()
         for tile in state.tiles:
@@ -182,16 +186,20 @@ class _Work:
 
     def _meet(self, first: Tile, second: Tile) -> bool:
         """Whether the orbits of two tiles that touch are the same where they do."""
-        point = first.place.shared(second.place, self.region.box)
+        point = meeting_point(first, second, self.region.box)
+        if point is None:
+            return True  # on their common edge there are no orbits, or it is not claimed
         tubes = self._tube(first), self._tube(second)
         if tubes[0] is None or tubes[1] is None:
             return False
-        found = [tube.at(point) for tube in tubes if tube is not None]
-        if tubes[0].holds(point, found[1]) or tubes[1].holds(point, found[0]):
+        one, other = (tube.at(point) for tube in tubes if tube is not None)
+        if one is None or other is None:
+            return False
+        if tubes[0].holds(point, other) or tubes[1].holds(point, one):
             return True
         with flint_precision(BITS):
             number = self.region.tables.number_at(_point(point))
-            return joined(self.region.equations(number), *found)
+            return joined(self.region.equations(number), one, other)
 
     def look(self) -> bool:
         """Look at the largest tile that waits and is reached; tell whether there is one."""
@@ -212,6 +220,12 @@ class _Work:
             proof = self._proved(tile, anchor)
             if proof.tube is not None:
                 self.tubes[tile.place] = proof.tube
+            elif len(self.region.names) == _PLANE:
+                folded = fold_on(self.region, tile.place, anchor.point, anchor.numbers)
+                if folded is not None:
+                    self.tubes[tile.place], event = folded
+                    self._finish(_folded(tile, event, folded[0]))
+                    return True
             self._finish(_judged(tile, proof, self.region))
             return True
         return False
@@ -240,16 +254,23 @@ class _Work:
         beside = [other for other in self.reached if other.touches(place)]
         for other in sorted(beside, key=lambda other: (-other.share, other.steps)):
             tube = self._tube(self.reached[other])
-            if tube is not None:
-                point = place.shared(other, region.box)
-                return Anchor(point, tube.at(point))
+            point = meeting_point(self.reached[other], tile, region.box)
+            found = None if tube is None or point is None else tube.at(point)
+            if found is not None and point is not None:
+                return Anchor(point, found)
         return None
 
-    def _tube(self, tile: Tile) -> Tube | None:
+    def _tube(self, tile: Tile) -> Tube | FoldTube | None:
         """The orbit over a tile; where it was proved before, it is proved again."""
         if tile.place not in self.tubes:
             if not tile.guess:
                 return None
+            if tile.event is not None and tile.event.fold is not None:
+                fold, axis = tile.event.fold, tile.event.band.axis
+                folded = fold_tube(self.region, tile.place, axis, fold, _balls(tile.guess))
+                if folded is not None:
+                    self.tubes[tile.place] = folded
+                return folded
             anchor = Anchor(tile.place.middle(self.region.box), _balls(tile.guess))
             tube = prove(self.region, tile.place, anchor).tube
             if tube is None:
@@ -260,7 +281,7 @@ class _Work:
     def _finish(self, tile: Tile) -> None:
         """Keep a tile, or halve it if it is not decided and not too small."""
         place = tile.place
-        if tile.claims["existence"] == "proved":
+        if tile.claims["existence"] == "proved" or tile.event is not None:
             self.reached[place] = tile
             freed = [other for other in self.stranded if other.place.touches(place)]
             self.stranded = [other for other in self.stranded if other not in freed]
@@ -275,7 +296,7 @@ class _Work:
         tube = self.tubes.get(place)
         for half in place.halves(axis):
             guess: tuple[float, ...] = ()
-            if tube is not None:
+            if isinstance(tube, Tube):
                 self.tubes[half] = tube  # until it has one of its own
                 guess = tuple(float(x.mid()) for x in tube.at(half.middle(self.region.box)))
             # what is proved for a tile is proved for its halves
@@ -326,6 +347,19 @@ def _judged(tile: Tile, proof: TileProof, region: Region) -> Tile:
         event=None,
     )
     return replace(found, event=proof.event) if found.verdict == "undecided" else found
+
+
+def _folded(tile: Tile, event: TileEvent, tube: FoldTube) -> Tile:
+    """A tile near which two orbits meet."""
+    return Tile(
+        place=tile.place,
+        claims=dict.fromkeys(CLAIMS, "undecided"),
+        reasons={"existence": _MEET},
+        enclosures={},
+        guess=tube.guess,
+        looked_at=True,
+        event=event,
+    )
 
 
 def _point(values: Sequence[Fraction]) -> list[arb]:

@@ -14,7 +14,7 @@ from itertools import pairwise, product
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.proof.boxes.tile_edges import Edge, Groups, joined_edges
-from nonsmooth.runtime.proof.boxes.tile_event import Band, TileEvent, side_of
+from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Band, TileEvent, side_of
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Point
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class ProvedRegion:
 
     Attributes
     ----------
-    verdict : {"stable", "neutral", "unstable", "not admissible"}
+    verdict : {"stable", "neutral", "unstable", "not admissible", "beyond a fold"}
     share : float
         Of the box's area, about.
     cells : tuple of (int, str)
@@ -111,7 +111,9 @@ def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
     """
     tiles = found.tiles
     verdicts: dict[Cell, str] = {
-        (k, side): v for k, tile in enumerate(tiles) for side, v in _verdicts(tile)
+        (k, side): v
+        for k, tile in enumerate(tiles)
+        for side, v in _verdicts(tile, found.verdicts[k])
     }
     groups = Groups(verdicts)
     for edge in joined_edges(found):
@@ -176,7 +178,7 @@ def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
     -------
     tuple of OpenBox
     """
-    undecided = [k for k, tile in enumerate(found.tiles) if tile.verdict == "undecided"]
+    undecided = [k for k, verdict in enumerate(found.verdicts) if verdict == "undecided"]
     groups = Groups(undecided)
     for place, k in enumerate(undecided):
         for other in undecided[:place]:
@@ -243,6 +245,7 @@ def map_json(found: BoxCertificate) -> dict[str, Any]:
                 "width": c.width,
                 "ends": list(c.ends),
                 "points": [list(point) for point in c.points],
+                "sheets": None if c.event.fold is None else sheets_json(found, c.event),
             }
             for c in found.curves
         ],
@@ -259,6 +262,26 @@ def map_json(found: BoxCertificate) -> dict[str, Any]:
     }
 
 
+def sheets_json(found: BoxCertificate, event: TileEvent) -> dict[str, str]:
+    """Verdicts on the map's own orbit and on the other one, on that side of a fold where they are.
+
+    Parameters
+    ----------
+    found : BoxCertificate
+    event : TileEvent
+        A fold.
+
+    Returns
+    -------
+    dict of str to str
+        Ready for `json.dumps`.
+    """
+    assert event.fold is not None
+    own = event.below if event.above == BEYOND else event.above
+    told = {"own": own, "other": event.fold.other}
+    return {name: found.stability if v == "proved" else v for name, v in told.items()}
+
+
 def _event_text(event: TileEvent) -> str:
     if event.phase is None:
         return event.kind
@@ -271,12 +294,12 @@ def _samples(edge: Edge) -> list[Point]:
     return [(x + s * (its_x - x), y + s * (its_y - y)) for s in shares]
 
 
-def _verdicts(tile: Tile) -> Iterator[tuple[str, str]]:
+def _verdicts(tile: Tile, verdict: str) -> Iterator[tuple[str, str]]:
     """The sides of a tile that are not empty, and their verdicts; "" stands for all of it."""
     event = tile.event
     if event is None:
-        if tile.verdict != "undecided":
-            yield "", tile.verdict
+        if verdict != "undecided":
+            yield "", verdict
         return
     ends = [event.band.at(Fraction(end)) for end in (-1, 1)]
     radius = Fraction(event.band.radius)
@@ -402,8 +425,8 @@ def _end(found: BoxCertificate, point: tuple[float, float]) -> str:
     """What is where a curve ends."""
     if any(abs(x - end) < _ON for x in point for end in (0, 1)):
         return "border"
-    for tile in found.tiles:
-        if tile.verdict == "undecided":
+    for tile, verdict in zip(found.tiles, found.verdicts, strict=True):
+        if verdict == "undecided":
             sides = zip(point, tile.place.shares, strict=True)
             if all(float(low) - _ON <= x <= float(high) + _ON for x, (low, high) in sides):
                 return "open"

@@ -11,13 +11,13 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
+from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
 from nonsmooth.runtime.proof.boxes.tile_event import TileEvent, event_on
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.krawczyk import Contraction, Krawczyk, Solvable, krawczyk, newton
+from nonsmooth.runtime.proof.krawczyk import Krawczyk, contracted, followed, joined
 from nonsmooth.runtime.proof.orbit_claims import (
     NOT_CONSERVED,
     claim_of_map,
@@ -29,14 +29,11 @@ from nonsmooth.runtime.proof.orbit_claims import (
 if TYPE_CHECKING:
     from flint import arb
 
-__all__ = ["Anchor", "TileProof", "Tube", "contracted", "followed", "joined", "prove"]
+__all__ = ["Anchor", "TileProof", "Tube", "prove"]
 
 _ORDERS = {1: 5, 2: 3}  # by the number of parameters: what costs least, measured
 _LOWEST, _SHARP = 2, 6
-_CLOSE = 50  # bits of the orbit in the middle of a tile
-_TRIES = 4  # sizes of Krawczyk's box
 _SEEN = 30  # bits to which the check, whose tube is wider, tells the ends of an enclosure
-_ALIKE = 30  # bits to which numbers of one orbit agree, at least
 
 
 class Anchor(NamedTuple):
@@ -212,31 +209,6 @@ def _joined(region: Region, anchor: Anchor, found: Sequence[arb]) -> bool:
     return joined(region.equations(number), found, anchor.numbers)
 
 
-def joined(equations: Solvable, found: Sequence[arb], numbers: Sequence[arb]) -> bool:
-    """Whether one box holds both of two points, and one root.
-
-    Parameters
-    ----------
-    equations : Solvable
-        Of the unknowns.
-    found, numbers : sequence of arb
-        Two enclosures of all unknowns.
-
-    Returns
-    -------
-    bool
-        True if that is proved: if both contain roots they are one.
-    """
-    from flint import arb
-
-    both = [x.union(y) for x, y in zip(found, numbers, strict=True)]
-    centre = [x.mid() for x in both]
-    radii = [2 * x.rad() + (1 + abs(x)) * arb(2) ** -_ALIKE for x in both]
-    if not all(r.is_finite() for r in radii):
-        return False
-    return krawczyk(equations, centre, [r.upper() for r in radii]).unique
-
-
 def _wider(number: Any) -> arb:
     """All values, with twice what is not known of the polynomial: the check finds its own."""
     from flint import arb
@@ -259,64 +231,3 @@ def _variables(region: Region, place: Place, space: Space) -> list[TaylorModel]:
         lower, upper = (rational_of(end) for end in place.interval(axis, region.box))
         found.append(space.variable(axis, arb((lower + upper) / 2), arb((upper - lower) / 2)))
     return found
-
-
-def followed(equations: Solvable, guess: Sequence[arb], space: Space) -> list[Any] | None:
-    """Polynomials near the orbit, by Newton's method; nothing is proved of them.
-
-    Parameters
-    ----------
-    equations : Solvable
-        Of the unknowns; in Taylor models of the space.
-    guess : sequence of arb
-        The unknowns about, in the middle.
-    space : Space
-
-    Returns
-    -------
-    list of TaylorModel or None
-        None where Newton's method fails.
-    """
-    middle = equations.mapped(middle_of)
-    found = newton(lambda: middle, guess, _CLOSE)
-    if found is None:
-        return None
-    for order in (1, space.order):  # each step doubles the order that is right, and more
-        rough = space_of(space.variables, order)
-
-        def cut(number: Any, rough: Space = rough) -> TaylorModel:
-            middle = number.mid()
-            return middle.cast(rough) if isinstance(number, TaylorModel) else rough.constant(middle)
-
-        centre = list(map(cut, found))
-        missed = Krawczyk(equations.mapped(cut), centre).missed
-        if not missed or not all(range_of(d).is_finite() for d in missed):
-            return None
-        found = [(x + d).mid() for x, d in zip(centre, missed, strict=True)]
-    return found
-
-
-def contracted(test: Krawczyk) -> Contraction | None:
-    """A box around the polynomials that Krawczyk's map takes into itself, if there is one.
-
-    Parameters
-    ----------
-    test : Krawczyk
-        About the polynomials.
-
-    Returns
-    -------
-    Contraction or None
-    """
-    from flint import arb
-
-    unit = arb(2) ** -_CLOSE
-    moved = [abs(range_of(d)) for d in test.missed]
-    for _ in range(_TRIES if moved else 0):
-        if not all(d.is_finite() for d in moved):
-            return None
-        found = test([(2 * d + unit).upper() for d in moved])
-        if found.unique:
-            return found
-        moved = [abs(range_of(x - c)) for x, c in zip(found.image, test.centre, strict=True)]
-    return None

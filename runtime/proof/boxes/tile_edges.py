@@ -7,12 +7,15 @@ from collections.abc import Hashable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, side_of
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place, Point
 
 if TYPE_CHECKING:
-    from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
+    from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile
 
-__all__ = ["Edge", "Groups", "edges_of", "joined_edges"]
+__all__ = ["Edge", "Groups", "beyond_folds", "edges_of", "joined_edges", "meeting_point"]
+
+_SHARES = tuple(Fraction(k, 32) for k in (16, 8, 24, 4, 28, 1, 31, 0, 32))  # of an edge
 
 
 class Edge(NamedTuple):
@@ -68,9 +71,82 @@ def joined_edges(found: BoxCertificate) -> Iterator[Edge]:
     -------
     iterator of Edge
     """
-    decided = [tile.verdict != "undecided" for tile in found.tiles]
+    decided = [verdict != "undecided" for verdict in found.verdicts]
     edges = edges_of([tile.place for tile in found.tiles])
     return (edge for edge in edges if decided[edge.first] and decided[edge.second])
+
+
+def meeting_point(one: Tile, other: Tile, box: Sequence[Interval]) -> tuple[Fraction, ...] | None:
+    """A point that two tiles have in common, at which orbits of both are claimed.
+
+    Parameters
+    ----------
+    one, other : Tile
+        They touch each other.
+    box : sequence of (Fraction, Fraction)
+        Lower and upper end of each parameter.
+
+    Returns
+    -------
+    tuple of Fraction or None
+        The middle, unless one of them has a fold that is not clearly beside it: then another
+        point, or None where there is none.
+    """
+    for share in _SHARES:
+        point = one.place.shared(other.place, box, share)
+        if all(_has_orbits(tile, point, box) for tile in (one, other)):
+            return point
+    return None
+
+
+def _has_orbits(tile: Tile, point: Sequence[Fraction], box: Sequence[Interval]) -> bool:
+    event = tile.event
+    if event is None or event.fold is None:
+        return True
+    ends = [tile.place.interval(axis, box) for axis in range(len(box))]
+    sides = zip(point, ends, strict=True)
+    side = side_of(event.band, [(2 * x - low - high) / (high - low) for x, (low, high) in sides])
+    return side is not None and getattr(event, side) != BEYOND
+
+
+def beyond_folds(tiles: Sequence[Tile]) -> frozenset[int]:
+    """Undecided tiles to which folds do not let the orbits lead.
+
+    Such tiles are joined by their edges, and have edges in common only with each other, and with
+    tiles on whose side beyond a fold the whole edge is.
+
+    Parameters
+    ----------
+    tiles : sequence of Tile
+        Of two parameters; they fill their box.
+
+    Returns
+    -------
+    frozenset of int
+        Their numbers.
+    """
+    undecided = {k for k, tile in enumerate(tiles) if tile.verdict == "undecided"}
+    groups = Groups(undecided)
+    closed: set[int] = set()
+    left: set[int] = set()
+    for edge in edges_of([tile.place for tile in tiles]):
+        own = [k for k in edge[:2] if k in undecided]
+        if len(own) == 2:
+            groups.unite(*own)
+        elif own:
+            (beside,) = {*edge[:2]} - {*own}
+            (closed if _all_beyond(tiles[beside], edge) else left).add(own[0])
+    found = [group for group in groups.all() if closed & {*group} and not left & {*group}]
+    return frozenset(k for group in found for k in group)
+
+
+def _all_beyond(tile: Tile, edge: Edge) -> bool:
+    """Whether an edge of a tile is all on its side beyond a fold."""
+    event = tile.event
+    if event is None or event.fold is None:
+        return False
+    side = event.band.side_of_edge(*map(tile.place.inside, edge.ends))
+    return side is not None and getattr(event, side) == BEYOND
 
 
 class Groups:

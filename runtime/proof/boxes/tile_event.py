@@ -36,12 +36,24 @@ if TYPE_CHECKING:
 
     Side = Literal["below", "above"]
 
-__all__ = ["Band", "TileEvent", "event_on", "side_of"]
+__all__ = [
+    "BEYOND",
+    "FINEST",
+    "NARROW",
+    "SPARE",
+    "Band",
+    "Fold",
+    "TileEvent",
+    "event_on",
+    "side_of",
+]
+
+BEYOND = "beyond a fold"
 
 _FARTHEST = 3.0  # of a curve from the middle of its tile; half of the tile is 1
-_NARROW = 1e-5  # the largest radius of a band, as a share of the box
-_SPARE = 2  # times the radius of a band: the check finds its own
-_FINEST = 2.0**-40  # the least radius that is stated
+NARROW = 1e-5  # the largest radius of a band, as a share of the box
+SPARE = 2  # times the radius of a band: the check finds its own
+FINEST = 2.0**-40  # the least radius that is stated
 _COMPOSED = 12  # order of what is composed along a curve
 _STEPS = 12
 
@@ -83,6 +95,36 @@ class Band:
             total = total * place + Fraction(coefficient)
         return total
 
+    def side_of_edge(self, one: Sequence[Fraction], other: Sequence[Fraction]) -> Side | None:
+        """The side on which all points between two are; None if they may be in the band.
+
+        Parameters
+        ----------
+        one, other : sequence of Fraction
+            Both parameters, from -1 to 1; one of them is the same.
+
+        Returns
+        -------
+        {"below", "above"} or None
+        """
+        places = one[1 - self.axis], other[1 - self.axis]
+        if self._monotonic or places[0] == places[1]:
+            curve = [self.at(place) for place in places]
+        else:
+            middle, *rest = map(Fraction, self.centre)
+            away = sum(map(abs, rest), Fraction(0))
+            curve = [middle - away, middle + away]
+        far = [point[self.axis] - at for point in (one, other) for at in curve]
+        if min(far) > self.radius:
+            return "above"
+        return "below" if max(far) < -self.radius else None
+
+    @property
+    def _monotonic(self) -> bool:
+        """Whether the curve surely rises, or falls."""
+        slope, *bends = (k * abs(Fraction(c)) for k, c in enumerate(self.centre) if k)
+        return slope > sum(bends, Fraction(0))
+
     @property
     def connected(self) -> bool:
         """Whether both sides are surely connected, or empty.
@@ -91,13 +133,40 @@ class Band:
         on none.
         """
         middle, *rest = map(Fraction, self.centre)
-        slope, *bends = (k * abs(c) for k, c in enumerate(rest, 1))
-        if slope > sum(bends, Fraction(0)):
+        if self._monotonic:
             return True
         away, radius = sum(map(abs, rest), Fraction(0)), Fraction(self.radius)
         return all(
             side + away + radius < 1 or side - away + radius >= 1 for side in (middle, -middle)
         )
+
+
+@dataclass(frozen=True)
+class Fold:
+    """Two sheets of orbits that meet along a curve: a tube around both.
+
+    In the tube one unknown is as near to a polynomial of the parameter along the curve as the
+    half tells, and the other unknowns, with the parameter across, to functions of these two.
+
+    Attributes
+    ----------
+    coordinate : str
+        The unknown of the orbit's equations that tells the orbits from each other.
+    centre : tuple of float
+        Coefficients of the polynomial: about where the orbits meet.
+    half : float
+        Half of the tube's width in that unknown.
+    sheet : {"below", "above"}
+        Which of the two sheets, by that unknown, is the map's own.
+    other : {"proved", "unstable", "not admissible"}
+        The verdict on the other one.
+    """
+
+    coordinate: str
+    centre: tuple[float, ...]
+    half: float
+    sheet: str
+    other: str
 
 
 @dataclass(frozen=True)
@@ -107,7 +176,7 @@ class TileEvent:
     Attributes
     ----------
     kind : str
-        "flip" or "neimark-sacker"; "grazing", "tangent", "entry", "simultaneous" or
+        "flip", "neimark-sacker" or "fold"; "grazing", "tangent", "entry", "simultaneous" or
         "vanishing-phase".
     phase : int or None
         Counted from 0, in files from 1.
@@ -118,8 +187,10 @@ class TileEvent:
     also : tuple of (str, int, str, str)
         Kind, phase, boundary and instant of what happens in the same band.
     band : Band
-    below, above : {"proved", "unstable", "not admissible"}
+    below, above : {"proved", "unstable", "not admissible", "beyond a fold"}
         Verdicts for all parameters below the band and above it, along its axis.
+    fold : Fold or None
+        The orbits that meet, of a fold: on the side that is beyond it none is in their tube.
     """
 
     kind: str
@@ -132,6 +203,7 @@ class TileEvent:
     band: Band
     below: str
     above: str
+    fold: Fold | None = None
 
     @property
     def name(self) -> tuple[str, int | None, str, str]:
@@ -281,10 +353,10 @@ def _band(place: Place, numbers: Sequence[TaylorModel]) -> Band | None:
     away = [_away(number, axis, centre) for number in numbers]
     if any(x is None for x in away):
         return None
-    radius = _SPARE * max(float(x.upper()) for x in away if x is not None) + _FINEST
+    radius = SPARE * max(float(x.upper()) for x in away if x is not None) + FINEST
     band = Band(axis, centre, radius)
     share = radius / 2 ** (place.steps[axis][1] + 1)
-    return band if share < _NARROW and band.connected else None
+    return band if share < NARROW and band.connected else None
 
 
 def _coefficient(number: TaylorModel, axis: int) -> float:

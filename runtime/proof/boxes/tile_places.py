@@ -119,8 +119,10 @@ class Place(NamedTuple):
                 return False
         return True
 
-    def shared(self, other: Place, box: Sequence[Interval]) -> tuple[Fraction, ...]:
-        """The middle of what two tiles that touch have in common.
+    def shared(
+        self, other: Place, box: Sequence[Interval], share: Fraction = Fraction(1, 2)
+    ) -> tuple[Fraction, ...]:
+        """A point of what two tiles that touch have in common, the middle if not told.
 
         Parameters
         ----------
@@ -128,6 +130,8 @@ class Place(NamedTuple):
             A tile of the same box that touches this one.
         box : sequence of (Fraction, Fraction)
             Lower and upper end of each parameter.
+        share : Fraction, optional
+            How far it is from the lower ends to the upper ones.
 
         Returns
         -------
@@ -137,7 +141,8 @@ class Place(NamedTuple):
         point = []
         for axis in range(len(self.steps)):
             mine, others = self.interval(axis, box), other.interval(axis, box)
-            point.append((max(mine[0], others[0]) + min(mine[1], others[1])) / 2)
+            low, high = max(mine[0], others[0]), min(mine[1], others[1])
+            point.append(low + share * (high - low))
         return tuple(point)
 
     def halves(self, axis: int) -> tuple[Place, Place]:

@@ -8,7 +8,7 @@ unknowns, and the parameter is an unknown among the others.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, reduce
 from typing import TYPE_CHECKING, Any
 
@@ -41,16 +41,21 @@ class OrbitCurve:
     Attributes
     ----------
     region : Region
-        Of one parameter.
+    axis : int
+        Number of the parameter.
+    beside : tuple of arb or TaylorModel
+        Values of the region's other parameters.
     """
 
     region: Region
+    axis: int = 0
+    beside: tuple[Any, ...] = ()
 
     @cached_property
     def names(self) -> tuple[str, ...]:
         """The unknowns of the orbit's equations, and last the parameter."""
         region = self.region
-        return (*unknown_names(region.subject, region.closing), *region.names)
+        return (*unknown_names(region.subject, region.closing), region.names[self.axis])
 
     @cached_property
     def divided(self) -> dict[int, OrbitCurve]:
@@ -80,8 +85,35 @@ class OrbitCurve:
         Equations or AlongUnknown
         """
         if coordinate == self.parameter:
-            return self.region.equations(self.region.tables.number_at([value]))
-        return AlongUnknown(self.region, coordinate, value)
+            return self.region.equations(self.region.tables.number_at(self.parameters(value)))
+        return AlongUnknown(self, coordinate, value)
+
+    def parameters(self, value: Any) -> list[Any]:
+        """All parameters of the region where its own has a value.
+
+        Parameters
+        ----------
+        value : arb, TaylorModel or Jet
+
+        Returns
+        -------
+        list of numbers
+        """
+        return [*self.beside[: self.axis], value, *self.beside[self.axis :]]
+
+    def mapped(self, change: Callable[[Any], Any]) -> OrbitCurve:
+        """The same curve, where the other parameters are other numbers.
+
+        Parameters
+        ----------
+        change : callable
+            From a number to the other numbers.
+
+        Returns
+        -------
+        OrbitCurve
+        """
+        return replace(self, beside=tuple(map(change, self.beside)))
 
     def point(self, coordinate: int, value: Any, others: Sequence[Any]) -> list[Any]:
         """All coordinates of a point.
@@ -123,15 +155,14 @@ class AlongUnknown:
 
     Parameters
     ----------
-    region : Region
-        Of one parameter.
+    curve : OrbitCurve
     coordinate : int
         The unknown that is given.
     value : arb or TaylorModel
     """
 
-    def __init__(self, region: Region, coordinate: int, value: Any) -> None:
-        self.region, self.coordinate, self.value = region, coordinate, value
+    def __init__(self, curve: OrbitCurve, coordinate: int, value: Any) -> None:
+        self.curve, self.coordinate, self.value = curve, coordinate, value
 
     def mapped(self, change: Callable[[Any], Any]) -> AlongUnknown:
         """The same equations in other numbers.
@@ -145,7 +176,7 @@ class AlongUnknown:
         -------
         AlongUnknown
         """
-        return AlongUnknown(self.region, self.coordinate, change(self.value))
+        return AlongUnknown(self.curve.mapped(change), self.coordinate, change(self.value))
 
     def near(self, point: Sequence[Any]) -> None:
         """Nothing is kept for points near others: the fields depend on them.
@@ -172,7 +203,7 @@ class AlongUnknown:
         *others, parameter = unknowns
         place = self.coordinate
         own = [*others[:place], self.value, *others[place:]]
-        now = linearised_by_parameter(self.region, own, parameter)
+        now = linearised_by_parameter(self.curve, own, parameter)
         along = part_of(now.residual, 1)
         slopes, size = part_of(now.jacobian, 0), len(own)
         rows = [
@@ -181,13 +212,12 @@ class AlongUnknown:
         return Linearised(part_of(now.residual, 0), matrix(rows), now.shooting)
 
 
-def linearised_by_parameter(region: Region, own: Sequence[Any], parameter: Any) -> Linearised:
+def linearised_by_parameter(curve: OrbitCurve, own: Sequence[Any], parameter: Any) -> Linearised:
     """The orbit's equations in jets: values, and derivatives by the parameter.
 
     Parameters
     ----------
-    region : Region
-        Of one parameter.
+    curve : OrbitCurve
     own : sequence of arb or TaylorModel
         Unknowns of the orbit's equations.
     parameter : arb or TaylorModel
@@ -199,7 +229,7 @@ def linearised_by_parameter(region: Region, own: Sequence[Any], parameter: Any) 
     """
     from flint import arb
 
-    return linearised_in_jets(region, own, [jet(parameter, arb(1))])
+    return linearised_in_jets(curve.region, own, curve.parameters(jet(parameter, arb(1))))
 
 
 def linearised_in_jets(region: Region, own: Sequence[Any], parameters: Sequence[Any]) -> Linearised:
@@ -254,9 +284,9 @@ def directions(
     inverse: Any = None
     slopes: Any = None
     for k in range(1, order + 1):
-        now = linearised_in_jets(curve.region, jets[:-1], jets[-1:])
+        now = linearised_in_jets(curve.region, jets[:-1], curve.parameters(jets[-1]))
         if slopes is None:
-            by_parameter = linearised_by_parameter(curve.region, point[:-1], point[-1])
+            by_parameter = linearised_by_parameter(curve, point[:-1], point[-1])
             own, along = part_of(now.jacobian, 0), part_of(by_parameter.residual, 1)
             size = len(point) - 1
             rows = [[*(own[i, j] for j in range(size)), along[i, 0]] for i in range(size)]

@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.proof.boxes.tile import contracted, followed
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.krawczyk import Krawczyk, krawczyk, newton
+from nonsmooth.runtime.proof.krawczyk import Krawczyk, contracted, followed, krawczyk, newton
 
 if TYPE_CHECKING:
     from flint import arb

@@ -85,7 +85,8 @@ def flip_with_direction(region: Region, point: Sequence[arb]) -> tuple[int, list
 
     with flint_precision(FLIP):
         middles = [x.mid() for x in point]
-        slopes = part_of(linearised_by_parameter(region, middles[:-1], middles[-1]).jacobian, 0)
+        now = linearised_by_parameter(OrbitCurve(region), middles[:-1], middles[-1])
+        slopes = part_of(now.jacobian, 0)
         turned = slopes + 2 * DoubledEquations(region, 0, arb(0)).closure(middles[-1])
         size = len(middles) - 1
         rows = np.array([[float(turned[i, j].mid()) for j in range(size)] for i in range(size)])

@@ -29,6 +29,7 @@ from nonsmooth.runtime.core.taylor_averages import (
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, space_of
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.branch.curve import (
+    OrbitCurve,
     linearised_by_parameter,
     linearised_in_jets,
     solution,
@@ -119,7 +120,7 @@ class DoubledEquations:
         """
         here = self._parts(unknowns)
         point, away, parameter = self._between(here)
-        by_parameter = linearised_by_parameter(self.region, point, parameter)
+        by_parameter = linearised_by_parameter(OrbitCurve(self.region), point, parameter)
         along = linearised_in_jets(
             self.region, [jet(u, w) for u, w in zip(point, away, strict=True)], [parameter]
         )

@@ -1,0 +1,374 @@
+"""The check of a fold's tile: on one side of a curve there are two orbits in a tube, or none.
+
+One parameter p is exchanged for an unknown s. In the tube, over s and the other parameter q, there
+is one root for each (s, q) by Krawczyk's theorem (1969), and on it p = P(s, q) with P_ss of one
+sign. At both ends of s p is beyond the tile, and P_s has opposite signs. So a point (p, q) of the
+tile has two orbits in the tube, one for each sign of P_s, where p is beyond the least value of P
+for q, or none where it is not; P is there or less than P_s^2 / (2 min |P_ss|) away on s = c(q).
+"""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from flint import arb, fmpq
+
+from nonsmooth.runtime.checker.branch_curve import CheckedCurve, with_entry, without_entry
+from nonsmooth.runtime.checker.declared import StatedSystem
+from nonsmooth.runtime.checker.divided import checked_band, fraction
+from nonsmooth.runtime.checker.exact import Failure, demand
+from nonsmooth.runtime.checker.motion import admissibility
+from nonsmooth.runtime.checker.orbit import CheckedOrbit
+from nonsmooth.runtime.checker.parameters import number_at
+from nonsmooth.runtime.checker.stability import demand_alone, stability
+from nonsmooth.runtime.core.jets import part_of
+from nonsmooth.runtime.core.taylor_models import (
+    TaylorModel,
+    matrix,
+    middle_of,
+    range_of,
+    space_of,
+)
+
+__all__ = ["BEYOND", "FoldedTile", "beyond_folds"]
+
+BEYOND = "beyond a fold"
+_ORDERS = (8,)  # of the models
+_TRIES = (2, 4, 16)  # times the distance of the polynomials from the orbits: sizes of the box
+_NEAR = 0.0625  # how far from the stated numbers the orbits may be in the middle
+_CLEAR = fmpq(3, 4)  # of the tube: there a sheet is clearly one of the two
+_NEWTON, _HALVINGS = 3, 64
+_VERDICTS = {"proved": "proved", "refuted": "unstable"}
+
+
+class FoldedTile:
+    """What is claimed of a tile near which two orbits meet.
+
+    Parameters
+    ----------
+    declared : StatedSystem
+    energies : dict
+        As `StatedSystem.closes` gives them.
+    constants : sequence of arb
+    tile : dict
+        As the file states it.
+    names : sequence of str
+        Parameters of the box.
+    where : sequence of (fmpq, fmpq)
+        The tile's ends.
+    """
+
+    def __init__(
+        self, declared: StatedSystem, energies: Any, constants: Any, tile: dict[str, Any],
+        names: Sequence[str], where: Sequence[tuple[Any, Any]],
+    ) -> None:  # fmt: skip
+        event = tile["event"]
+        fold = event["fold"]
+        demand(fold is not None, "a fold without its orbits")
+        own = [event[name] for name in ("phase", "configuration", "boundary", "instant")]
+        named = own == [None, "", "", ""] and not event["also"] and not event["window"]
+        demand(named, "a phase")
+        demand({*tile["claims"].values()} == {"undecided"}, "claims of another event")
+        demand(not tile["enclosures"], "enclosures of no orbit")
+        self.axis, self.centre, self.radius = checked_band(event, names, tile["place"])
+        demand(fold["coordinate"] in declared.unknowns, "there is no such unknown")
+        self.place = declared.unknowns.index(fold["coordinate"])
+        self.middle = [fraction(c) for c in fold["centre"]]
+        self.half = fraction(fold["half"])
+        demand(self.middle and self.half > 0, "a tube without width")
+        self.declared, self.energies, self.constants = declared, energies, constants
+        self.event, self.fold, self.where = event, fold, where
+        self.name = names[self.axis]
+        self.guess = [arb(float(x)) for x in tile["guess"]]
+        demand(len(self.guess) == len(declared.unknowns), "the guess is of another size")
+        for order in _ORDERS:
+            try:
+                self._prove(order)
+                return
+            except Failure:
+                if order == _ORDERS[-1]:
+                    raise
+
+    def _curve(self, change: Callable[[Any], Any], beside: Any) -> CheckedCurve:
+        return CheckedCurve(
+            self.declared, self.energies, self.constants, self.name, (), self.axis,
+            [change(beside)],
+        )  # fmt: skip
+
+    def _prove(self, order: int) -> None:
+        """Prove all of it in Taylor models of one order, of e over the tube and q over the tile."""
+        space = space_of(2, order)
+        low, high = self.where[1 - self.axis]
+        beside = space.variable(1, arb((low + high) / 2), arb((high - low) / 2))
+        along = space.variable(1, arb(0), arb(1))
+        value = _sum(self.middle, along) + space.variable(0, arb(0), arb(self.half))
+        self._locate(order, beside, value)
+        curve = self._curve(lambda x: x, beside)
+        point = with_entry(self.place, value, self.root)
+        jets = curve.jets(self.place, point, 2)
+        slope, bend = part_of(jets[-1], 1), range_of(2 * part_of(jets[-1], 2))
+        demand(bend > 0 or bend < 0, "the parameter may not be bent one way")
+        self._leaves(order, slope, bend)
+        self._meets(order, slope, bend)
+        self._verdicts(curve, beside, point)
+
+    def _locate(self, order: int, beside: Any, value: Any) -> None:
+        """One root for each place in the tube, next to polynomials that are found here."""
+        others: list[Any] = list(self.guess)
+        cuts: list[Callable[[Any], Any]] = [middle_of] * _NEWTON
+        cuts += [_cut(k) for k in (1, 3, order)]
+        for cut in cuts:
+            curve, others = self._curve(cut, beside), [cut(x) for x in others]
+            values, slopes = curve.slopes(with_entry(self.place, cut(value), others))
+            square = matrix([without_entry(self.place, row) for row in slopes])
+            try:
+                step = (square.mid().inv().mid() * matrix([[v] for v in values])).entries()
+            except ZeroDivisionError:
+                raise Failure("the equations are singular in the middle of the tube") from None
+            others = [(x - d).mid() for x, d in zip(others, step, strict=True)]
+        curve = self._curve(lambda x: x, beside)
+        values, slopes = curve.slopes(with_entry(self.place, value, others))
+        square = matrix([without_entry(self.place, row) for row in slopes])
+        missed = (square.mid().inv().mid() * matrix([[v] for v in values])).entries()
+        sizes = [abs(range_of(d)) + arb(2) ** -50 for d in missed]
+        image = None
+        for times in _TRIES:
+            radii = [(times * size).upper() for size in sizes]
+            if all(r.is_finite() for r in radii) and image is None:
+                image = curve.krawczyk(self.place, value, others, radii)
+                self.radii = radii
+        demand(image is not None, "existence is not proved: Krawczyk's test fails")
+        assert image is not None
+        self.polynomials, self.root = others, image
+        at = [range_of(x.at([arb(0), arb(0)])) for x in image]
+        near = all(abs(x - g) < _NEAR * (1 + abs(g)) for x, g in zip(at, self.guess, strict=True))
+        demand(near, "the orbits are not near the numbers that are stated")
+
+    def _leaves(self, order: int, slope: Any, bend: Any) -> None:
+        """At both ends of the tube the parameter is beyond the tile, and moves away from it."""
+        self.sign = 1 if bend > 0 else -1
+        edge = arb(self.where[self.axis][1 if self.sign > 0 else 0])
+        for end in (-1, 1):
+            over, rate = (_along(x, end, order) for x in (self.root[-1], slope))
+            demand((over - edge) * self.sign > 0, "the tube ends in the tile")
+            demand(rate * end * self.sign > 0, "two orbits may not meet in the tube")
+
+    def _meets(self, order: int, slope: Any, bend: Any) -> None:
+        """The curve on which they meet is in its band, and the verdicts are on their sides."""
+        low, high = self.where[self.axis]
+        space = space_of(1, order)
+        along = space.variable(0, arb(0), arb(1))
+        over = self.root[-1].at([arb(0), along])
+        away = (over - arb((low + high) / 2)) / arb((high - low) / 2) - _sum(self.centre, along)
+        rate = abs(_along(slope, 0, order))
+        least = rate * rate / (2 * abs(bend)) / arb((high - low) / 2)
+        demand(abs(range_of(away)) + least < arb(self.radius), "they may meet beside the band")
+        self.apart = (rate / abs(bend) / arb(self.half)).upper()
+        demand(self.apart < arb(_CLEAR), "they may meet far from the middle of the tube")
+        ahead, behind = ("above", "below") if self.sign > 0 else ("below", "above")
+        demand(self.event[behind] == BEYOND, "a verdict on the side of no orbits")
+        self.verdict = self.event[ahead]
+        demand(self.verdict != BEYOND, "no verdict on the side of both orbits")
+
+    def _verdicts(self, curve: CheckedCurve, beside: Any, point: Sequence[Any]) -> None:
+        """Those of both orbits: no multiplier is at the unit circle but for the curve."""
+        orbit = curve.orbit(point)
+        orbit.returns(self.energies)
+        told = {"below": self.fold["other"], "above": self.fold["other"]}
+        told[self.fold["sheet"]] = self.verdict
+        admissible = admissibility(orbit, [])
+        if admissible == "refuted":
+            demand({*told.values()} == {"not admissible"}, "they are no motions")
+            return
+        demand(admissible == "proved", f"admissibility is {admissible}")
+        demand_alone(orbit, "fold")
+        for sheet, end in (("below", -_CLEAR), ("above", _CLEAR)):
+            at = [x.at([arb(end), arb(0)]) for x in point]
+            there = self._curve(lambda x: x, beside.at([arb(end), arb(0)])).orbit(at)
+            found = _VERDICTS.get(stability(there))
+            demand(found == told[sheet], f"an orbit beside the fold is {found}")
+
+    def claims_at(self, point: Sequence[Any]) -> bool:
+        """Whether there is clearly an orbit at a point, from -1 to 1 over the tile.
+
+        Parameters
+        ----------
+        point : sequence of fmpq
+
+        Returns
+        -------
+        bool
+        """
+        away = point[self.axis] - _sum(self.centre, point[1 - self.axis])
+        return bool(away * self.sign > self.radius)
+
+    def at(self, point: Sequence[Any]) -> list[Any]:
+        """Unknowns of the map's own orbit at a point of the tile, from -1 to 1 over it.
+
+        Parameters
+        ----------
+        point : sequence of fmpq
+
+        Returns
+        -------
+        list of arb
+
+        Raises
+        ------
+        Failure
+            If it is not proved.
+        """
+        values = [
+            arb((low + high) / 2 + x * (high - low) / 2)
+            for x, (low, high) in zip(point, self.where, strict=True)
+        ]
+        side, other = -1 if self.fold["sheet"] == "below" else 1, arb(point[1 - self.axis])
+        near, far = arb(0), arb(side)
+        for _ in range(_HALVINGS):  # nothing is proved of it
+            middle = ((near + far) / 2).mid()
+            beyond = (self.root[-1].at([middle, other]) - values[self.axis]).mid() * self.sign > 0
+            near, far = (near, middle) if beyond else (middle, far)
+        rest = [x.at([near, other]).mid() for x in self.root[:-1]]
+        start = _sum(self.middle, other) + near * arb(self.half)
+        orbit = CheckedOrbit(self.declared, number_at([*values, *self.constants]))
+        cuts = (middle_of,) * _NEWTON
+        guess = with_entry(self.place, start.mid(), rest)
+        centre, inverse = orbit.follow(guess, cuts, lambda x: x.mid())
+        unique, _ = orbit.locate(centre, inverse=inverse)
+        demand(unique, "existence at a point is not proved: Krawczyk's test fails")
+        demand(self.holds(point, orbit.root), "an orbit at a point is not in the tube")
+        return list(orbit.root)
+
+    def holds(self, point: Sequence[Any], found: Sequence[Any]) -> bool:
+        """Whether an orbit at a point is the map's own.
+
+        Parameters
+        ----------
+        point : sequence of fmpq
+            From -1 to 1 over the tile.
+        found : sequence of arb
+            Its unknowns.
+
+        Returns
+        -------
+        bool
+        """
+        other = arb(point[1 - self.axis])
+        low, high = self.where[self.axis]
+        value = arb((low + high) / 2 + point[self.axis] * (high - low) / 2)
+        away = (found[self.place] - _sum(self.middle, other)) / arb(self.half)
+        if not abs(away) < 1:
+            return False
+        rest = [*without_entry(self.place, found), value]
+        sides = zip(rest, self.polynomials, self.radii, strict=True)
+        if not all(abs(x - c.at([away, other])) < r for x, c, r in sides):
+            return False
+        return bool(away < -self.apart if self.fold["sheet"] == "below" else away > self.apart)
+
+
+def beyond_folds(
+    tiles: Sequence[dict[str, Any]], verdicts: Sequence[str], names: Sequence[str]
+) -> list[bool]:
+    """Which undecided tiles are beside nothing but each other and what is beyond folds.
+
+    Parameters
+    ----------
+    tiles : sequence of dict
+        As the file states them; of two parameters.
+    verdicts : sequence of str
+        Of each by itself.
+    names : sequence of str
+        Parameters of the box.
+
+    Returns
+    -------
+    list of bool
+        One for each tile.
+    """
+    where = [
+        [(fmpq(step, 2**level), fmpq(step + 1, 2**level)) for step, level in tile["place"]]
+        for tile in tiles
+    ]
+    open_ones = [k for k, verdict in enumerate(verdicts) if verdict == "undecided"]
+    parts: dict[int, list[int]] = {k: [] for k in open_ones}
+    behind, left = dict.fromkeys(open_ones, False), dict.fromkeys(open_ones, False)
+    for k in open_ones:
+        for other, place in enumerate(where):
+            both = [(max(a[0], b[0]), min(a[1], b[1])) for a, b in
+                    zip(where[k], place, strict=True)]  # fmt: skip
+            if other == k or sum(low < high for low, high in both) != 1:
+                continue
+            if any(low > high for low, high in both):
+                continue
+            if other in parts:
+                parts[k].append(other)
+            elif _is_beyond(tiles[other], names, place, both):
+                behind[k] = True
+            else:
+                left[k] = True
+    found, seen = [False] * len(tiles), set()
+    for first in open_ones:
+        if first in seen:
+            continue
+        group, waiting = {first}, [first]
+        while waiting:
+            for other in parts[waiting.pop()]:
+                if other not in group:
+                    group.add(other)
+                    waiting.append(other)
+        seen |= group
+        if any(behind[k] for k in group) and not any(left[k] for k in group):
+            for k in group:
+                found[k] = True
+    return found
+
+
+def _is_beyond(
+    tile: dict[str, Any], names: Sequence[str], place: Sequence[Any], edge: Sequence[Any]
+) -> bool:
+    """Whether all of an edge is on a tile's side beyond its fold; nothing beside it is assumed.
+
+    Along the curve's parameter the polynomial has no larger values than the sum of its terms; if
+    it only rises or falls those at the ends tell.
+    """
+    event = tile["event"]
+    if event is None or event["kind"] != "fold":
+        return False
+    axis = names.index(event["across"])
+    centre, radius = [fraction(c) for c in event["centre"]], fraction(event["radius"])
+    sign = 1 if event["above"] == BEYOND else -1
+    sides = [
+        [(2 * x - low - high) / (high - low) for x in ends]
+        for ends, (low, high) in zip(edge, place, strict=True)
+    ]
+    over = sum((abs(c) for c in centre[1:]), fmpq(0))
+    bends = sum((k * abs(c) for k, c in enumerate(centre) if k > 1), fmpq(0))
+    if abs(centre[1]) > bends:
+        curve = [_sum(centre, other) for other in sides[1 - axis]]
+    else:
+        curve = [centre[0] - over, centre[0] + over]
+    return all((at - c) * sign > radius for at in sides[axis] for c in curve)
+
+
+def _sum(centre: Sequence[Any], place: Any) -> Any:
+    """A polynomial."""
+    total: Any = place * 0
+    for coefficient in reversed(centre):
+        total = total * place + (coefficient if isinstance(place, fmpq) else arb(coefficient))
+    return total
+
+
+def _along(model: Any, end: int, order: int) -> Any:
+    """All values of a model where e has a value."""
+    other = space_of(1, order).variable(0, arb(0), arb(1))
+    return range_of(model.at([arb(end), other]))
+
+
+def _cut(order: int) -> Callable[[Any], Any]:
+    """To polynomials of an order."""
+    space = space_of(2, order)
+
+    def cut(number: Any) -> Any:
+        middle = number.mid()
+        return middle.cast(space) if isinstance(number, TaylorModel) else space.constant(middle)
+
+    return cut

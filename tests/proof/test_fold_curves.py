@@ -1,0 +1,381 @@
+"""Fold curves of maps of two parameters: two orbits on one side, none on the other."""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+import random
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import pytest
+import sympy as sp
+from flint import arb
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.shape import Malformed
+from nonsmooth.runtime.checker.tiles import check_tiles
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.proof.boxes.box_certificate import Tile
+from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
+from nonsmooth.runtime.proof.boxes.regions import map_json
+from nonsmooth.runtime.proof.boxes.tile_edges import beyond_folds
+from nonsmooth.runtime.proof.boxes.tile_event import BEYOND, Band, side_of
+from nonsmooth.runtime.proof.boxes.tile_fold import FoldTube, fold_tube
+
+IMPACT = (("free", "wall-reaches-stop"),)
+W, PERIOD = Fraction(12, 5), 2 * math.pi / 2.4
+BOX = {"sigma": ("-1.7", "-1.0"), "r": ("0.76", "0.84")}
+SMALL = {"sigma": ("-1.26", "-1.21"), "r": ("0.795", "0.805")}  # one tile
+
+
+@cache
+def system() -> Any:
+    """A mass that strikes a rigid stop once in each period of the forcing.
+
+    Its impact velocities U solve a quadratic equation (docs/gallery/impact_oscillator.py).
+    """
+    r, sigma, w = sp.symbols("r sigma w")
+    return oscillator(
+        "struck-at",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[1]],
+        forcing=[Harmonic(w, cosine=[1])],
+        elements=[RigidStop("x", at=sigma, restitution=r, name="wall")],
+        parameters=[Parameter("sigma", "position of the stop", lower=-sp.oo)],
+    )
+
+
+@cache
+def orbit(stable: bool) -> Orbit:
+    """One of the two orbits beside the fold."""
+    data = {"r": "0.8", "sigma": "-1.225", "w": "2.4"}
+    speeds = [float(u) for u in velocities(mpmath.mpf(-1.225), mpmath.mpf(0.8))]
+    (speed,) = [u for u in speeds if is_stable(u, -1.225, 0.8) == stable]
+    g = 1 / (1 - 2.4**2)
+    cosine = (-1.225 + 1.8 / math.tan(PERIOD / 2) * speed / 2) / g
+    sine = (0.8 - 0.9) * speed / (2.4 * g)
+    start = [-1.225, -0.8 * speed, cosine, sine]
+    found = ns.solve(system(), data, [PERIOD, *start], itinerary=IMPACT)
+    assert found.stability.verdict == ("stable" if stable else "unstable")
+    return found
+
+
+@cache
+def folded() -> ns.BoxCertificate:
+    """The stable orbit's map."""
+    return ns.certify_box(orbit(True), BOX)
+
+
+def velocities(sigma: Any, r: Any) -> list[Any]:
+    """The impact velocities of the closed form, the smaller first: two, or none."""
+    w = mpmath.mpf(W.numerator) / W.denominator
+    c, g = mpmath.cot(mpmath.pi / w), 1 / (1 - w * w)
+    a, b = (1 + r) * c / 2, (1 - r) / (2 * w)
+    half, rest = a * sigma / (a * a + b * b), (sigma * sigma - g * g) / (a * a + b * b)
+    root = half * half - rest
+    return [] if root < 0 else [-half - mpmath.sqrt(root), -half + mpmath.sqrt(root)]
+
+
+def is_stable(speed: Any, sigma: Any, r: Any) -> bool:
+    """By trace and determinant of the closed form."""
+    w = mpmath.mpf(W.numerator) / W.denominator
+    period, g = 2 * mpmath.pi / w, 1 / (1 - w * w)
+    cosine = (sigma + (1 + r) * mpmath.cot(period / 2) * speed / 2) / g
+    trace = -2 * r * mpmath.cos(period)
+    trace += (1 + r) * mpmath.sin(period) * (g * cosine * (1 - w * w) - sigma) / speed
+    return abs(trace) < 1 + r * r < 2
+
+
+def fold_at(r: Any) -> Any:
+    """Where the two orbits meet."""
+    w = mpmath.mpf(W.numerator) / W.denominator
+    c, g = mpmath.cot(mpmath.pi / w), 1 / (1 - w * w)
+    return g * mpmath.sqrt(1 + (w * c * (1 + r) / (1 - r)) ** 2)
+
+
+def ratio_at(sigma: Any) -> Any:
+    """The restitution at which they do."""
+    w = mpmath.mpf(W.numerator) / W.denominator
+    c, g = mpmath.cot(mpmath.pi / w), 1 / (1 - w * w)
+    share = mpmath.sqrt((sigma / g) ** 2 - 1) / (w * c)
+    return (share - 1) / (share + 1)
+
+
+def number(x: Fraction) -> Any:
+    return mpmath.mpf(x.numerator) / x.denominator
+
+
+def inside(found: ns.BoxCertificate, tile: Tile, point: dict[str, Fraction]) -> list[Fraction]:
+    """A point of a tile, from -1 to 1 over it."""
+    where = found.where(tile)
+    return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
+
+
+def folds(found: ns.BoxCertificate) -> list[Tile]:
+    return [tile for tile in found.tiles if tile.event is not None and tile.event.fold is not None]
+
+
+def test_a_box_with_a_fold_is_decided() -> None:
+    found = folded()
+    assert sorted(region.verdict for region in found.regions) == [BEYOND, "stable"]
+    assert sum(region.share for region in found.regions) == pytest.approx(1, abs=1e-6)
+    (curve,) = found.curves
+    assert (curve.event.kind, curve.ends) == ("fold", ("border", "border"))
+    assert curve.width < 2e-5
+    assert found.open == ()
+    assert found.decided == 1
+    assert "two orbits meet, stable and unstable, and there is none beyond" in found.statement
+    # nothing is said of all orbits where none is in the tube
+    assert found.claims["existence"] == "undecided"
+    (told,) = map_json(found)["curves"]
+    assert told["sheets"] == {"own": "stable", "other": "unstable"}
+
+
+def test_the_curve_is_that_of_the_closed_form_to_forty_digits() -> None:
+    found, count = folded(), 0
+    with mpmath.workdps(40):
+        for tile in folds(found):
+            assert tile.event is not None
+            band, ends = tile.event.band, list(found.where(tile).values())
+            (low, high), (left, right) = ends[1 - band.axis], map(number, ends[band.axis])
+            for k in range(9):
+                along = Fraction(k - 4, 4)
+                value = number(low + (along + 1) / 2 * (high - low))
+                true = (fold_at, ratio_at)[band.axis](value)
+                away = (2 * true - left - right) / (right - left) - number(band.at(along))
+                assert abs(away) <= number(Fraction(band.radius))
+                count += abs(band.at(along)) < 1
+    assert count > 8
+
+
+def test_random_points_have_two_orbits_with_their_verdicts_or_none() -> None:
+    found, drawn, seen = folded(), random.Random(3), set()
+    region = region_of(orbit(True), found.box)
+    for tile in folds(found):
+        event = tile.event
+        assert event is not None
+        assert event.fold is not None
+        tube = tube_of(found, tile)
+        for _ in range(6):
+            point = {
+                n: low + Fraction(drawn.random()) * (high - low)
+                for n, (low, high) in found.where(tile).items()
+            }
+            side = side_of(event.band, inside(found, tile, point))
+            speeds = velocities(*(number(point[n]) for n in ("sigma", "r")))
+            if side is None:
+                continue
+            assert bool(speeds) == (getattr(event, side) != BEYOND)
+            seen.add(bool(speeds))
+            values = [point[n] for n in region.names]
+            for sheet in ("below", "above") if speeds else ():
+                its = replace(tube, fold=replace(event.fold, sheet=sheet)).at(values)
+                assert its is not None
+                # v0 is -r U behind the impact
+                speed = -float(its[region_names(region).index("v0")]) / float(point["r"])
+                (near,) = [u for u in speeds if abs(float(u) - speed) < 1e-9]
+                stated = getattr(event, side) if sheet == event.fold.sheet else event.fold.other
+                stable = is_stable(near, *(number(point[n]) for n in ("sigma", "r")))
+                assert stated == ("proved" if stable else "unstable")
+            if not speeds:
+                assert tube.at(values) is None
+    assert seen == {True, False}
+
+
+def region_names(region: Any) -> list[str]:
+    from nonsmooth.runtime.proof.enclosure import unknown_names
+
+    return unknown_names(region.subject, region.closing)
+
+
+def tube_of(found: ns.BoxCertificate, tile: Tile) -> FoldTube:
+    """The tube of a tile, proved again from what the map states."""
+    assert tile.event is not None
+    assert tile.event.fold is not None
+    region = region_of(orbit(True), found.box)
+    guess = [arb(x) for x in tile.guess]
+    tube = fold_tube(region, tile.place, tile.event.band.axis, tile.event.fold, guess)
+    assert tube is not None
+    return tube
+
+
+def test_the_other_orbit_has_the_same_curve_and_the_other_verdict() -> None:
+    found = ns.certify_box(orbit(False), {"sigma": ("-1.24", "-1.22"), "r": ("0.799", "0.801")})
+    assert [region.verdict for region in found.regions] in (
+        ["unstable", BEYOND],
+        [BEYOND, "unstable"],
+    )
+    (curve,) = found.curves
+    assert curve.event.fold is not None
+    assert curve.event.fold.other == "proved"
+    for sigma, r in curve.points:
+        assert sigma == pytest.approx(float(fold_at(r)), abs=1e-6)
+
+
+def test_a_map_with_a_fold_is_kept_and_resumed(tmp_path: Path) -> None:
+    part = ns.certify_box(orbit(True), BOX, tiles=5)
+    part.save(tmp_path / "map.json")
+    again = ns.load(tmp_path / "map.json")
+    assert map_json(again) == map_json(part)
+    whole = ns.certify_box(orbit(True), BOX, resume=again)
+    assert whole.shares == folded().shares
+    assert [r.verdict for r in whole.regions] == [r.verdict for r in folded().regions]
+
+
+def test_only_what_folds_alone_border_is_beyond_them() -> None:
+    found = folded()
+    beyond = beyond_folds(found.tiles)
+    assert beyond
+    assert {found.verdicts[k] for k in beyond} == {BEYOND}
+    # a fold that is not known leaves what is behind it open
+    unknown = [replace(tile, event=None) if tile.event else tile for tile in found.tiles]
+    assert beyond_folds(unknown) == frozenset()
+    # and so does one whose orbits are on the other side
+    turned = [
+        replace(t, event=replace(t.event, below=t.event.above, above=t.event.below))
+        if t.event
+        else t
+        for t in found.tiles
+    ]
+    assert beyond_folds(turned) == frozenset()
+
+
+def test_an_edge_is_on_one_side_only_if_all_of_it_is() -> None:
+    hill = Band(1, (0.9995, 0.0, -0.4), 1e-3)  # a parabola that nearly reaches the upper edge
+    ends = [Fraction(-1), Fraction(1)], [Fraction(1), Fraction(1)]
+    assert all(side_of(hill, end) == "above" for end in ends)
+    assert hill.side_of_edge(*ends) is None
+    rising = Band(1, (0.0, 0.5), 1e-3)
+    assert rising.side_of_edge(*ends) == "above"
+    assert rising.side_of_edge([Fraction(1), Fraction(0)], [Fraction(1), Fraction(1)]) is None
+
+
+def test_a_map_with_a_fold_is_drawn() -> None:
+    pytest.importorskip("matplotlib")
+    (axes,) = folded().plot().axes
+    texts = [text.get_text() for text in axes.get_legend().get_texts()]
+    for label in ("fold", "stable, proved", "beyond a fold, proved"):
+        assert any(text.startswith(label) for text in texts)
+
+
+@cache
+def content(*, small: bool = True) -> str:
+    import tempfile
+
+    found = ns.certify_box(orbit(True), SMALL) if small else folded()
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "map.json"
+        found.save(path)
+        return path.read_text()
+
+
+def test_true_maps_pass_and_a_wider_band_is_true() -> None:
+    check_tiles(json.loads(content(small=False)))
+    found = json.loads(content())
+    check_tiles(found)
+    wider = copy.deepcopy(found)
+    event_in(wider)["radius"] *= 2
+    check_tiles({**wider, "sha256": checksum_of(wider)})
+
+
+def event_in(found: dict[str, Any]) -> dict[str, Any]:
+    """The event of the first tile that a fold divides."""
+    for tile in found["tiles"]:
+        event = tile["event"]
+        if event and event["kind"] == "fold" and abs(event["centre"][0]) < 0.9:
+            return event
+    raise AssertionError
+
+
+def exchanged(event: dict[str, Any]) -> None:
+    event["below"], event["above"] = event["above"], event["below"]
+
+
+def own(event: dict[str, Any], verdict: str) -> None:
+    side = "below" if event["above"] == BEYOND else "above"
+    event[side] = verdict
+
+
+def moved(event: dict[str, Any]) -> None:
+    event["centre"][0] += 1e-3
+
+
+def other_sheet(event: dict[str, Any]) -> None:
+    sheet = event["fold"]["sheet"]
+    event["fold"]["sheet"] = "below" if sheet == "above" else "above"
+
+
+def both_exchanged(event: dict[str, Any]) -> None:
+    """The verdicts are those of the orbits, but the map's own orbit is another one."""
+    other_sheet(event)
+    own(event, "unstable")
+    event["fold"]["other"] = "proved"
+
+
+CHANGES: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
+    "other sides": (exchanged, "a verdict on the side of no orbits"),
+    "a curve that is moved": (moved, "beside the band"),
+    "too narrow": (lambda e: e.update(radius=1e-13), "beside the band"),
+    "too wide": (lambda e: e.update(radius=1e-3), "too wide"),
+    "another verdict": (lambda e: own(e, "unstable"), "beside the fold"),
+    "not admissible": (lambda e: own(e, "not admissible"), "beside the fold"),
+    "none on both sides": (lambda e: own(e, BEYOND), "no verdict on the side"),
+    "another verdict of the other orbit": (
+        lambda e: e["fold"].update(other="proved"), "beside the fold"),
+    "the other sheet": (other_sheet, "beside the fold"),
+    "no sheets": (lambda e: e.update(fold=None), "without its orbits"),
+    "another unknown": (lambda e: e["fold"].update(coordinate="tau1"), "singular|Kraw|near|bent"),
+    "no unknown": (lambda e: e["fold"].update(coordinate="U"), "no such unknown"),
+    "a tube that ends in the tile": (
+        lambda e: e["fold"].update(half=e["fold"]["half"] / 2), "ends in the tile"),
+    "a tube without width": (lambda e: e["fold"].update(half=0.0), "without width"),
+    "a tube beside the fold": (
+        lambda e: e["fold"]["centre"].__setitem__(0, e["fold"]["centre"][0] + e["fold"]["half"]),
+        "meet|band|ends|near|Krawczyk"),
+    "another parameter across": (
+        lambda e: e.update(across={"r": "sigma", "sigma": "r"}[e["across"]]),
+        "band|ends|near|wide|parts|Kraw"),
+    "a phase": (lambda e: e.update(phase=1), "a phase"),
+    "a flip": (lambda e: e.update(kind="flip"), "fold"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_false_folds_are_refused(name: str) -> None:
+    change, told = CHANGES[name]
+    found = json.loads(content())
+    change(event_in(found))
+    with pytest.raises((Failure, Malformed), match=told):
+        check_tiles({**found, "sha256": checksum_of(found)})
+
+
+def test_the_other_orbit_is_not_that_of_the_tiles_beside_it() -> None:
+    found = json.loads(content(small=False))
+    both_exchanged(event_in(found))
+    with pytest.raises(Failure, match="not that of a tile beside it"):
+        check_tiles({**found, "sha256": checksum_of(found)})
+
+
+def test_a_region_beyond_is_not_stated_wider() -> None:
+    """Without a fold on its border what is behind it is undecided, and may not count as known."""
+    found = json.loads(content(small=False))
+    tile = next(t for t in found["tiles"] if t["event"])
+    share = 0.5 ** sum(level for _, level in tile["place"])
+    tile |= {"event": None, "guess": []}
+    with pytest.raises(Failure, match="shares"):
+        check_tiles({**found, "sha256": checksum_of(found)})
+    found["shares"]["divided"] -= share
+    found["shares"]["undecided"] += share
+    with pytest.raises(Failure, match="shares"):
+        check_tiles({**found, "sha256": checksum_of(found)})
