@@ -25,6 +25,7 @@ from nonsmooth.runtime.cli.options import (
     SaveResult,
     Start,
     SystemName,
+    Workers,
     missing_start,
 )
 
@@ -89,6 +90,7 @@ def graph(
         int,
         typer.Option("--transitions", metavar="N", help="Of a motion until it returns, at most."),
     ] = 40,
+    workers: Workers = 1,
     require: Annotated[
         Trapping | None,
         typer.Option("--require", help="Exit with 3 unless an attracting component is proved."),
@@ -141,6 +143,7 @@ def graph(
                 parts=parts,
                 transitions=transitions,
                 levels=levels,
+                workers=workers,
                 resume=known,
                 progress=progress,
                 keep=proof.keep,

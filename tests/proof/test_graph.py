@@ -259,6 +259,17 @@ def test_a_box_where_both_masses_break_away_together_has_a_known_image(chaotic):
         assert ((low[:, 0] <= there) & (there <= high[:, 0])).any()
 
 
+def test_several_processes_find_the_same_graph(impacts):
+    system = load_system(str(GALLERY / "impact_oscillator.py"))
+    region = {"x": (-2, 0), "v": (-2, 2)}
+    shared = ns.certify_graph(
+        system, IMPACTS, {"x": -0.7, "v": 0.1}, boxes=64, region=region, workers=2
+    )
+    assert shared.to_json() == impacts.to_json()
+    with pytest.raises(InputError, match="workers = 0"):
+        ns.certify_graph("dry-friction", DATA, [5, 4, 0.5, 0.25], workers=0)
+
+
 def test_boxes_are_divided_where_it_helps():
     asked = {"region": {"x2": (2, 14)}, "boxes": 64}
     start = [5, 4, 0.5, 0.25]

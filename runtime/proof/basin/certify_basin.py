@@ -25,7 +25,6 @@ from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.basin.basin_section import MetSection, section_of
 from nonsmooth.runtime.proof.basin.starting_tiles import (
     BITS,
-    TileQuestion,
     begin_tiles,
     branching_map,
     next_tiles,
@@ -35,6 +34,7 @@ from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_s
 from nonsmooth.runtime.proof.orbit_to_prove import check_converged
 from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
 from nonsmooth.runtime.proof.sets.images import PassedTransition
+from nonsmooth.runtime.proof.sets.told_question import ToldQuestion
 from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration
 
 __all__ = ["certify_basin"]
@@ -277,7 +277,9 @@ class _BasinQuestion:
             return replace(known, looked=looked.copy(), attracted=attracted.copy())
 
         done, due = 0, time.monotonic() + _EVERY
-        question = TileQuestion.of(self.orbit.system, known)
+        none = np.zeros(0, dtype=bool)
+        told = replace(known, core=None, declaration={}, looked=none, attracted=none)
+        question = ToldQuestion.of(self.orbit.system, told)
         try:
             with closing(in_processes(begin_tiles, question, batches(), workers)) as found:
                 for numbers, good in found:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,15 +10,14 @@ from numpy.typing import NDArray
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.float_sets import ManySets
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
-from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.proof.sets.branching import BranchingMap
-from nonsmooth.runtime.proof.sets.sections import MapSection, transition_section
+from nonsmooth.runtime.proof.sets.sections import MapSection
+from nonsmooth.runtime.proof.sets.told_question import ToldQuestion
 
-__all__ = ["BITS", "TileQuestion", "begin_tiles", "branching_map", "next_tiles"]
+__all__ = ["BITS", "begin_tiles", "branching_map", "next_tiles"]
 
 BITS = 64  # of flows, before they are rounded to doubles
 _LONGEST = 16  # transitions from a tile to the section
@@ -28,43 +26,6 @@ _SAMPLED = 64  # of so many tiles one is looked at, wherever it is, before the b
 _BLOCK = 4  # tiles along each coordinate
 _AT_ONCE = 4  # of so many tiles of a block one is taken at most, until the share is known anew
 _AROUND = 4.0  # tiles: what the blocks around one count in its share
-
-
-@dataclass(frozen=True)
-class TileQuestion:
-    """What has to be known to follow tiles, apart from the tiles: it goes to other processes.
-
-    Attributes
-    ----------
-    system : str
-    saved : SavedSystem or None
-        As files hold them.
-    known : BasinCertificate
-        The section, its boxes, and the grid of tiles.
-    """
-
-    system: str
-    saved: SavedSystem | None
-    known: BasinCertificate
-
-    @staticmethod
-    def of(kernels: SystemKernels, known: BasinCertificate) -> TileQuestion:
-        """The question about the tiles of a basin.
-
-        Parameters
-        ----------
-        kernels : SystemKernels
-        known : BasinCertificate
-
-        Returns
-        -------
-        TileQuestion
-        """
-        name, _, saved = named(kernels)
-        none = np.zeros(0, dtype=bool)
-        return TileQuestion(
-            name, saved, replace(known, core=None, declaration={}, looked=none, attracted=none)
-        )
 
 
 def branching_map(
@@ -89,12 +50,14 @@ def branching_map(
     return BranchingMap(system, section, scales, widest, most, _LONGEST, 1.0)
 
 
-def begin_tiles(question: TileQuestion) -> Callable[[NDArray[np.int_]], NDArray[np.bool_]]:
+def begin_tiles(
+    question: ToldQuestion[BasinCertificate],
+) -> Callable[[NDArray[np.int_]], NDArray[np.bool_]]:
     """What says of tiles whether every motion from them comes to boxes that are known.
 
     Parameters
     ----------
-    question : TileQuestion
+    question : ToldQuestion
 
     Returns
     -------
@@ -105,10 +68,9 @@ def begin_tiles(question: TileQuestion) -> Callable[[NDArray[np.int_]], NDArray[
     grid, tiles = known.grid, known.tiles
     assert grid is not None
     assert tiles is not None
-    kernels = system_in(question.system, question.saved)
+    system, section = question.taken_up(BITS)
     with flint_precision(BITS):
-        system = enclosed_system(kernels, known.parameters)(BITS)
-        mapped = branching_map(system, _section(system, known), known.widest, known.most)
+        mapped = branching_map(system, section, known.widest, known.most)
     sums = grid.sums(known.ranks >= 0)
     free = [c for c, held in enumerate(system.structure.constraints) if not held]
     nothing = Invariants((), ())
@@ -126,16 +88,6 @@ def begin_tiles(question: TileQuestion) -> Callable[[NDArray[np.int_]], NDArray[
         return good
 
     return attracted
-
-
-def _section(system: EnclosedSystem, known: BasinCertificate) -> MapSection:
-    """The section of a basin without a forcing."""
-    names = list(system.structure.configurations)
-    source = names.index(known.source)
-    shapes = system.structure.boundaries[source]
-    reached = known.boundary.split("+")
-    boundaries = frozenset(b for b, shape in enumerate(shapes) if shape.name in reached)
-    return transition_section(system, source, boundaries, names.index(known.configuration))
 
 
 def _timed(boxes: ManySets) -> ManySets:

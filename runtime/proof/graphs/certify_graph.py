@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import closing
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -12,7 +13,8 @@ from numpy.typing import NDArray
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.divided_grid import DividedGrid
 from nonsmooth.runtime.core.errors import InputError, Interrupted
-from nonsmooth.runtime.core.float_sets import Floats
+from nonsmooth.runtime.core.float_sets import Floats, ManySets
+from nonsmooth.runtime.core.processes import check_workers, in_processes
 from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
@@ -21,7 +23,8 @@ from nonsmooth.runtime.proof.chaos.section_choice import Sampled, sampled_sectio
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.sets.branching import BranchingMap
+from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
+from nonsmooth.runtime.proof.sets.told_question import ToldQuestion
 from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration
 from nonsmooth.runtime.simulation.simulate import follow, simulate
 from nonsmooth.runtime.simulation.trajectory import Trajectory
@@ -54,6 +57,7 @@ def certify_graph(
     transitions: int = 40,
     bits: int = _BITS,
     levels: int = 0,
+    workers: int = 1,
     resume: GraphCertificate | None = None,
     progress: Callable[[int, int], object] = lambda done, count: None,
     keep: Callable[[GraphCertificate], object] | None = None,
@@ -93,6 +97,8 @@ def certify_graph(
         How often boxes are divided at most, each time into halves along all coordinates: those
         on cycles, those that leave the region in part, and those of unknown image to which an
         edge leads.
+    workers : int
+        Processes that enclose images.
     resume : GraphCertificate, optional
         What was proved before on the same region: images that are unknown are enclosed again,
         and boxes are divided up to `levels`.
@@ -112,6 +118,8 @@ def certify_graph(
         motion that comes to no section often enough, or a state of another question.
     Interrupted
         By Ctrl-C; its `partial` is what is proved until then.
+    NoConvergence
+        If a process of `workers` ends, for want of memory perhaps.
 
     References
     ----------
@@ -140,6 +148,7 @@ def certify_graph(
     ):
         if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
             raise InputError(f"{name} = {number!r} is not an integer from {least} to {most}")
+    check_workers(workers)
     kernels = kernels_of(system)
     at = enclosed_system(kernels, parameters)
     motion = simulate(kernels, parameters, start, configuration, transitions=1)
@@ -163,18 +172,34 @@ def certify_graph(
                 most=max(parts, resume.most),
                 longest=max(transitions, resume.longest),
             )
+        told = replace(known, graph=empty.graph, declaration={})
+        question = ToldQuestion.of(kernels, told)
+        return _BoxImages(question, known, workers, progress, keep).refined(levels)
+
+
+def _begin_images(question: ToldQuestion[GraphCertificate]) -> Callable[[ManySets], Leaves]:
+    """What encloses the images of sets."""
+    known = question.known
+    system, section = question.taken_up(known.bits)
+    with flint_precision(known.bits):
         mapped = BranchingMap(
-            enclosed, sampled.section, widest, 1.0, most=parts, longest=transitions
+            system, section, np.array(known.widest), 1.0, most=known.most, longest=known.longest
         )
-        return _BoxImages(mapped, known, progress, keep).refined(levels)
+
+    def images(starts: ManySets) -> Leaves:
+        with flint_precision(known.bits):
+            return mapped.leaves(starts)
+
+    return images
 
 
 @dataclass
 class _BoxImages:
     """How images are enclosed, and what is known."""
 
-    mapped: BranchingMap
+    question: ToldQuestion[GraphCertificate]
     known: GraphCertificate
+    workers: int
     progress: Callable[[int, int], object]
     keep: Callable[[GraphCertificate], object] | None
     kept: float = field(default_factory=time.monotonic)
@@ -198,14 +223,18 @@ class _BoxImages:
 
     def _seen(self, graph: BoxGraph, left: NDArray[np.int_]) -> BoxGraph:
         """The graph with images of boxes."""
-        for first in range(0, len(left), _AT_ONCE):
-            numbers = left[first : first + _AT_ONCE]
-            graph = graph.seen(numbers, self.mapped.leaves(graph.grid.sets(numbers)))
-            self.known = replace(self.known, graph=graph)
-            self.progress(first + len(numbers), len(left))
-            if self.keep is not None and time.monotonic() - self.kept > _EVERY:
-                self.keep(self.known)
-                self.kept = time.monotonic()
+        size = max(1, min(_AT_ONCE, -(-len(left) // self.workers)))
+        batches = [left[first : first + size] for first in range(0, len(left), size)]
+        sets, done = map(graph.grid.sets, batches), 0
+        with closing(in_processes(_begin_images, self.question, sets, self.workers)) as found:
+            for numbers, (_, leaves) in zip(batches, found, strict=True):
+                graph = graph.seen(numbers, leaves)
+                self.known = replace(self.known, graph=graph)
+                done += len(numbers)
+                self.progress(done, len(left))
+                if self.keep is not None and time.monotonic() - self.kept > _EVERY:
+                    self.keep(self.known)
+                    self.kept = time.monotonic()
         return graph
 
 

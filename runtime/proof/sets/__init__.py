@@ -6,6 +6,7 @@
 `images`                `SectionMap`: images of sets on a section, and the transitions on the way
 `branching`             `BranchingMap`: images of many sets whose states go different ways
 `phase_ends`            where the sets of one phase reach boundaries
+`told_question`         `ToldQuestion`: a system and a section, for other processes
 `visited_declaration`   the system as far as the motions visit it, for a file
 ======================  =====================================================================
 """
