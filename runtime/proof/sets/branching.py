@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -33,15 +32,26 @@ from nonsmooth.runtime.proof.motion.exact_rows import Invariants, Row, product
 from nonsmooth.runtime.proof.motion.validate import BallJudge, transition_behind
 from nonsmooth.runtime.proof.sets.affine_sets import with_time
 from nonsmooth.runtime.proof.sets.images import PassedTransition
-from nonsmooth.runtime.proof.sets.phase_ends import CLOCK, EndedSets, PhaseEnds, WatchedFunction
+from nonsmooth.runtime.proof.sets.phase_ends import CLOCK, EndedSets
 from nonsmooth.runtime.proof.sets.sections import MapSection
+from nonsmooth.runtime.proof.sets.set_parts import (
+    PartsLeft,
+    SetParts,
+    StartKind,
+    direction,
+    first_moving,
+    kept,
+    negative,
+    opposite,
+    rounded_row,
+)
+from nonsmooth.runtime.proof.sets.started_phase import StartedPhase
 
 if TYPE_CHECKING:
-    from flint import arb_mat
+    pass
 
 __all__ = ["BranchingMap", "Leaves"]
 
-_AT_ONCE = 4096  # sets
 _STEP = 0.125  # of the time in which the fastest motion goes half a radian
 
 
@@ -62,34 +72,6 @@ class Leaves(NamedTuple):
     low: Floats
     high: Floats
     lost: NDArray[np.bool_]
-
-
-class _StartKind(NamedTuple):
-    """What is true of parts where their phase begins.
-
-    The functions of the boundaries in `under` are not positive, with their first derivative that
-    is not exactly zero; `clock` counts passages of the forcing's phase.
-    """
-
-    configuration: int
-    facts: Invariants
-    under: frozenset[int]
-    clock: int
-
-
-class _SetParts(NamedTuple):
-    """Parts of one kind: of which set, and behind how many transitions."""
-
-    states: ManySets
-    origin: NDArray[np.int_]
-    depth: NDArray[np.int_]
-
-    def chosen(self, mask: Any) -> _SetParts:
-        return _SetParts(self.states[mask], self.origin[mask], self.depth[mask])
-
-    def of(self, states: ManySets, origin: Any) -> _SetParts:
-        """Parts of these parts."""
-        return _SetParts(states, self.origin[origin], self.depth[origin])
 
 
 @dataclass
@@ -138,7 +120,7 @@ class BranchingMap:
         ]
         self._resets = [Rounded.of(with_time(reset, 0)) for reset in exact.resets]
         self._timed = self.section.phase is not None
-        self._phases: dict[_StartKind, _StartedPhase] = {}
+        self._phases: dict[StartKind, StartedPhase] = {}
 
     def leaves(self, starts: ManySets) -> Leaves:
         """Boxes that contain where each state of each set comes to the section first.
@@ -181,11 +163,11 @@ class BranchingMap:
         """
         rows = [self.system.exact.rows[s.row] for s in self._shapes(configuration)]
         inside = frozenset(b for b, row in enumerate(rows) if any(facts.reduce(row)))
-        work = _PartsLeft(len(starts), self.most)
+        work = PartsLeft(len(starts), self.most)
         none = np.zeros(len(starts), dtype=int)
         work.add(
-            _StartKind(configuration, facts, inside, 0),
-            _SetParts(starts, np.arange(len(starts)), none),
+            StartKind(configuration, facts, inside, 0),
+            SetParts(starts, np.arange(len(starts)), none),
         )
         found: list[tuple[Any, Floats, Floats]] = []
         while (taken := work.take()) is not None:
@@ -216,7 +198,7 @@ class BranchingMap:
         known = ~work.lost[origin]
         return Leaves(origin[known], low[known], high[known], work.lost)
 
-    def _divided(self, parts: _SetParts, work: _PartsLeft) -> _SetParts:
+    def _divided(self, parts: SetParts, work: PartsLeft) -> SetParts:
         """Those that are wide in two, as often as it takes."""
         if not np.isfinite(self.widest):
             return parts
@@ -235,9 +217,7 @@ class BranchingMap:
             work.count(parts.origin[-len(again) // 2 :])
             parts = parts.chosen(~work.lost[parts.origin])
 
-    def _is_leaf(
-        self, kind: _StartKind, forced: PassedTransition | None, before: _StartKind
-    ) -> bool:
+    def _is_leaf(self, kind: StartKind, forced: PassedTransition | None, before: StartKind) -> bool:
         section = self.section
         if section.phase is not None:
             if forced is not None or kind.configuration != section.configuration:
@@ -250,26 +230,28 @@ class BranchingMap:
             return False
         return all(not any(kind.facts.reduce(row)) for row in section.facts.rows)
 
-    def _inside(self, kind: _StartKind, parts: _SetParts, work: _PartsLeft) -> _SetParts:
+    def _inside(self, kind: StartKind, parts: SetParts, work: PartsLeft) -> SetParts:
         """Of leaves what no boundary lies behind: states beyond one leave their phase at once."""
         for b, shape in enumerate(self._shapes(kind.configuration)):
             row = self.system.exact.rows[shape.row]
             if b in kind.under or not any(kind.facts.reduce(row)):
                 continue
             if any(self.section.facts.reduce(row)):
-                function = _rounded(row)
-                work.add(kind, _kept(parts, function))
-                parts = _kept(parts, _negative(function))
+                function = rounded_row(row)
+                work.add(kind, kept(parts, function))
+                parts = kept(parts, negative(function))
         return parts
 
     # along a phase and behind it
 
     def _behind_phase(
-        self, kind: _StartKind, parts: _SetParts, work: _PartsLeft
-    ) -> Iterator[tuple[_StartKind, _SetParts, PassedTransition | None]]:
+        self, kind: StartKind, parts: SetParts, work: PartsLeft
+    ) -> Iterator[tuple[StartKind, SetParts, PassedTransition | None]]:
         phase = self._phases.get(kind)
         if phase is None:
-            phase = self._phases[kind] = _StartedPhase(self, kind)
+            flow = self._flows[kind.configuration]
+            phase = StartedPhase(self.system, self.section, flow, self.finest, kind)
+            self._phases[kind] = phase
         for end in phase.ends(parts, work):
             own = parts.of(end.states, end.origin)
             if end.boundaries == (CLOCK,):
@@ -282,14 +264,14 @@ class BranchingMap:
             yield from self._passed(kind, end, own, work)
 
     def _passed(
-        self, kind: _StartKind, end: EndedSets, parts: _SetParts, work: _PartsLeft
-    ) -> Iterator[tuple[_StartKind, _SetParts, PassedTransition]]:
+        self, kind: StartKind, end: EndedSets, parts: SetParts, work: PartsLeft
+    ) -> Iterator[tuple[StartKind, SetParts, PassedTransition]]:
         """The ways in which states go on behind what they reach."""
         here, reached = kind.configuration, frozenset(end.boundaries)
         exact = self.system.exact
         inside = [exact.rows[s.row] for b, s in enumerate(self._shapes(here)) if b not in reached]
         known = frozenset(
-            _direction(end.facts.reduce(row)) for row in (*inside, *map(_opposite, end.rising))
+            direction(end.facts.reduce(row)) for row in (*inside, *map(opposite, end.rising))
         )
         for target, reset, own, before, under in self._followed(
             here, reached, end.facts, parts, known, work
@@ -307,8 +289,8 @@ class BranchingMap:
                 for b, shape in enumerate(self._shapes(target))
                 if self._below(target, shape.row, facts, reset, before, under)
             )
-            next_kind = _StartKind(target, facts, below, kind.clock)
-            yield next_kind, _SetParts(states, own.origin, own.depth + 1), passage
+            next_kind = StartKind(target, facts, below, kind.clock)
+            yield next_kind, SetParts(states, own.origin, own.depth + 1), passage
 
     def _reset_box(
         self, states: ManySets, under: frozenset[Row], reset: int
@@ -317,7 +299,7 @@ class BranchingMap:
         box = states.hull
         for row in under:
             if any(row[:-1]):
-                box = within(box, _rounded(row))
+                box = within(box, rounded_row(row))
         for k in (k for pair in self.system.structure.forcing for k in pair):
             box[0][:, k], box[1][:, k] = np.maximum(box[0][:, k], -1), np.minimum(box[1][:, k], 1)
         low, high = box
@@ -339,13 +321,13 @@ class BranchingMap:
         So it is where, as a function of the state before, it is one of those.
         """
         exact = self.system.exact
-        row, order = _leading(exact.rows[number], exact.fields[target], facts)
+        row, order = first_moving(exact.rows[number], exact.fields[target], facts)
         if order < 0:
             return False
         pulled = before.reduce(product(row, exact.resets[reset]))
         if not any(pulled[:-1]):
             return pulled[-1] <= 0
-        return _direction(pulled) in known
+        return direction(pulled) in known
 
     def _shapes(self, configuration: int) -> Sequence[BoundaryShape]:
         return self.system.structure.boundaries[configuration]
@@ -355,10 +337,10 @@ class BranchingMap:
         here: int,
         reached: frozenset[int],
         facts: Invariants,
-        parts: _SetParts,
+        parts: SetParts,
         known: frozenset[Row],
-        work: _PartsLeft,
-    ) -> Iterator[tuple[int, int, _SetParts, Invariants, frozenset[Row]]]:
+        work: PartsLeft,
+    ) -> Iterator[tuple[int, int, SetParts, Invariants, frozenset[Row]]]:
         """Targets and resets that may follow, with the parts for which they may.
 
         And with what is exactly true of these, and functions that are known not to be positive.
@@ -393,10 +375,10 @@ class BranchingMap:
         listed: Sequence[TransitionShape],
         place: int,
         facts: Invariants,
-        parts: _SetParts,
+        parts: SetParts,
         known: frozenset[Row],
-        work: _PartsLeft,
-    ) -> Iterator[tuple[int, int, _SetParts, Invariants, frozenset[Row]]]:
+        work: PartsLeft,
+    ) -> Iterator[tuple[int, int, SetParts, Invariants, frozenset[Row]]]:
         """What may follow of the transitions from the first on, from one of its conditions on.
 
         Where a function would have a sign that it is known not to have it is exactly zero, and
@@ -412,23 +394,23 @@ class BranchingMap:
             yield shape.target, shape.reset, parts, facts, known
             return
         number, along, holds = shape.conditions[place]
-        row, order = _leading(
+        row, order = first_moving(
             self.system.exact.rows[number], self.system.exact.fields[along], facts
         )
         if order < 0:
             ways = [(parts, False, known)]
         else:
             ways = []
-            for positive, towards in ((True, row), (False, _opposite(row))):
-                if _direction(towards) not in known:
-                    part = _kept(parts, _rounded(towards))
-                    ways.append((part, positive, known | {_direction(_opposite(towards))}))
+            for positive, towards in ((True, row), (False, opposite(row))):
+                if direction(towards) not in known:
+                    part = kept(parts, rounded_row(towards))
+                    ways.append((part, positive, known | {direction(opposite(towards))}))
                     continue
                 exactly = Invariants.of([*facts.rows, row])
                 if exactly.consistent:
-                    states, alive = parts.states.cut(_rounded(row), zero=True)
+                    states, alive = parts.states.cut(rounded_row(row), zero=True)
                     part = parts.chosen(alive)._replace(states=states[alive])
-                    still = frozenset(_direction(exactly.reduce(own)) for own in known)
+                    still = frozenset(direction(exactly.reduce(own)) for own in known)
                     yield from self._tried(listed, place, exactly, part, still, work)
         for part, positive, now in ways:
             if positive == holds:
@@ -475,196 +457,3 @@ class BranchingMap:
             found[size, len(free)] = arb(1)
         found[size + 1, count] = arb(1)
         return Rounded.of(found)
-
-
-class _PartsLeft:
-    """Parts that are to be followed, by their kinds."""
-
-    def __init__(self, count: int, most: int) -> None:
-        self.most = most
-        self.lost = np.zeros(count, dtype=bool)
-        self._seen = np.zeros(count, dtype=int)
-        self._left: dict[_StartKind, list[_SetParts]] = {}
-
-    def add(self, kind: _StartKind, parts: _SetParts) -> None:
-        self.count(parts.origin)
-        self._left.setdefault(kind, []).append(parts)
-
-    def count(self, origin: NDArray[np.int_]) -> None:
-        """Count parts of sets; those with too many are lost."""
-        np.add.at(self._seen, origin, 1)
-        self.lost |= self._seen > self.most
-
-    def lose(self, origin: NDArray[np.int_]) -> None:
-        self.lost[origin] = True
-
-    def take(self) -> tuple[_StartKind, _SetParts] | None:
-        """The most parts of one kind, as many as are followed at once."""
-        if not self._left:
-            return None
-        kind = max(self._left, key=lambda own: sum(len(p.origin) for p in self._left[own]))
-        listed = self._left.pop(kind)
-        parts = _SetParts(
-            joined_sets([part.states for part in listed]),
-            np.concatenate([part.origin for part in listed]),
-            np.concatenate([part.depth for part in listed]),
-        )
-        parts = parts.chosen(~self.lost[parts.origin])
-        if len(parts.origin) > _AT_ONCE:
-            self._left[kind] = [parts.chosen(slice(_AT_ONCE, None))]
-            parts = parts.chosen(slice(0, _AT_ONCE))
-        return kind, parts
-
-
-class _StartedPhase:
-    """The phase that begins with states of one kind."""
-
-    def __init__(self, mapped: BranchingMap, kind: _StartKind) -> None:
-        self.kind = kind
-        system, here = mapped.system, kind.configuration
-        exact, structure = system.exact, system.structure
-        lasting = kind.facts.lasting(exact.fields[here])
-        self.stuck = False  # beyond a boundary all along
-        self.functions: list[WatchedFunction] = []
-        self.under: list[bool] = []
-        self.still: list[bool] = []
-        self.starts: list[Row] = []
-        together: dict[Any, tuple[list[int], Row]] = {}
-        for b, boundary in enumerate(structure.boundaries[here]):
-            row = exact.rows[boundary.row]
-            reduced = lasting.reduce(row)
-            if not any(reduced[:-1]):
-                self.stuck = self.stuck or reduced[-1] > 0
-                continue
-            size = next(abs(x) for x in reduced if x)
-            together.setdefault(tuple(x / size for x in reduced), ([], row))[0].append(b)
-        for own, row in together.values():
-            leading, order = _leading(row, exact.fields[here], kind.facts)
-            if order < 0:
-                continue
-            self.under.append(any(b in kind.under for b in own))
-            self.still.append(not any(lasting.reduce(product(row, exact.fields[here]))))
-            facts = Invariants.of([*lasting.rows, row])
-            rate = facts.reduce(product(row, exact.fields[here]))
-            self.functions.append(
-                WatchedFunction(tuple(own), _timed(row), _timed(leading), order, facts, rate)
-            )
-            self.starts.append(leading)
-        if mapped.section.phase is not None:
-            section, (c, s) = mapped.section, structure.forcing[0]
-            pivots = section.facts.pivots
-            forced = [section.facts.rows[pivots.index(k)] for k in (c, s)]
-            clock = _clock(section.period(system) * (kind.clock + 1), len(structure.states))
-            facts = Invariants.of([*lasting.rows, *forced])
-            self.functions.append(WatchedFunction((CLOCK,), clock, clock, 0, facts, ()))
-            # states that reach a boundary just then are both on the section and beyond it
-            self.under.append(True)
-            self.still.append(False)
-        self.begins = [Rounded.of(f.leading) for f in self.functions]
-        # a function that does not change ends no phase that it does not end at once
-        moving = [f for f, still in zip(self.functions, self.still, strict=True) if not still]
-        self.phase = PhaseEnds(mapped._flows[here], moving, mapped.finest)
-
-    def ends(self, parts: _SetParts, work: _PartsLeft) -> Iterator[EndedSets]:
-        """The ways in which it may end; origins are numbers of the parts."""
-        if self.stuck:
-            work.lose(parts.origin)
-            return
-        states, origin = parts.states, np.arange(len(parts.origin))
-        values = [tuple(x[:, 0] for x in states.ranges(row)) for row in self.begins]
-        passed = [
-            k
-            for k, ((_, high), under) in enumerate(zip(values, self.under, strict=True))
-            if not under and not (high < 0).all()
-        ]
-        if passed:
-            yield from self._passed_at_start(parts, values, passed, work)
-        for k, row in enumerate(self.begins):
-            states, alive = states.cut(_negative(row))
-            sure = values[k][0][origin] > 0
-            states, origin = states[alive & ~sure], origin[alive & ~sure]
-        if not len(origin):
-            return
-        found, lost = self.phase.ends(states)
-        work.lose(parts.origin[origin[lost]])
-        for end in found:
-            yield end._replace(origin=origin[end.origin])
-
-    def _passed_at_start(
-        self, parts: _SetParts, values: Sequence[Any], passed: Sequence[int], work: _PartsLeft
-    ) -> Iterator[EndedSets]:
-        """States beyond boundaries at the start of the phase, which they leave at once."""
-        touched = [
-            k
-            for k, (_, high) in enumerate(values)
-            if k not in passed and not (high < 0).all() and self.functions[k].boundaries != (CLOCK,)
-        ]
-        every = [*passed, *touched]
-        for count in range(1, len(every) + 1):
-            for chosen in combinations(every, count):
-                if chosen[0] not in passed:
-                    continue
-                states, origin = parts.states, np.arange(len(parts.origin))
-                for k in every:
-                    row = self.begins[k] if k in chosen else _negative(self.begins[k])
-                    states, alive = states.cut(row)
-                    if k not in chosen:
-                        alive &= ~(values[k][0][origin] > 0)
-                    else:
-                        alive &= ~(values[k][1][origin] < 0)
-                    states, origin = states[alive], origin[alive]
-                if not len(origin):
-                    continue
-                if count > 2:
-                    work.lose(parts.origin[origin])
-                    continue
-                boundaries = tuple(b for k in chosen for b in self.functions[k].boundaries)
-                rising = tuple(self.starts[k] for k in chosen)
-                yield EndedSets(states, origin, boundaries, self.kind.facts, rising)
-
-
-def _kept(parts: _SetParts, row: Rounded) -> _SetParts:
-    """The parts of parts for which a function is not negative."""
-    states, alive = parts.states.cut(row)
-    return parts.chosen(alive)._replace(states=states[alive])
-
-
-def _leading(row: Row, along: Sequence[Row], facts: Invariants) -> tuple[Row, int]:
-    """The first derivative that is not exactly zero, and its order; -1 if all are."""
-    for order in range(len(row) + 1):
-        reduced = facts.reduce(row)
-        if any(reduced):
-            return reduced, order
-        row = product(row, along)
-    return row, -1
-
-
-def _opposite(row: Row) -> Row:
-    return tuple(-x for x in row)
-
-
-def _direction(row: Row) -> Row:
-    """A row up to a positive factor."""
-    size = next((abs(x) for x in row if x), 1)
-    return tuple(x / size for x in row)
-
-
-def _clock(time: Any, size: int) -> arb_mat:
-    """The time since another one, as a row."""
-    from flint import arb, arb_mat
-
-    return arb_mat([[*(arb(0),) * size, arb(1), -time]])
-
-
-def _timed(row: Sequence[Any]) -> arb_mat:
-    from flint import arb, arb_mat
-
-    return arb_mat([[*(arb(x) for x in row[:-1]), arb(0), arb(row[-1])]])
-
-
-def _rounded(row: Sequence[Any]) -> Rounded:
-    return Rounded.of(_timed(row))
-
-
-def _negative(row: Rounded) -> Rounded:
-    return Rounded(-row.middle, row.radius)
