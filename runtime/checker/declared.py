@@ -79,7 +79,7 @@ class StatedBoundary(NamedTuple):
     """A boundary in a phase; rows are reduced by what is known to be zero there.
 
     The first derivative where the phase begins that is not zero has the order, and `begins` is
-    its row: None where the function is zero all along.
+    its row: None where the function is zero all along. `follows` is the order of the next one.
     """
 
     name: str
@@ -87,6 +87,7 @@ class StatedBoundary(NamedTuple):
     ends_it: bool
     order: int
     begins: Any
+    follows: int
     still: bool
     end: Any
     speed: Any
@@ -464,8 +465,10 @@ class StatedSystem:
             order, begins = leading(row, step.field, begin, 0)
             rate = product(row, step.field)
             still = not any(reduced(rate, kept))
+            follows, behind = leading(row, step.field, begin, order + 1)
+            begun = order, begins, order + 1 if behind is None else follows
             ends = reduced(row, end), reduced(rate, end)
-            watched.append(StatedBoundary(name, row, name in ending, order, begins, still, *ends))
+            watched.append(StatedBoundary(name, row, name in ending, *begun, still, *ends))
         own = [boundaries[name] for name in ending if name != _FORCING_PHASE]
         listed = [t for t in self.transitions if t.begins == step.taken.begins]
         numbers = sorted({t.order for t in listed if t.order})

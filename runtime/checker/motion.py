@@ -460,7 +460,7 @@ def _below(
             done = top < 0 or falling or (change > 0 and rising)
             done = done or (last and shape.slows and curve < 0)
             done = done or (first and shape.falls and curve < 0)
-            order = watched.order + (shape.begins and watched.order > 0)
+            order = watched.follows if shape.begins else watched.order
             if first and order > 1:
                 done = _turns_down(n, b, wide, rate, rates, order, around)
             if not done:

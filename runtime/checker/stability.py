@@ -9,7 +9,7 @@ from flint import acb, acb_poly, arb, arb_mat, arb_poly
 
 from nonsmooth.runtime.checker.exact import demand
 from nonsmooth.runtime.checker.orbit import CheckedOrbit, trace_of
-from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
+from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of
 
 __all__ = [
     "MULTIPLIERS",
@@ -74,7 +74,9 @@ def stability(orbit: CheckedOrbit) -> str:
     """
     demand(orbit.declared.alone, "one-sided maps")
     if orbit.declared.stability == "stable":
-        return _inside(characteristic(orbit.section))
+        polynomial = characteristic(orbit.section)
+        verdict = _inside(polynomial)
+        return _throughout(polynomial) if verdict == "undecided" else verdict
     return _neutral(orbit.section, orbit.declared.size)
 
 
@@ -212,6 +214,24 @@ def _some_outside(polynomial: list[Any]) -> bool:
             squared.append((-1) ** k * total)
         polynomial = squared
     return False
+
+
+def _throughout(polynomial: Sequence[Any]) -> str:
+    """The verdict in the middle of all parameters, if between them no root passes the circle.
+
+    The roots depend continuously on the parameters; those that pass are 1, or -1, or a pair with
+    the product 1.
+    """
+    models = [c for c in polynomial if isinstance(c, TaylorModel)]
+    if not models:
+        return "undecided"
+    for kind in MULTIPLIERS:
+        if kind != "neimark-sacker" or len(polynomial) > 2:
+            value = range_of(passing(polynomial, kind))
+            if not (value > 0 or value < 0):
+                return "undecided"
+    middle = [arb(0)] * models[0].space.variables
+    return _inside([c.at(middle) if isinstance(c, TaylorModel) else c for c in polynomial])
 
 
 def products_less_one(polynomial: Sequence[Any]) -> Any:

@@ -218,7 +218,7 @@ class _Phase:
         if begins is not None:
             which = OpenInequality("tangent" if order else "entry", place, name, "start")
             if which in self.assumed:
-                order += 1
+                order = watched.follows
                 begins = None
             elif watched.reached and not order and self.ending in self.assumed:
                 begins = None  # it rises from there to zero

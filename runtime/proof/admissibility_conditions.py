@@ -43,6 +43,8 @@ class Watched(NamedTuple):
     row : Row
     begins : Derivative or None
         Where the phase begins; None if it stays exactly zero.
+    follows : int
+        The order of the first derivative there, beyond that one, that is not known to be zero.
     still : bool
         Whether the function does not change along the phase.
     reached : bool
@@ -54,6 +56,7 @@ class Watched(NamedTuple):
     name: str
     row: Row
     begins: Derivative | None
+    follows: int
     still: bool
     reached: bool
     ends: Row
@@ -197,11 +200,15 @@ def _plan(tables: Tables, cycle: ItineraryShape, invariants: CycleInvariants, pl
     for index, boundary in enumerate(boundaries):
         row = tables.rows[boundary.row]
         rate = product(row, field)
+        begins = _first(row, field, starts)
+        after = 1 if begins is None else begins.order + 1
+        behind = _first(row, field, starts, after)
         watched.append(
             Watched(
                 boundary.name,
                 row,
-                _first(row, field, starts),
+                begins,
+                after if behind is None else behind.order,
                 not any(lasting.reduce(rate)),
                 index in wanted.boundaries,
                 ends.reduce(row),

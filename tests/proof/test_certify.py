@@ -441,7 +441,7 @@ def test_a_dwell_time_is_positive_refuted_or_undecided() -> None:
 def test_a_boundary_is_reached_from_inside_refuted_or_undecided() -> None:
     def watched(ends: tuple[int, int], speed: tuple[int, int]) -> Watched:
         rows = (tuple(map(fmpq, ends)), tuple(map(fmpq, speed)))
-        return Watched("wall", (), None, False, True, *rows)
+        return Watched("wall", (), None, 1, False, True, *rows)
 
     phase, zero = phase_at(3), (0, 0)
     assert phase._speed(watched(zero, (2, 1))) == 7

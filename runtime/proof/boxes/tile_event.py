@@ -38,12 +38,10 @@ if TYPE_CHECKING:
 
 __all__ = [
     "BEYOND",
-    "FINEST",
-    "NARROW",
-    "SPARE",
     "Band",
     "Fold",
     "TileEvent",
+    "band_about",
     "event_on",
     "side_of",
 ]
@@ -51,9 +49,9 @@ __all__ = [
 BEYOND = "beyond a fold"
 
 _FARTHEST = 3.0  # of a curve from the middle of its tile; half of the tile is 1
-NARROW = 1e-5  # the largest radius of a band, as a share of the box
-SPARE = 2  # times the radius of a band: the check finds its own
-FINEST = 2.0**-40  # the least radius that is stated
+_NARROW = 1e-5  # the largest radius of a band, as a share of the box
+_SPARE = 2  # times the radius of a band: the check finds its own
+_FINEST = 2.0**-41  # the least radius that is stated, as a share of the box: all tiles round alike
 _COMPOSED = 12  # order of what is composed along a curve
 _STEPS = 12
 
@@ -353,10 +351,31 @@ def _band(place: Place, numbers: Sequence[TaylorModel]) -> Band | None:
     away = [_away(number, axis, centre) for number in numbers]
     if any(x is None for x in away):
         return None
-    radius = SPARE * max(float(x.upper()) for x in away if x is not None) + FINEST
-    band = Band(axis, centre, radius)
-    share = radius / 2 ** (place.steps[axis][1] + 1)
-    return band if share < NARROW and band.connected else None
+    return band_about(place, axis, centre, max(float(x.upper()) for x in away if x is not None))
+
+
+def band_about(place: Place, axis: int, centre: tuple[float, ...], away: float) -> Band | None:
+    """A band about a curve, wide enough for the check, whose enclosures are its own.
+
+    Parameters
+    ----------
+    place : Place
+        The tile.
+    axis : int
+        Number of the parameter by which the curve is crossed.
+    centre : tuple of float
+        Coefficients of a polynomial of the other parameter.
+    away : float
+        How far from it the event may be, from -1 to 1 over the tile.
+
+    Returns
+    -------
+    Band or None
+        None if it is too wide, or a side of it may not be connected.
+    """
+    parts = 2.0 ** (place.steps[axis][1] + 1)  # halves of the tile are in the box
+    band = Band(axis, centre, _SPARE * away + _FINEST * parts)
+    return band if band.radius / parts < _NARROW and band.connected else None
 
 
 def _coefficient(number: TaylorModel, axis: int) -> float:

@@ -22,12 +22,10 @@ from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import BITS, Region
 from nonsmooth.runtime.proof.boxes.tile_event import (
     BEYOND,
-    FINEST,
-    NARROW,
-    SPARE,
     Band,
     Fold,
     TileEvent,
+    band_about,
 )
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from nonsmooth.runtime.proof.branch.curve import (
@@ -514,10 +512,7 @@ def _band(tube: FoldTube) -> Band | None:
     missed = abs(range_of((_on_curve(tube.point[-1]) - middle) / half - _polynomial(centre, along)))
     slope = abs(range_of(_on_curve(tube.slope)))
     least = slope * slope / (2 * abs(tube.bend)) / half
-    radius = SPARE * float((missed + least).upper()) + FINEST
-    band = Band(tube.axis, centre, radius)
-    share = radius / 2 ** (tube.place.steps[tube.axis][1] + 1)
-    return band if share < NARROW and band.connected else None
+    return band_about(tube.place, tube.axis, centre, float((missed + least).upper()))
 
 
 def _least(tube: FoldTube, other: float) -> float:

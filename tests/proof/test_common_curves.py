@@ -1,0 +1,169 @@
+"""Maps of two parameters where several conditions change on one curve, some with no speed.
+
+Masses that stick at the end of a cycle begin the next one at the belt's velocity: what breaks
+the second one loose then leaves its limit with no speed, and only its curvature tells where to.
+"""
+
+from __future__ import annotations
+
+import json
+import random
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from flint import arb, ctx
+
+import nonsmooth as ns
+from nonsmooth.runtime.checker.declared import StatedSystem
+from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.parameters import values_of
+from nonsmooth.runtime.checker.shape import Malformed
+from nonsmooth.runtime.checker.tiles import check_tiles
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.core.values import flint_precision
+from nonsmooth.runtime.proof.boxes.orbit_over_box import checked_box, region_of
+from nonsmooth.runtime.proof.boxes.tile_event import side_of
+from nonsmooth.runtime.proof.branch.passage import CyclePassage
+
+STICK = "dry-friction/global-stick"
+BOX = {"V": ("0.9", "1.1"), "us2": ("0.65", "0.85")}
+BREAKS = "second-breaks-backward"
+TOGETHER = [
+    ("entry", 0, BREAKS, "start"), ("entry", 1, BREAKS, "start"), ("condition", 3, "2.1", "end")
+]  # fmt: skip
+
+
+def stick(**values: object) -> ns.Orbit:
+    """The paper's orbit with both masses at rest on the belt, over the friction of the second."""
+    return ns.solve(STICK, {"us1": 1, "us2": "0.8", **values}, digits=30)
+
+
+@cache
+def found() -> ns.BoxCertificate:
+    """A curve on which three conditions change."""
+    return ns.certify_box(ns.solve(STICK, {"us1": 1, "us2": "0.8"}), BOX)
+
+
+@cache
+def content() -> str:
+    """What its file holds."""
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as folder:
+        found().save(Path(folder) / "map.json")
+        return (Path(folder) / "map.json").read_text()
+
+
+def borders(v: str) -> float:
+    """us2 on the curve: what holds the second mass at rest is chi (x1 - x2), which is z1 - z2."""
+    orbit = stick(V=v)
+    z1, z2 = (orbit.unknowns[name] for name in ("z10", "z20"))
+    return float(((z1 - z2) / 2 - z1.__class__("0.4831")) / 2)
+
+
+def test_one_curve_decides_all() -> None:
+    assert found().decided == 1
+    assert [region.verdict for region in found().regions] == ["stable", "not admissible"]
+    (curve,) = found().curves
+    assert [curve.event.name, *curve.event.also] == TOGETHER
+    assert curve.ends == ("border", "border")
+
+
+@pytest.mark.parametrize("v", ["0.91", "0.97", "1.03", "1.09"])
+def test_the_curve_is_where_the_force_reaches_its_limit(v: str) -> None:
+    value = borders(v)
+    seen, at = 0, (Fraction(v), Fraction(value))
+    for tile in found().tiles:
+        ends = [*found().where(tile).values()]
+        if all(low <= x <= high for x, (low, high) in zip(at, ends, strict=True)):
+            assert tile.event is not None
+            inside = [
+                (2 * x - low - high) / (high - low) for x, (low, high) in zip(at, ends, strict=True)
+            ]
+            assert side_of(tile.event.band, inside) is None
+            seen += 1
+    assert seen
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_motions_on_both_sides_are_as_it_tells(seed: int) -> None:
+    v = f"{random.Random(seed).uniform(0.9, 1.1):.6f}"
+    value = borders(v)
+    for away, verdict in ((1e-6, True), (-1e-6, False)):
+        orbit = ns.solve(STICK, {"us1": 1, "us2": value + away, "V": v}, throw=False)
+        assert orbit.admissibility.verdict is verdict
+
+
+def numbers(orbit: ns.Orbit, box: dict[str, Any]) -> CyclePassage:
+    """The cycle at the orbit, in balls."""
+    region = region_of(orbit, checked_box(orbit, box))
+    point = [arb(x) for x in (*region.guess, *map(float, region.at))]
+    return CyclePassage(region, point)
+
+
+@pytest.mark.parametrize("name", [STICK, "dry-friction/symmetric"])
+def test_derivatives_that_are_passed_over_are_zero(name: str) -> None:
+    given = {"us1": 1, "us2": 1} if name == STICK else {}
+    orbit = ns.solve(name, given)
+    with flint_precision(64):
+        passage = numbers(orbit, {"V": (orbit.given["V"].exact / 2, orbit.given["V"].exact * 2)})
+        passed = 0
+        for plan in passage.region.plans:
+            plan = plan.at(passage.number)
+            field = passage.equations.phases[plan.place].field
+            state = passage.shooting.starts[plan.place]
+            for watched in plan.watched:
+                if watched.begins is None:
+                    continue
+                values, moved = [], state
+                for _ in range(watched.follows + 1):
+                    values.append(
+                        sum(n * x for n, x in zip(watched.row, moved.entries(), strict=True))
+                    )
+                    moved = field * moved
+                assert watched.follows > watched.begins.order
+                for value in values[watched.begins.order + 1 : watched.follows]:
+                    assert abs(value) < 1e-9
+                    passed += 1
+        assert passed or name != STICK
+
+
+def test_the_check_finds_the_same_orders() -> None:
+    told = json.loads(content())
+    with ctx.workprec(64):
+        values, stated, _ = values_of(told["parameters"], [*told["box"]], [])
+        phases = StatedSystem(told, values, stated).phases([])
+    plans = region_of(ns.solve(STICK, {"us1": 1, "us2": "0.8"}), found().box).plans
+    orders = [{w.name: w.follows for w in plan.watched} for plan in plans]
+    assert orders == [{w.name: w.follows for w in phase.watched} for phase in phases]
+    assert orders[1][BREAKS] == 2
+
+
+EDITS: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
+    "a condition is left out": (lambda e: e["also"].pop(), "admissibility"),
+    "an entry is left out": (lambda e: e["also"].pop(0), "admissibility"),
+    "of another phase": (lambda e: e["also"][0].__setitem__(1, 4), "event|boundary|admissib"),
+    "another condition": (lambda e: e["also"][1].__setitem__(2, "1.1"), "band|event|condition"),
+    "no such condition": (lambda e: e["also"][1].__setitem__(2, "9.1"), "condition|admissib"),
+    "another curve": (lambda e: e["centre"].__setitem__(0, e["centre"][0] + 1e-3), "its band"),
+    "other sides": (
+        lambda e: e.update(below=e["above"], above=e["below"]), "verdicts|admissibility"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", EDITS)
+def test_false_files_are_refused(name: str) -> None:
+    change, told = EDITS[name]
+    edited = json.loads(content())
+    change(next(tile["event"] for tile in edited["tiles"] if tile["event"]))
+    with pytest.raises((Failure, Malformed), match=told):
+        check_tiles({**edited, "sha256": checksum_of(edited)})
+
+
+def test_the_true_file_passes() -> None:
+    check_tiles(json.loads(content()))

@@ -1,0 +1,163 @@
+"""Curves in a plane of parameters on which a pair of multipliers leaves the unit circle."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from flint import arb, ctx
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, RigidStop, oscillator
+from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.stability import _inside, _throughout
+from nonsmooth.runtime.checker.tiles import check_tiles
+from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.core.taylor_models import space_of
+from nonsmooth.runtime.proof.boxes.tile_event import side_of
+from tests.explore import test_continuation_forced as impacts
+
+GIVEN = {"mu": "0.67", "ka": "1.44", "z": "0.003", "r": "0.67", "d": "0.27", "w": "2.212"}
+BOX = {"w": ("2.211", "2.214"), "r": ("0.665", "0.675")}
+
+
+@cache
+def system() -> Any:
+    """Two masses on springs: the first is forced, the second one strikes a wall."""
+    mu, ka, z, r, d, w = sp.symbols("mu ka z r d w")
+    return oscillator(
+        "two-masses",
+        ["x", "y"],
+        mass=[[1, 0], [0, mu]],
+        damping=[[2 * z * (1 + ka), -2 * z * ka], [-2 * z * ka, 2 * z * ka]],
+        stiffness=[[1 + ka, -ka], [-ka, ka]],
+        forcing=[Harmonic(w, cosine={"x": 1})],
+        elements=[RigidStop("y", at=d, restitution=r, name="wall")],
+        description="two masses and a wall",
+    )
+
+
+def orbit(**values: object) -> ns.Orbit:
+    """One impact in a period of the forcing."""
+    return ns.solve(
+        system(), {**GIVEN, **values}, itinerary=[("free", "wall-reaches-stop")], guess=guess()
+    )
+
+
+@cache
+def guess() -> tuple[float, ...]:
+    """Of the dwell time and the start, from a motion that has settled."""
+    found = ns.find_orbits(system(), GIVEN, n=12, transitions=400, seed=1)
+    (settled,) = [f.orbit for f in found.orbits if len(f.itinerary) == 1]
+    return tuple(map(float, settled.unknowns.values()))
+
+
+@cache
+def found() -> ns.BoxCertificate:
+    """The map over the forcing's frequency and the restitution."""
+    return ns.certify_box(orbit(), BOX, tiles=40)
+
+
+@cache
+def content() -> str:
+    """What its file holds."""
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as folder:
+        found().save(Path(folder) / "map.json")
+        return (Path(folder) / "map.json").read_text()
+
+
+def test_a_torus_curve_divides_the_box() -> None:
+    assert found().decided == 1
+    assert {region.verdict for region in found().regions} == {"stable", "unstable"}
+    (curve,) = found().curves
+    assert (curve.event.kind, curve.ends) == ("neimark-sacker", ("border", "border"))
+
+
+@pytest.mark.parametrize("r", ["0.666", "0.67", "0.674"])
+def test_multipliers_of_points_beside_the_curve_are_on_its_sides(r: str) -> None:
+    low, high = 2.211, 2.214
+    for _ in range(30):
+        middle = (low + high) / 2
+        inside = max(abs(np.asarray(orbit(w=middle, r=r).multipliers))) < 1
+        low, high = (middle, high) if inside else (low, middle)
+    for away in (-1e-5, 0.0, 1e-5):
+        at = Fraction(low + away), Fraction(r)
+        tile = found().tile_at(dict(zip(BOX, at, strict=True)))
+        assert tile.event is not None
+        ends = zip(at, found().where(tile).values(), strict=True)
+        side = side_of(tile.event.band, [(2 * x - a - b) / (b - a) for x, (a, b) in ends])
+        if away:
+            assert side is not None
+            assert getattr(tile.event, side) == ("proved" if away < 0 else "unstable")
+        else:
+            assert side is None or abs(high - low) < 1e-9
+
+
+def test_the_curve_is_that_of_the_closed_form(tmp_path: Path) -> None:
+    """r^2 exp(-c T) = 1, T = 2 pi/2.8, of a mass of negative damping that strikes a wall."""
+    closed = ns.certify_box(
+        impacts.orbit(-0.5), {"c": ("-0.25", "0.05"), "r": ("0.75", "0.85")}, tiles=40
+    )
+    assert closed.decided == 1
+    (curve,) = closed.curves
+    assert curve.event.kind == "neimark-sacker"
+    for r in np.linspace(0.757, 0.8499, 23):
+        with mpmath.workdps(40):
+            true = mpmath.log(mpmath.mpf(float(r))) * mpmath.mpf("2.8") / mpmath.pi
+            at = Fraction(mpmath.nstr(true, 35)), Fraction(float(r))
+        tile = closed.tile_at(dict(zip(("c", "r"), at, strict=True)))
+        assert tile.event is not None
+        ends = zip(at, closed.where(tile).values(), strict=True)
+        inside = [(2 * x - low - high) / (high - low) for x, (low, high) in ends]
+        assert side_of(tile.event.band, inside) is None
+        assert tile.event.band.radius < 1e-4
+    closed.save(tmp_path / "map.json")
+    check_tiles(json.loads((tmp_path / "map.json").read_text()))
+
+
+EDITS: dict[str, Callable[[dict[str, Any]], object]] = {
+    "another kind": lambda e: e.update(kind="flip"),
+    "other sides": lambda e: e.update(below=e["above"], above=e["below"]),
+    "another curve": lambda e: e["centre"].__setitem__(0, e["centre"][0] + 1e-3),
+}
+
+
+def test_the_file_passes_and_false_ones_do_not() -> None:
+    check_tiles(json.loads(content()))
+    for change in EDITS.values():
+        edited = json.loads(content())
+        change(next(tile["event"] for tile in edited["tiles"] if tile["event"]))
+        with pytest.raises(Failure):
+            check_tiles({**edited, "sha256": checksum_of(edited)})
+
+
+def test_stability_is_that_of_the_middle_where_no_multiplier_passes() -> None:
+    """A pair of modulus m: z^2 - 2 m cos(a) z + m^2, with m near 1."""
+    with ctx.workprec(64):
+        space = space_of(2, 6)
+        wide = space.variable(0, arb(0), arb(1))
+
+        def pair(product: Any) -> list[Any]:
+            return [arb(1), arb(-0.5) + wide * arb("0.2"), product]
+
+        almost = arb(1) + arb("1e-6") * (wide - arb(2))
+        nearer = arb("0.95") + arb("0.0499999") * wide
+        assert _inside([arb(1), wide * arb("0.2") - arb("1.4"), nearer]) == "undecided"
+        assert _throughout([arb(1), wide * arb("0.2") - arb("1.4"), nearer]) == "proved"
+        assert _throughout(pair(almost)) == "proved"
+        assert _throughout(pair(arb(1) + arb("1e-6") * (wide - arb("0.5")))) == "undecided"
+        assert _throughout(pair(arb(1) - arb("1e-6") * (wide - arb(2)))) == "refuted"
+        # of a saddle one multiplier is inside, all over
+        assert _throughout([arb(1), wide * arb("0.1") - 3, arb("0.9")]) == "refuted"
+        # z = 1 is passed
+        assert _throughout([arb(1), wide * arb("0.1") - arb("1.85"), arb("0.9")]) == "undecided"
