@@ -472,6 +472,7 @@ ARITHMETIC = {
     "taylor_models", "taylor_averages", "jets", "rational_functions", "irrational_numbers",
     "matrix_chains", "float_sets", "float_flows", "box_grid",
     "divided_grid",
+    "processes", "errors",  # no arithmetic: who does which part
 }  # fmt: skip
 
 
