@@ -29,8 +29,8 @@ __all__ = ["basin"]
     "nonsmooth basin dry-friction/global-stick us1=1 us2=1 ur1=4.0195 ur2=1.4831"
     " --box x1=3:5,x2=6:9,v1=0:1,v2=0:1 --side 0.125 --tiles 2000 --save basin.json"
     " --plot basin.png\n\n"
-    "nonsmooth basin dry-friction/global-stick us1=1 us2=1 ur1=4.0195 ur2=1.4831 --tiles 800000"
-    " --workers 2 --resume basin.json"
+    "nonsmooth basin dry-friction/global-stick us1=1 us2=1 ur1=4.0195 ur2=1.4831"
+    " --box x1=2:3,x2=6:7,v1=-1:0,v2=-1:0 --side 0.25 --tiles 100 --workers 2"
 )
 @answering
 def basin(

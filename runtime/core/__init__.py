@@ -19,6 +19,7 @@
 `json_codec`               records to JSON and back
 `matrices`                 exponentials and eigenvalues of many small matrices at once
 `matrix_chains`            products of many matrices of balls, in frames that turn with them
+`processes`                work in several processes, in the order of its batches
 `quadrature`               integrals by Gauss and Legendre's rule
 `rational_functions`       exact arithmetic of rational functions of parameters
 `registry`                 how records find the functions that show and keep them, by name

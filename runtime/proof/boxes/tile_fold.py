@@ -186,7 +186,7 @@ class FoldTube:
         return [x.at([arb(low), other]).mid() for x in self.point[:-1]]
 
 
-class _Meeting(NamedTuple):
+class _FoldPoint(NamedTuple):
     """A point at which two orbits meet, in balls that are not proved."""
 
     point: list[Any]
@@ -328,7 +328,9 @@ def _rate(number: Any) -> Any:
     return range_of(part_of(number, 1)).mid()
 
 
-def _straightest(region: Region, axis: int, coordinate: int, other: Fraction, at: _Meeting) -> int:
+def _straightest(
+    region: Region, axis: int, coordinate: int, other: Fraction, at: _FoldPoint
+) -> int:
     """The unknown by which the parameter is most nearly a parabola: its cubic term is least.
 
     With p = c2 e^2 + c3 e^3 and an unknown a1 e + a2 e^2, that is c3 - 2 c2 a2 / a1 in its units.
@@ -347,13 +349,13 @@ def _straightest(region: Region, axis: int, coordinate: int, other: Fraction, at
 
 
 def _meetings(
-    region: Region, place: Place, axis: int, coordinate: int, first: _Meeting
-) -> list[_Meeting] | None:
+    region: Region, place: Place, axis: int, coordinate: int, first: _FoldPoint
+) -> list[_FoldPoint] | None:
     """Where orbits meet, at Chebyshev's places of the other parameter over the tile."""
     low, high = place.interval(1 - axis, region.box)
     nodes = [Fraction(x) for x in _nodes(_NODES)]
     middle = len(nodes) // 2
-    found: dict[int, _Meeting] = {}
+    found: dict[int, _FoldPoint] = {}
     for order in (range(middle, -1, -1), range(middle + 1, len(nodes))):
         before = first if not found else found[middle]
         for k in order:
@@ -367,7 +369,7 @@ def _meetings(
 
 def _meeting(
     region: Region, place: Place, axis: int, coordinate: int, other: Fraction, near: Sequence[arb]
-) -> _Meeting | None:
+) -> _FoldPoint | None:
     """Where P_s is zero, by Newton's method in s; nothing is proved of it."""
     curve = OrbitCurve(region, axis, (_ball(other),))
     low, high = (float(x) for x in place.interval(axis, region.box))
@@ -393,12 +395,17 @@ def _meeting(
         if not abs(2 * float(point[-1]) - low - high) <= _FARTHEST * (high - low):
             return None
         if moved <= _SETTLED * (high - low):
-            return _Meeting(point, 2 * float(half))
+            return _FoldPoint(point, 2 * float(half))
     return None
 
 
 def _tried(
-    place: Place, region: Region, axis: int, coordinate: int, meetings: list[_Meeting], wider: float
+    place: Place,
+    region: Region,
+    axis: int,
+    coordinate: int,
+    meetings: list[_FoldPoint],
+    wider: float,
 ) -> Fold | None:
     """A tube that should be just wide enough for both sheets to leave the tile in it."""
     low, high = (float(x) for x in place.interval(axis, region.box))
