@@ -59,7 +59,7 @@ class DividedGrid:
         pairs = zip(self.divided, other.divided, strict=False)
         return same and all(np.array_equal(one, two) for one, two in pairs)
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # arrays have no hash
 
     @cached_property
     def _first(self) -> Numbers:
