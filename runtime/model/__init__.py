@@ -18,6 +18,8 @@
 `large_modes`          modes of configurations with many states, as factors
 `modes`                modes of a configuration from its numbers, where its flow has no closed form
 `simple_modes`         the same of many at once, where eigenvalues are apart
+`balancing`            which states depend on which; rows and columns of like size
+`natural_units`        units of time and states in which a motion's numbers are near 1
 `driven_modes`         modes of a structure that is driven by states which move by themselves
 `naming`               names of unknowns, and names as people see them
 `parameter_batches`    completion of many parameter points at once: arrays that broadcast

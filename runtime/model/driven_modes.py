@@ -16,13 +16,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from nonsmooth.runtime.model.balancing import dependence
 from nonsmooth.runtime.model.factored_flows import matrices_of
-from nonsmooth.runtime.model.simple_modes import (
-    NumericModes,
-    dependence,
-    is_moderate,
-    simple_modes,
-)
+from nonsmooth.runtime.model.simple_modes import NumericModes, is_moderate, simple_modes
 from nonsmooth.runtime.model.structure import mode_shapes
 
 __all__ = ["driven_modes"]

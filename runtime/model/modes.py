@@ -26,6 +26,7 @@ from functools import cache, lru_cache
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.balancing import balanced, dependence
 from nonsmooth.runtime.model.driven_modes import driven_modes
 from nonsmooth.runtime.model.eigenvalue_clusters import (
     Cluster,
@@ -35,14 +36,9 @@ from nonsmooth.runtime.model.eigenvalue_clusters import (
 )
 from nonsmooth.runtime.model.factored_flows import arrays_of, matrices_of
 from nonsmooth.runtime.model.large_modes import LARGE, large_modes
+from nonsmooth.runtime.model.natural_units import fall_rates, natural_units
 from nonsmooth.runtime.model.projectors import exponentials_at
-from nonsmooth.runtime.model.simple_modes import (
-    ModeGroup,
-    NumericModes,
-    balanced,
-    dependence,
-    simple_modes,
-)
+from nonsmooth.runtime.model.simple_modes import ModeGroup, NumericModes, simple_modes
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 from nonsmooth.runtime.model.time_functions import functions_at
 
@@ -58,13 +54,15 @@ _TURNED = 32.0  # radians in which an exponent's rounding grows to that of the s
 _GROWTH = 100.0  # exponent beyond which nothing is compared
 
 
-def numeric_modes(field: np.ndarray) -> NumericModes:
+def numeric_modes(field: np.ndarray, rows: np.ndarray | None = None) -> NumericModes:
     """Modes of y' = A y + b.
 
     Parameters
     ----------
     field : array (N, N + 1)
         A, then b; finite.
+    rows : array (r, N + 1), optional
+        Of the boundaries in front of which the motion goes on.
 
     Returns
     -------
@@ -77,22 +75,25 @@ def numeric_modes(field: np.ndarray) -> NumericModes:
         motion.
     """
     array = np.ascontiguousarray(field, dtype=float)
+    rate = 0.0 if rows is None else float(fall_rates(array[None], rows[None])[0])
     try:
         with np.errstate(over="ignore", invalid="ignore"):
-            return _numeric_modes(array.tobytes(), len(array))
+            return _numeric_modes(array.tobytes(), len(array), rate)
     except np.linalg.LinAlgError:
         raise InputError(
             "entries of a vector field are too far apart: double precision does not tell its modes"
         ) from None
 
 
-def grouped_modes(fields: np.ndarray) -> list[ModeGroup]:
+def grouped_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
     """Modes of many motions y' = A y + b, grouped by their shapes.
 
     Parameters
     ----------
     fields : array (n, N, N + 1)
         A, then b.
+    rows : array (n, r, N + 1)
+        As for `numeric_modes`.
 
     Returns
     -------
@@ -100,21 +101,22 @@ def grouped_modes(fields: np.ndarray) -> list[ModeGroup]:
         With NaN where there are no numbers, or double precision does not tell the motion.
     """
     count = len(fields)
-    if count > 1 and (fields == fields[:1]).all():  # nothing that varies matters
-        (only,) = grouped_modes(fields[:1])
+    if count > 1 and (fields == fields[:1]).all() and (rows == rows[:1]).all():
+        (only,) = grouped_modes(fields[:1], rows[:1])
         exponents, *flows = (
             np.broadcast_to(part, (count, *part.shape[1:]))
             for part in (only.exponents, *only.flows)
         )
         return [ModeGroup(np.arange(count), only.shapes, exponents, tuple(flows))]
     finite = np.flatnonzero(np.isfinite(fields).all(axis=(-2, -1)))
-    many = len(finite) > _FEW and fields.shape[1] < LARGE
-    simple = simple_modes(fields[finite]) if many else []
-    groups = [group._replace(places=finite[group.places]) for group in simple]
+    groups = []
+    if len(finite) > _FEW and fields.shape[1] < LARGE:
+        for group in _simple_modes(fields[finite], rows[finite]):
+            groups.append(group._replace(places=finite[group.places]))
     members: dict[tuple[ModeShape, ...], list[tuple[int, NumericModes]]] = {}
     for place in sorted({*range(count)}.difference(*(g.places.tolist() for g in groups))):
         try:
-            found = numeric_modes(fields[place])
+            found = numeric_modes(fields[place], rows[place])
         except InputError:
             found = no_modes(fields.shape[1])
         members.setdefault(found.shapes, []).append((place, found))
@@ -167,14 +169,34 @@ def standing_modes(size: int) -> NumericModes:
 
 
 @lru_cache(maxsize=4096)  # configurations share fields, and so do points of a sweep
-def _numeric_modes(content: bytes, size: int) -> NumericModes:
-    found = _found(np.frombuffer(content).reshape(size, size + 1))
+def _numeric_modes(content: bytes, size: int, rate: float) -> NumericModes:
+    found = _found(np.frombuffer(content).reshape(size, size + 1), rate)
     for array in (found.exponents, *arrays_of(found.flows)):
         array.flags.writeable = False
     return found
 
 
-def _found(field: np.ndarray) -> NumericModes:
+def _simple_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
+    """Modes of those motions of a stack whose eigenvalues are apart, found in natural units."""
+    units = natural_units(fields, fall_rates(fields, rows))
+    groups = []
+    for group in simple_modes(units.fields(fields)):
+        own = units.at(group.places)
+        exponents, flows = own.exponents(group.exponents), own.flows(group.shapes, group.flows)
+        groups.append(group._replace(exponents=exponents, flows=flows))
+    return groups
+
+
+def _found(field: np.ndarray, rate: float) -> NumericModes:
+    """Modes of one motion, found in its natural units."""
+    units = natural_units(field[None], np.array([rate]))
+    shapes, exponents, flows = _found_in_natural_units(units.fields(field[None])[0])
+    return NumericModes(
+        shapes, units.exponents(exponents[None])[0], units.flows_of_one(shapes, flows)
+    )
+
+
+def _found_in_natural_units(field: np.ndarray) -> NumericModes:
     """The fast ways first; what they leave is clustered."""
     size = len(field)
     if size < LARGE:

@@ -131,7 +131,7 @@ def piecewise_at(
     if structure.modes is not None:
         exponents, flows = (part[0] for part in _closed_modes(kernels, point[None]))
         return _record(structure, values, fields, rows, resets, exponents, flows)
-    found = _numeric(structure, fields, visited)
+    found = _numeric(structure, fields, rows, visited)
     structure = structure.with_modes(tuple(modes.shapes for modes in found))
     size = len(structure.states)
     return PiecewiseLinear(
@@ -195,7 +195,8 @@ def numbers_at(
         if place in structure.unvisited:
             found[place] = [_everywhere(standing_modes(size), np.arange(count))]
             continue
-        found[place] = grouped_modes(np.where(told[:, None, None], fields[:, place], np.nan))
+        finite = np.where(told[:, None, None], fields[:, place], np.nan)
+        found[place] = grouped_modes(finite, parts[1][:, _rows_of(structure, place)])
         for group in found[place]:
             told[group.places] &= np.isfinite(group.exponents).all(axis=(1, 2))
     result = []
@@ -253,17 +254,22 @@ def _flat(parts: Iterable[np.ndarray]) -> np.ndarray:
     return np.concatenate([p.reshape(len(p), p.shape[1] * p.shape[2]) for p in parts], axis=1)
 
 
+def _rows_of(structure: Structure, place: int) -> list[int]:
+    """Rows of a configuration's boundaries."""
+    return [boundary.row for boundary in structure.boundaries[place]]
+
+
 def _numeric(
-    structure: Structure, fields: np.ndarray, visited: Collection[int] | None
+    structure: Structure, fields: np.ndarray, rows: np.ndarray, visited: Collection[int] | None
 ) -> list[NumericModes]:
-    """Modes of each configuration from stacked fields (configurations N, N + 1)."""
+    """Modes of each configuration from stacked fields (c N, N + 1) and rows (R, N + 1)."""
     size = len(structure.states)
     if not np.isfinite(fields).all():
         raise InputError(f"the vector fields of {structure.name} are not finite")
     return [
         standing_modes(size)
         if place in structure.unvisited
-        else numeric_modes(field)
+        else numeric_modes(field, rows[_rows_of(structure, place)])
         if visited is None or place in visited
         else no_modes(size)
         for place, field in enumerate(fields.reshape(-1, size, size + 1))

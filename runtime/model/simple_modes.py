@@ -9,15 +9,15 @@ that no digit depends on which other matrices are in the stack.
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
+from nonsmooth.runtime.model.balancing import balanced, dependence
 from nonsmooth.runtime.model.factored_flows import Flows
 from nonsmooth.runtime.model.structure import ModeShape, mode_shapes
 
-__all__ = ["ModeGroup", "NumericModes", "balanced", "dependence", "is_moderate", "simple_modes"]
+__all__ = ["ModeGroup", "NumericModes", "is_moderate", "simple_modes"]
 
 _EPSILON = float(np.finfo(float).eps)
 _APART = 1e-9  # of the largest modulus: eigenvalues that are nearer are not simple
@@ -27,7 +27,6 @@ _UNIT = 8 * _EPSILON  # what the projectors' sum may miss
 _MISSED = 16 * _EPSILON  # what they may miss their eigenvalues by, of the largest modulus
 _NORM = 2.0  # and norm of a projector
 _MODERATE = 1e3  # term of a state beside which it loses no digits that count while it is small
-_SWEEPS = 40
 
 
 class NumericModes(NamedTuple):
@@ -172,71 +171,6 @@ def _snapped(values: np.ndarray, tiny: np.ndarray) -> np.ndarray:
     """Eigenvalues without what rounding makes of a part that is zero."""
     real = np.where(np.abs(values.real) <= tiny, 0.0, values.real)
     return np.asarray(real + 1j * np.where(np.abs(values.imag) <= tiny, 0.0, values.imag))
-
-
-def balanced(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Change of units, by powers of two, after which rows and columns are of like size.
-
-    Parlett and Reinsch (1969), for many matrices at once.
-
-    Parameters
-    ----------
-    matrices : array (n, m, m)
-
-    Returns
-    -------
-    scaled : array (n, m, m)
-    units : array (n, m)
-        Powers of two: ``scaled = matrices * units[:, None] / units[:, :, None]``.
-    """
-    scaled, units = matrices.copy(), np.ones(matrices.shape[:2])
-    for _ in range(_SWEEPS):
-        changed = False
-        for i in range(matrices.shape[-1]):
-            column, row = np.abs(scaled[:, :, i]).max(axis=1), np.abs(scaled[:, i]).max(axis=1)
-            # a factor f turns them into f column and row / f: of like size for f^2 = row / column
-            told = (column > 0) & (row > 0) & np.isfinite(column) & np.isfinite(row)
-            exponent = np.frexp(np.where(told, row / np.where(told, column, 1.0), 1.0))[1]
-            factor = np.where(told, np.ldexp(1.0, exponent // 2), 1.0)
-            better = factor * column + row / factor < 0.95 * (column + row)
-            if better.any():
-                factor = np.where(better, factor, 1.0)
-                units[:, i] *= factor
-                scaled[:, i] /= factor[:, None]
-                scaled[:, :, i] *= factor[:, None]
-                changed = True
-        if not changed:
-            break
-    return scaled, units
-
-
-def dependence(matrices: np.ndarray) -> np.ndarray:
-    """Which entries of a matrix's polynomials may be other than zero.
-
-    Zero exactly, and not but for rounding, stands where a state, as of a forcing, does not
-    depend on another one.
-
-    Parameters
-    ----------
-    matrices : array (n, m, m)
-
-    Returns
-    -------
-    array (n, m, m) of bool
-    """
-    patterns = matrices != 0
-    if (patterns == patterns[:1]).all():
-        return np.broadcast_to(_closure(patterns[0].tobytes(), len(patterns[0])), patterns.shape)
-    return np.stack([_closure(pattern.tobytes(), len(pattern)) for pattern in patterns])
-
-
-@lru_cache(maxsize=4096)
-def _closure(content: bytes, size: int) -> np.ndarray:
-    pattern = np.frombuffer(content, dtype=bool).reshape(size, size)
-    reached = (pattern | np.eye(size, dtype=bool)).astype(np.float32)  # for the products' sake
-    for _ in range(size.bit_length()):
-        reached = (reached @ reached > 0).astype(np.float32)
-    return np.asarray(reached > 0)
 
 
 def _smallest_distance(values: np.ndarray) -> np.ndarray:

@@ -27,6 +27,7 @@ __all__ = [
     "derivative_matrix",
     "factors_at",
     "function_bounds",
+    "function_orders",
     "functions_at",
     "wave",
 ]
@@ -53,6 +54,22 @@ def chains(shapes: Sequence[ModeShape]) -> Iterator[tuple[int, int, bool]]:
     starts = [place for place, shape in enumerate(shapes) if not shape.joined]
     for first, end in pairwise([*starts, len(shapes)]):
         yield first, end, end - first > 1 or shapes[first].paired
+
+
+def function_orders(shapes: Sequence[ModeShape]) -> list[int]:
+    """The power of time that is each function's unit: k of t^k and of a difference of k + 1."""
+    found: list[int] = []
+    for first, end, chain in chains(shapes):
+        poles = 0
+        for shape in shapes[first:end]:
+            if shape.paired:
+                found += [poles, poles + 1]
+            elif chain and shape.joined:
+                found += [poles] * len(shape.places)
+            else:
+                found += [k for k in range(shape.length) for _ in range(1 + shape.oscillates)]
+            poles += shape.length + shape.paired
+    return found
 
 
 def functions_at(

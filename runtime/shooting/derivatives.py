@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.core.matrices import exponentials
+from nonsmooth.runtime.model.balancing import balanced
 from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.model.simple_modes import balanced
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, phases_in
 from nonsmooth.runtime.shooting.variational import COMPLEX_STEP, shooting_map
 

@@ -46,6 +46,7 @@ def test_a_held_mass_and_a_forcing_drive_the_rest(count: int, which: int) -> Non
 
 def test_what_is_asked_for_takes_this_way(monkeypatch: pytest.MonkeyPatch) -> None:
     """A held mass is no reason to search for clusters in many digits."""
+    numeric_modes(held(3, 2))  # whose held mass and forcing are those of the next
     monkeypatch.setattr("nonsmooth.runtime.model.modes._decomposed", None)
     field = held(8, 7)
     assert missed(field, numeric_modes(field)) < 1e-15

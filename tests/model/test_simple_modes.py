@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
+from nonsmooth.runtime.model.balancing import balanced
 from nonsmooth.runtime.model.modes import grouped_modes
 from nonsmooth.runtime.model.projectors import exponentials_at
-from nonsmooth.runtime.model.simple_modes import balanced, simple_modes
+from nonsmooth.runtime.model.simple_modes import simple_modes
 from nonsmooth.runtime.model.time_functions import functions_at
 
 
@@ -34,6 +35,10 @@ def fields(seed: int, count: int) -> list[np.ndarray]:
     ]
 
 
+def without_rows(stack: np.ndarray) -> np.ndarray:
+    return np.zeros((len(stack), 0, stack.shape[2]))
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_they_sum_up_to_the_exponential(seed: int) -> None:
     stack = np.array(fields(seed, 6))
@@ -59,9 +64,10 @@ def test_they_sum_up_to_the_exponential(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_no_digit_depends_on_what_else_is_in_the_stack(seed: int) -> None:
     stack = np.array(fields(seed, 9))
-    for group in grouped_modes(stack):
+    for group in grouped_modes(stack, without_rows(stack)):
         for row, place in enumerate(group.places.tolist()):
-            (alone,) = grouped_modes(stack[place : place + 1])
+            one = stack[place : place + 1]
+            (alone,) = grouped_modes(one, without_rows(one))
             assert alone.shapes == group.shapes
             np.testing.assert_array_equal(alone.exponents[0], group.exponents[row])
             np.testing.assert_array_equal(alone.flows[0][0], group.flows[0][row])
@@ -77,7 +83,8 @@ def test_equal_and_nearly_equal_eigenvalues_are_left_to_clusters() -> None:
 def test_a_configuration_without_numbers_spoils_no_other() -> None:
     stack = np.array([chain(2, 0.1, 0.5 + 0.1 * k) for k in range(6)])
     stack[3, 0, 0] = np.inf
-    found = {place: group for group in grouped_modes(stack) for place in group.places.tolist()}
+    groups = grouped_modes(stack, without_rows(stack))
+    found = {place: group for group in groups for place in group.places.tolist()}
     assert sorted(found) == list(range(6))
     for place, group in found.items():
         row = group.places.tolist().index(place)

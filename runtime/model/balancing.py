@@ -1,0 +1,76 @@
+"""Which states depend on which, and units in which a matrix's rows and columns are of like size."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+__all__ = ["balanced", "dependence"]
+
+_SWEEPS = 40
+
+
+def balanced(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Change of units, by powers of two, after which rows and columns are of like size.
+
+    Parlett and Reinsch (1969), for many matrices at once.
+
+    Parameters
+    ----------
+    matrices : array (n, m, m)
+
+    Returns
+    -------
+    scaled : array (n, m, m)
+    units : array (n, m)
+        Powers of two: ``scaled = matrices * units[:, None] / units[:, :, None]``.
+    """
+    scaled, units = matrices.copy(), np.ones(matrices.shape[:2])
+    for _ in range(_SWEEPS):
+        changed = False
+        for i in range(matrices.shape[-1]):
+            column, row = np.abs(scaled[:, :, i]).max(axis=1), np.abs(scaled[:, i]).max(axis=1)
+            # a factor f turns them into f column and row / f: of like size for f^2 = row / column
+            told = (column > 0) & (row > 0) & np.isfinite(column) & np.isfinite(row)
+            exponent = np.frexp(np.where(told, row / np.where(told, column, 1.0), 1.0))[1]
+            factor = np.where(told, np.ldexp(1.0, exponent // 2), 1.0)
+            better = factor * column + row / factor < 0.95 * (column + row)
+            if better.any():
+                factor = np.where(better, factor, 1.0)
+                units[:, i] *= factor
+                scaled[:, i] /= factor[:, None]
+                scaled[:, :, i] *= factor[:, None]
+                changed = True
+        if not changed:
+            break
+    return scaled, units
+
+
+def dependence(matrices: np.ndarray) -> np.ndarray:
+    """Which entries of a matrix's polynomials may be other than zero.
+
+    Zero exactly, and not but for rounding, stands where a state, as of a forcing, does not
+    depend on another one.
+
+    Parameters
+    ----------
+    matrices : array (n, m, m)
+
+    Returns
+    -------
+    array (n, m, m) of bool
+    """
+    patterns = matrices != 0
+    if (patterns == patterns[:1]).all():
+        return np.broadcast_to(_closure(patterns[0].tobytes(), len(patterns[0])), patterns.shape)
+    return np.stack([_closure(pattern.tobytes(), len(pattern)) for pattern in patterns])
+
+
+@lru_cache(maxsize=4096)
+def _closure(content: bytes, size: int) -> np.ndarray:
+    pattern = np.frombuffer(content, dtype=bool).reshape(size, size)
+    reached = (pattern | np.eye(size, dtype=bool)).astype(np.float32)  # for the products' sake
+    for _ in range(size.bit_length()):
+        reached = (reached @ reached > 0).astype(np.float32)
+    return np.asarray(reached > 0)
