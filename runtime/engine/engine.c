@@ -309,7 +309,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
                 /* the phase goes on from here, or ends with the simulation */
                 const double step = window < left ? window : left;
                 phase_functions(c, step, p->functions);
-                flow(p, n, state, magnitude, room->result);
+                flow(p, n, step, state, magnitude, room->result);
                 now = later(now, step);
                 p->start = 4.0 * DBL_EPSILON * step;
                 set_clear(p->known, words);
@@ -327,7 +327,7 @@ run(const tables *t, const int n, double *state, int32_t *configuration_index, d
             immediate = 0;
             set_copy(located, p->event, words);
             set_copy(p->known, p->event, words);
-            flow(p, n, state, magnitude, room->result);
+            flow(p, n, event.time, state, magnitude, room->result);
             now = later(now, event.time);
             event.time_error = fmax(event.time_error, RESOLUTION * now.high);
             memcpy(before, state, (size_t)n * sizeof *state);

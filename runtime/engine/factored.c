@@ -173,13 +173,7 @@ static void add_two(int n, const double *left, const double *by, const double *s
     }
 }
 
-static double weight_of(double function, int apart)
-{
-    const double size = fabs(function);
-    return apart || size > 1.0 ? size : 1.0;
-}
-
-void factored_flow(const phase *p, int n, const double *functions, int apart,
+void factored_flow(const phase *p, int n, const double *functions, const double *bounds,
                    double *restrict state, double *restrict magnitude)
 {
     const configuration *c = p->c;
@@ -188,21 +182,21 @@ void factored_flow(const phase *p, int n, const double *functions, int apart,
         state[i] = magnitude[i] = 0.0;
     for (int i = 0; i < c->modes; ++i) {
         const mode *m = &c->mode[i];
-        const double *phi = functions + m->first;
+        const double *phi = functions + m->first, *bound = bounds + m->first;
         if (!m->factored) {
             for (int f = 0; f < m->length << m->oscillates; ++f, matrix += (size_t)n * (size_t)(n + 1))
-                add_matrix(n, matrix, phi[f], weight_of(phi[f], apart), p->state, state, magnitude);
+                add_matrix(n, matrix, phi[f], bound[f], p->state, state, magnitude);
             continue;
         }
         const double *left = c->left + (size_t)m->place * (size_t)n;
         const double *z = p->projected + m->place, *size = p->projected_size + m->place;
         if (m->oscillates) {
-            const double cosine = weight_of(phi[0], apart), sine = weight_of(phi[1], apart);
+            const double cosine = bound[0], sine = bound[1];
             const double by[2] = {phi[0] * z[0] - phi[1] * z[1], phi[0] * z[1] + phi[1] * z[0]};
             const double sizes[2] = {cosine * size[0] + sine * size[1],
                                      cosine * size[1] + sine * size[0]};
             add_two(n, left, by, sizes, state, magnitude);
         } else
-            add_one(n, left, phi[0] * z[0], weight_of(phi[0], apart) * size[0], state, magnitude);
+            add_one(n, left, phi[0] * z[0], bound[0] * size[0], state, magnitude);
     }
 }

@@ -20,8 +20,8 @@ void factored_begin(phase *p, int n);
 void factored_sizes(const phase *p, int b, double *sizes);
 
 /* The state at a time of a phase's configuration, from that at its start, and bounds on the sizes
- * of what was summed. `apart`: each function counts by itself, else none below 1. */
-void factored_flow(const phase *p, int n, const double *functions, int apart, double *restrict state,
-                   double *restrict magnitude);
+ * of what was summed, from bounds on the functions. */
+void factored_flow(const phase *p, int n, const double *functions, const double *bounds,
+                   double *restrict state, double *restrict magnitude);
 
 #endif

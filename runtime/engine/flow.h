@@ -30,6 +30,14 @@ fill_phase(phase *p, const configuration *c, const int n, const double *state,
         for (int j = 0; j < n; ++j)
             sum += size[j] * magnitude[j];
         p->size[b] = sum;
+        p->drift[b] = 0.0;
+        if (c->simple && c->mode[0].length == 2) {
+            const double *drift = c->weight + ((size_t)b * (size_t)c->dense + 1) * (size_t)columns;
+            sum = drift[n];
+            for (int j = 0; j < n; ++j)
+                sum += drift[j] * magnitude[j];
+            p->drift[b] = sum;
+        }
     }
     p->c = c;
     p->state = state;
@@ -37,6 +45,8 @@ fill_phase(phase *p, const configuration *c, const int n, const double *state,
     p->states = n;
     if (c->factored)
         factored_begin(p, n);
+    for (int b = 0; b < c->boundaries && !c->simple; ++b)
+        phase_sizes(p, b, p->weights + (size_t)b * (size_t)c->functions);
 }
 
 /* Sum of absolute values of an affine function's products. */
@@ -51,17 +61,18 @@ size_of(const int n, const double *row, const double *state)
 
 /* The state at the time of a phase's functions, and bounds on the sizes of what was summed. */
 INLINED void
-flow(const phase *p, const int n, double *state, double *magnitude, double *room)
+flow(const phase *p, const int n, const double time, double *state, double *magnitude, double *room)
 {
     const configuration *c = p->c;
     const double *functions = p->functions;
     const int columns = n + 1;
-    const int simple = c->uniform && c->mode[0].length <= 2; /* only t can pass 1 */
-    double few[FEW], *const result = n <= FEW ? few : room, largest = 1.0;
+    double few[FEW], *const result = n <= FEW ? few : room;
+    if (!c->simple)
+        phase_bounds(c, time, p->bounds);
     if (c->factored) {
-        for (int f = 0; f < c->functions; ++f)
-            largest = fabs(functions[f]) > largest ? fabs(functions[f]) : largest;
-        factored_flow(p, n, functions, (largest > 1.0 || c->chained) && !simple, result, magnitude);
+        for (int f = 0; f < c->functions && c->simple; ++f)
+            p->bounds[f] = f == 1 && c->mode[0].length == 2 ? time : 1.0;
+        factored_flow(p, n, functions, p->bounds, result, magnitude);
         memcpy(state, result, (size_t)n * sizeof *state);
         return;
     }
@@ -70,7 +81,6 @@ flow(const phase *p, const int n, double *state, double *magnitude, double *room
     const double *row = c->flow, *reach = c->reach;
     for (int f = 0; f < c->functions; ++f) {
         const double function = functions[f];
-        largest = fabs(function) > largest ? fabs(function) : largest;
         for (int i = 0; i < n; ++i, row += columns) {
             double sum = row[n];
             for (int j = 0; j < n; ++j)
@@ -78,20 +88,21 @@ flow(const phase *p, const int n, double *state, double *magnitude, double *room
             result[i] += function * sum;
         }
     }
-    if ((largest > 1.0 || c->chained) && !simple) {
-        /* each function counts by itself: one may be huge */
+    if (!c->simple) {
+        /* each function counts by itself: each has a unit of its own */
         for (int i = 0; i < n; ++i)
             magnitude[i] = 0.0;
         row = c->flow;
         for (int f = 0; f < c->functions; ++f)
             for (int i = 0; i < n; ++i, row += columns)
-                magnitude[i] += fabs(functions[f]) * size_of(n, row, state);
+                magnitude[i] += p->bounds[f] * size_of(n, row, state);
     } else {
+        const int drifts = c->mode[0].length == 2;
         const double *drift = c->flow + (size_t)n * columns; /* that of t, if there is one */
         for (int i = 0; i < n; ++i, reach += columns, drift += columns) {
             magnitude[i] = size_of(n, reach, state);
-            if (largest > 1.0)
-                magnitude[i] += (largest - 1.0) * size_of(n, drift, state);
+            if (drifts)
+                magnitude[i] += time * size_of(n, drift, state);
         }
     }
     for (int i = 0; i < n; ++i)

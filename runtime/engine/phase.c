@@ -48,23 +48,45 @@ void phase_functions(const configuration *c, double time, double *functions)
     }
 }
 
+void phase_bounds(const configuration *c, double time, double *bounds)
+{
+    for (int i = 0; i < c->modes; ++i) {
+        const mode *m = &c->mode[i];
+        if (m->chain > 0) {
+            chain_bounds(m, m->chain, time, time, bounds + m->first);
+            i += m->chain - 1;
+            continue;
+        }
+        const double growth = m->rate != 0.0 ? exp(m->rate * time) : 1.0;
+        spread(m, time, growth, growth, bounds);
+    }
+}
+
+void phase_sizes(const phase *p, int b, double *sizes)
+{
+    const configuration *c = p->c;
+    const int n = p->states;
+    if (c->factored) {
+        factored_sizes(p, b, sizes);
+        return;
+    }
+    const double *weight = c->weight + (size_t)b * (size_t)c->dense * (size_t)(n + 1);
+    for (int f = 0; f < c->functions; ++f, weight += n + 1) {
+        sizes[f] = weight[n];
+        for (int j = 0; j < n; ++j)
+            sizes[f] += weight[j] * p->magnitude[j];
+    }
+}
+
 beginning phase_beginning(const phase *p, int b)
 {
     const configuration *c = p->c;
     const int n = p->states, count = c->functions;
     double *value = p->scratch, *next = value + count;
     double *size = next + count, *above = size + count;
-    const double *weight = c->weight + (size_t)b * (size_t)c->dense * (size_t)(n + 1);
     for (int f = 0; f < count; ++f)
         value[f] = value_of(p, b)[f];
-    if (c->factored)
-        factored_sizes(p, b, size);
-    else
-        for (int f = 0; f < count; ++f, weight += n + 1) {
-            size[f] = weight[n];
-            for (int j = 0; j < n; ++j)
-                size[f] += weight[j] * p->magnitude[j];
-        }
+    phase_sizes(p, b, size);
     double d = at_start(c, value);
     for (int order = 0; order <= n; ++order) {
         differentiate(c, value, next);
@@ -116,8 +138,9 @@ int phase_begin(phase *p)
         if (fabs(g) <= slack * START * p->size[b] + p->start * fabs(rate)) {
             p->start_of[b] = ZERO;
             /* the first derivative decides if it exceeds generous bounds on its error */
-            const double rough = START * p->size[b] * (c->fastest + 1.0) + p->start * second;
-            const beginning first = c->uniform && c->mode[0].length <= 2 && fabs(rate) > rough
+            const double rough =
+                START * (p->size[b] * c->fastest + p->drift[b]) + p->start * second;
+            const beginning first = c->simple && fabs(rate) > rough
                                         ? (beginning){1, rate > 0.0 ? 1 : -1}
                                         : phase_beginning(p, b);
             if (first.sign > 0) {
@@ -132,7 +155,7 @@ int phase_begin(phase *p)
             crossed = 1;
         }
         /* a sum that never rises to zero needs no search */
-        if (c->uniform && c->mode[0].length <= 2) {
+        if (c->simple) {
             const double drift = c->mode[0].length == 2 ? value[1] : 0.0;
             if (drift <= 0.0 && value[0] + amplitude < -SAMPLE * p->size[b])
                 continue;
@@ -147,7 +170,7 @@ int phase_begin(phase *p)
 /* Orders of a series beside those of the leading one, which is below the number of states. */
 enum { ORDERS = 24, FEW_STATES = 16 };
 
-enum { SETS = 3, ARRAYS = 13 };
+enum { SETS = 3, ARRAYS = 16 };
 
 int phase_create(phase *p, const layout *l)
 {
@@ -159,11 +182,11 @@ int phase_create(phase *p, const layout *l)
     double **const array[ARRAYS] = {&p->value,  &p->slope,  &p->size,      &p->amplitude,
                                     &p->second, &p->fourth, &p->series,    &p->functions,
                                     &p->sampled, &p->scratch, &p->waves,     &p->projected,
-                                    &p->projected_size};
+                                    &p->projected_size, &p->drift, &p->weights, &p->bounds};
     const size_t size[ARRAYS] = {products,   products,   boundaries, boundaries,
                                  boundaries, boundaries, orders,     functions,
                                  functions,  4 * functions, waves,   factored,
-                                 factored};
+                                 factored,   boundaries, products,   functions};
     size_t doubles = 0;
     for (int i = 0; i < ARRAYS; ++i)
         doubles = size_sum(doubles, size[i]);

@@ -43,7 +43,9 @@ typedef struct {
     int states, words;
     double *value;           /* coefficients of g, boundary by boundary */
     double *slope;           /* of g' */
-    double *size;            /* of the products that make g up */
+    double *size;            /* of the products that make g up at the start */
+    double *drift;           /* of those with t, if simple */
+    double *weights;         /* of those with each function, if not simple */
     double *amplitude;       /* of its oscillations */
     double *second, *fourth; /* bounds on |g''| and |g''''|, if uniform */
     unsigned char *start_of; /* ZERO, LEAVING and SLOW, where they are so */
@@ -52,6 +54,7 @@ typedef struct {
     uint32_t *known;         /* the set that was located at the instant of the start */
     uint32_t *event;         /* the set that is reached together */
     double *functions;       /* of the configuration, at the event */
+    double *bounds;          /* on their absolute values */
     double *projected;       /* v . (y, 1) of each factor, at the start */
     double *projected_size;  /* of the products that make it up */
     patience *patience;
@@ -92,6 +95,12 @@ beginning phase_beginning(const phase *p, int b);
 
 /* Values at `time` of the functions of a configuration, each within a few ulps. */
 void phase_functions(const configuration *c, double time, double *functions);
+
+/* Bounds on their absolute values at `time`. */
+void phase_bounds(const configuration *c, double time, double *bounds);
+
+/* Sizes of the products that make up the coefficient of each function of a boundary. */
+void phase_sizes(const phase *p, int b, double *sizes);
 
 /* Set up a phase of which `c` to `states`, `value` and `size` are filled in; whether boundaries
  * are crossed at once, which then are its event. */

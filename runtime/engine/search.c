@@ -119,6 +119,24 @@ static inline void advance(const configuration *c, double time, double *restrict
     }
 }
 
+/* Length of the first cell of polynomials: a power of two before which none has another zero than
+ * that of its start. */
+static double first_cell(const phase *p)
+{
+    double shortest = HUGE_VAL;
+    for (int i = 0; i < p->watching; ++i) {
+        const double *value = value_of(p, p->watched[i]);
+        int lowest = p->start_of[p->watched[i]] & ZERO ? 1 : 0;
+        while (lowest < p->c->functions && value[lowest] == 0.0)
+            ++lowest;
+        for (int k = lowest + 1; k < p->c->functions; ++k)
+            if (value[k] != 0.0)
+                shortest = fmin(shortest, pow(fabs(value[lowest] / value[k]) / p->c->functions,
+                                              1.0 / (k - lowest)));
+    }
+    return shortest > 0.0 && shortest < HUGE_VAL ? ldexp(1.0, ilogb(shortest)) : 1.0;
+}
+
 crossing phase_search(phase *p, double window)
 {
     const configuration *c = p->c;
@@ -133,7 +151,6 @@ crossing phase_search(phase *p, double window)
     cell_ends *const ends = p->ends;
     const int *const watched = p->watched, watching = p->watching;
     const size_t work = (size_t)c->boundaries * (size_t)c->functions;
-    const int simple = c->uniform && c->mode[0].length <= 2;
     for (int i = 0; i < c->modes; ++i) {
         cosine[i] = 1.0;
         sine[i] = 0.0;
@@ -145,13 +162,14 @@ crossing phase_search(phase *p, double window)
         if (p->start_of[b] & LEAVING)
             g->left.value = 0.0;
         g->base = g->slack = SAMPLE * p->size[b];
-        g->drift = simple && c->mode[0].length == 2 ? SAMPLE * fabs(value_of(p, b)[1]) : 0.0;
+        g->drift = SAMPLE * p->drift[b];
         g->bound = p->fourth[b];
     }
     /* A window of LONGEST_WAIT radians has as many cells as radians. Where nothing sets a length,
-     * the cells double, from 1 to what is no number: 1024 times. */
+     * the cells double, to what is no number: 2048 times. */
     const int doubling = c->polynomial >= 0 || !(c->fastest > 0.0);
-    double time = 0.0, h = c->cell;
+    double time = 0.0, h = doubling ? first_cell(p) : c->cell;
+    const double shortest = SHORTEST * h; /* powers of it do not underflow */
     for (long cell = 0; time < window; ++cell) {
         if (lost_after(p->patience, work)) {
             event.found = -1;
@@ -177,8 +195,8 @@ crossing phase_search(phase *p, double window)
                                 dot(c->functions, slope_of(p, b), functions)};
             const int leaves = cell == 0 && p->start_of[b] & LEAVING;
             g->slack = g->base + g->drift * next;
-            if (!simple) {
-                g->slack = SAMPLE / VALUE * error_at(p, b, next);
+            if (!c->simple) {
+                g->slack = SAMPLE_APART * sizes_on(p, b, from, next);
                 g->bound = fourth_bound(p, b, from, next);
             }
             if (!stays_below(g->left, g->right, width, g->bound, g->slack, leaves) ||
@@ -206,7 +224,6 @@ crossing phase_search(phase *p, double window)
                 found = cell_first(p, &s, from, earliest, from);
             else {
                 cell_leave(&s);
-                const double shortest = SHORTEST * c->cell; /* powers of it do not underflow */
                 const double least = s.order > 0 ? cell_away(&s, next) : 0.0;
                 const double away = least > shortest ? least : shortest;
                 found = s.order == 0 || away >= next ? HUGE_VAL

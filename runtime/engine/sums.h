@@ -13,6 +13,9 @@
 static const double VALUE = 8.0 * DBL_EPSILON;
 static const double SAMPLE = 96.0 * DBL_EPSILON;
 static const double START = 16.0 * DBL_EPSILON;
+/* Of a value and a sample where functions pass 1, and exponents that are rounded. */
+static const double APART = 16.0 * DBL_EPSILON;
+static const double SAMPLE_APART = 192.0 * DBL_EPSILON;
 
 /* Functions of one mode from e^(st) cos(wt) and e^(st) sin(wt). */
 static inline void spread(const mode *m, double time, double cosine, double sine, double *functions)
@@ -155,16 +158,22 @@ static inline const double *slope_of(const phase *p, int b)
     return p->slope + (size_t)b * (size_t)p->c->functions;
 }
 
+static inline const double *weights_of(const phase *p, int b)
+{
+    return p->weights + (size_t)b * (size_t)p->c->functions;
+}
+
+/* Sizes of the products that make g_b up over [from, to], and what e^(st) adds to their errors. */
+static inline double sizes_on(const phase *p, int b, double from, double to)
+{
+    return bound_on(p->c, weights_of(p, b), from, to) * (1.0 + 0.125 * p->c->steepest * to);
+}
+
 /* Error of g_b at a time that is not advanced by rotation. */
 static inline double error_at(const phase *p, int b, double time)
 {
-    const configuration *c = p->c;
-    double size = p->size[b];
-    if (c->uniform && c->mode[0].length == 2)
-        size += fabs(value_of(p, b)[1]) * time;
-    else if (!c->uniform || c->mode[0].length > 2)
-        size += bound_on(c, value_of(p, b), time, time);
-    return VALUE * size;
+    return p->c->simple ? VALUE * (p->size[b] + p->drift[b] * time)
+                        : APART * sizes_on(p, b, time, time);
 }
 
 static inline double second_bound(const phase *p, int b, double from, double to)

@@ -226,7 +226,7 @@ static const double CELL = 1.0;
 static void fill_modes(configuration *c, mode *modes, const double *exponents)
 {
     int function = 0, lengths = 0, factored = 0;
-    c->fastest = c->slowest = c->growth = 0.0;
+    c->fastest = c->slowest = c->growth = c->steepest = 0.0;
     c->uniform = c->harmonic = 1;
     c->chained = 0;
     for (int m = 0; m < c->modes; ++m) {
@@ -241,6 +241,7 @@ static void fill_modes(configuration *c, mode *modes, const double *exponents)
         const double speed = hypot(one->rate, one->frequency);
         c->fastest = speed <= c->fastest ? c->fastest : speed <= DBL_MAX ? speed : HUGE_VAL;
         c->growth = one->rate > c->growth ? one->rate : c->growth;
+        c->steepest = fabs(one->rate) > c->steepest ? fabs(one->rate) : c->steepest;
         if (speed > 0.0 && (c->slowest == 0.0 || speed < c->slowest))
             c->slowest = speed;
         if (one->rate > 0.0 || (m > 0 && one->length > 1))
@@ -260,6 +261,7 @@ static void fill_modes(configuration *c, mode *modes, const double *exponents)
     /* the fourth derivative of a cubic vanishes, whatever the time */
     if (modes[0].length > 4)
         c->uniform = 0;
+    c->simple = c->uniform && modes[0].length <= 2;
     c->cell = c->fastest > 0.0 ? CELL / c->fastest : 1.0;
     /* powers of the fastest exponent are out of range soon, in this unit they stay near 1 */
     c->unit = c->fastest > 1e-150 && c->fastest < 1e150 ? ldexp(1.0, -ilogb(c->fastest)) : 1.0;
@@ -301,7 +303,7 @@ static void fill_orders(int n, const double *row, const double *field, double un
 /* Coefficients of a boundary's function by the state, and the same of absolute values: of one
  * function of time. */
 static void fill_boundary(int n, const double *row, const double *flow, int is_constant,
-                          double *boundary, double *weight, double *size)
+                          double *boundary, double *weight)
 {
     const int columns = n + 1;
     for (int j = 0; j < columns; ++j)
@@ -316,8 +318,17 @@ static void fill_boundary(int n, const double *row, const double *flow, int is_c
         boundary[n] += row[n];
         weight[n] += fabs(row[n]);
     }
-    for (int j = 0; j < columns; ++j)
-        size[j] += weight[j];
+}
+
+static int functions_of(const mode *m)
+{
+    return m->length << m->oscillates;
+}
+
+/* Whether a function of a mode is 1 or less, and not t^k or a difference, whose unit is one of time. */
+static int has_no_unit(const mode *m, int part)
+{
+    return !m->joined && (m->paired ? part == 0 : part <= m->oscillates);
 }
 
 /* Whether a row of a reset keeps a state as it is. */
@@ -376,20 +387,27 @@ void tables_fill(tables *tables, const double *numbers)
         if (!c->factored) {
             for (size_t k = 0; k < matrix; ++k)
                 reach[k] = 0.0;
-            for (int f = 0; f < c->functions; ++f)
-                for (size_t k = 0; k < matrix; ++k)
-                    reach[k] += fabs(c->flow[(size_t)f * matrix + k]);
+            for (int m = 0; m < c->modes; ++m)
+                for (int part = 0; part < functions_of(&c->mode[m]); ++part)
+                    for (size_t k = 0; k < matrix && has_no_unit(&c->mode[m], part); ++k)
+                        reach[k] += fabs(c->flow[(size_t)(c->mode[m].first + part) * matrix + k]);
             reach += matrix;
         }
         for (int b = 0; b < c->boundaries; ++b) {
             const double *row = rows + (size_t)l->boundary_row[l->boundary_start[i] + b] * columns;
             memset(size, 0, columns * sizeof *size);
-            for (int f = 0; f < c->dense; ++f) {
-                /* the constant joins the function 1 */
-                fill_boundary(n, row, c->flow + (size_t)f * matrix, f == 0 && !c->mode[0].factored,
-                              boundary, weight, size);
-                boundary += columns;
-                weight += columns;
+            const double *flow = c->flow;
+            for (int m = 0; m < c->modes; ++m) {
+                const mode *one = &c->mode[m];
+                for (int part = 0; part < functions_of(one) && !one->factored; ++part) {
+                    /* the constant joins the function 1 */
+                    fill_boundary(n, row, flow, m == 0 && part == 0, boundary, weight);
+                    for (size_t j = 0; j < columns && has_no_unit(one, part); ++j)
+                        size[j] += weight[j];
+                    flow += matrix;
+                    boundary += columns;
+                    weight += columns;
+                }
             }
             if (c->factored) {
                 factored_boundary(c, n, row, across, spread, size);

@@ -54,20 +54,22 @@ typedef struct {
     int modes, functions, boundaries;
     int factored, dense; /* functions with factors, and with matrices */
     int uniform;    /* derivatives are bounded by their amplitudes at every later time */
+    int simple;     /* uniform, and no function but t passes 1 */
     int harmonic;   /* nothing but 1, t, cosines and sines */
     int chained;    /* some modes are a chain */
     int polynomial; /* largest power of t where there is no other function, else -1 */
     double fastest, slowest; /* largest |exponent|, smallest that is not zero */
     double growth;  /* largest real exponent, 0 if none is positive */
+    double steepest; /* largest absolute value of a real part */
     double cell;    /* length h of a search cell */
     double unit;    /* of time, a power of two near it: that of derivatives of high order */
     const mode *mode;
     const double *flow;     /* [dense][state][states + 1]: B_f, beta_f */
     const double *boundary; /* [boundary][dense][states + 1]: its row times B_f, beta_f */
     const double *weight;   /* [boundary][dense][states + 1]: the same of absolute values */
-    const double *size;     /* [boundary][states + 1]: sum of weight over all functions */
-    const double *reach;    /* [state][states + 1]: sum of |B_f|, |beta_f| over functions; NULL
-                               where some have factors */
+    const double *size;     /* [boundary][states + 1]: sum of weight over functions of unit 1 */
+    const double *reach;    /* [state][states + 1]: sum of |B_f|, |beta_f| over functions of unit
+                               1; NULL where some have factors */
     const double *left;     /* [factored][states]: u */
     const double *right;    /* [factored][states + 1]: v */
     const double *across;   /* [boundary][factored + 1]: its row times u, then its constant, or 0

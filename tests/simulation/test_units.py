@@ -1,0 +1,90 @@
+"""Motions are the same in all units of length, time and mass, and of both engines."""
+
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nonsmooth as ns
+from tests.scaled_systems import Scaled, random_scaled
+
+# units of length, inverse units of time, units of mass
+POWERS_OF_TWO = [
+    (1, 64, 1),
+    (Fraction(1, 2**20), 2**10, 8),
+    (2**30, Fraction(1, 2**12), Fraction(1, 2)),
+]
+OTHERS = [
+    (1, 70, 1),
+    (1, 150, 3),
+    (Fraction(1, 1000), 300, 1),
+    (Fraction(1, 10**6), 1200, 7),
+    (Fraction(1, 1000), 75, 1000),
+    (10**9, Fraction(1, 10**6), 1),
+    (1, 10**5, 1),
+]
+TRANSITIONS = 40
+
+
+def motion(scaled: Scaled, length: Any, rate: Any, mass: Any) -> Any:
+    return ns.simulate(
+        scaled.system,
+        scaled.parameters(length, rate, mass),
+        scaled.start(length, rate),
+        until=40 / float(rate),
+        transitions=TRANSITIONS,
+    )
+
+
+def compare(found: Any, rate: Any, wanted: Any) -> None:
+    """The same sequence, at times that differ by rounding."""
+    assert found.configurations == wanted.configurations
+    assert found.status == wanted.status
+    # a motion that diverges by e^(0.5 t) makes of a rounding 1e-8
+    np.testing.assert_allclose(found.times * float(rate), wanted.times, rtol=0, atol=1e-8)
+
+
+@pytest.fixture
+def engine(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+    monkeypatch.setenv("NONSMOOTH_BACKEND", request.param)
+    return str(request.param)
+
+
+ENGINES = [pytest.param("c", marks=pytest.mark.compiled), "numpy"]
+SEEDS = [*range(10), *(pytest.param(k, marks=pytest.mark.slow) for k in range(10, 60))]
+
+
+@pytest.mark.parametrize("engine", ENGINES, indirect=True)
+@pytest.mark.parametrize("seed", SEEDS)
+def test_motions_do_not_depend_on_units(seed: int, engine: str) -> None:
+    scaled = random_scaled(seed)
+    try:
+        wanted = motion(scaled, 1, 1, 1)
+    except ns.InputError as error:  # a start beyond a slider's limit is so in all units
+        for units in (*POWERS_OF_TWO, *OTHERS):
+            with pytest.raises(type(error)):
+                motion(scaled, *units)
+        return
+    for units in POWERS_OF_TWO:
+        found = motion(scaled, *units)
+        assert found.configurations == wanted.configurations
+        np.testing.assert_array_equal(found.times * float(units[1]), wanted.times)
+    for units in OTHERS if engine == "c" else OTHERS[seed % 3 :: 3]:
+        compare(motion(scaled, *units), units[1], wanted)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("seed", SEEDS)
+def test_engines_agree(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    scaled = random_scaled(seed)
+    units = OTHERS[seed % len(OTHERS)]
+    found = []
+    for backend in ("c", "numpy"):
+        monkeypatch.setenv("NONSMOOTH_BACKEND", backend)
+        try:
+            found.append(motion(scaled, *units))
+        except ns.InputError:
+            assert not found
+            return
+    compare(found[0], 1, found[1])
