@@ -19,7 +19,7 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
 from nonsmooth.runtime.orbits.table_digits import digits_of
 from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
-from nonsmooth.runtime.shooting.newton import CONVERGED, UNSURE
+from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import (
     guesses,
     itinerary_shape,
@@ -32,10 +32,10 @@ from nonsmooth.runtime.shooting.symmetric_orbit import (
     whole_shape,
 )
 from nonsmooth.runtime.shooting.symmetry import symmetry_of
-from nonsmooth.runtime.shooting.table_newton import solve_shape
+from nonsmooth.runtime.shooting.table_newton import TableSolution, solve_shape
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 
-__all__ = ["Symmetries", "solve_itinerary"]
+__all__ = ["Symmetries", "known_orbit", "solve_itinerary"]
 
 Symmetries = Mapping[str, str] | np.ndarray | Sequence[Sequence[int]] | None
 
@@ -106,8 +106,7 @@ def solve_itinerary(
         part, numbers_of(closed)[None], dwell.reshape(1, -1), begin, np.array([length])
     )
     found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
-    digits = int(digits_of(part, numbers_of(closed)[None], found, np.array([length]))[0])
-    status = UNSURE if found.status[0] == CONVERGED and not digits else int(found.status[0])
+    digits, status = digits_of(part, numbers_of(closed)[None], found, np.array([length]))
     part_of_it = found.dwell[0], found.starts[0]
     times, states = whole_orbit(point, cycle, mirror, *part_of_it, np)
     kernels = with_routes_at(kernels, point, cycle.itinerary, times, states)
@@ -118,7 +117,65 @@ def solve_itinerary(
         times,
         states,
         float(found.residual[0]),
-        digits,
+        int(digits[0]),
         int(found.iterations[0]),
-        status,
+        int(status[0]),
+    )
+
+
+def known_orbit(
+    system: SystemKernels,
+    parameters: Mapping[str, object],
+    itinerary: Sequence[tuple[str, str]],
+    dwell_times: np.ndarray,
+    states: np.ndarray,
+    residual: float,
+) -> Orbit:
+    """Periodic orbit of numbers that were solved for before: they stay, digits are counted anew.
+
+    Parameters
+    ----------
+    system : SystemKernels
+    parameters : mapping of str to str, number or Value
+        All physical parameters of the system.
+    itinerary : sequence of (configuration, boundary)
+    dwell_times : array (p,)
+    states : array (p, N)
+        At the start of each phase.
+    residual : float
+
+    Returns
+    -------
+    Orbit
+        Its `status` says whether it can be told from rounding; nothing is solved.
+
+    Raises
+    ------
+    InputError
+        For wrong names or values, or an itinerary that the system does not allow.
+    """
+    kernels = with_routes(system, itinerary)
+    point = piecewise(kernels, parameters)
+    cycle = itinerary_shape(point.structure, itinerary)
+    closed, part = closing(point, cycle, None)
+    found = TableSolution(
+        dwell_times[None],
+        states[None],
+        np.full((1, *2 * states.shape[1:]), np.nan),
+        np.array([residual]),
+        np.zeros(1, dtype=np.int32),
+        np.full(1, CONVERGED, dtype=np.int32),
+    )
+    digits, status = digits_of(part, numbers_of(closed)[None], found, np.full(1, np.nan))
+    kernels = with_routes_at(kernels, point, cycle.itinerary, dwell_times, states)
+    return orbit_of(
+        TableProblem(kernels, cycle.itinerary),
+        point.parameters,
+        None,
+        dwell_times,
+        states,
+        residual,
+        int(digits[0]),
+        0,
+        int(status[0]),
     )
