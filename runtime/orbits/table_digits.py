@@ -102,9 +102,10 @@ def _judged(
     dwell, start = found.dwell[places], found.starts[places, 0]
     with np.errstate(all="ignore"):
         errors, of_dwell = _errors(cycle, flat[places], dwell, start, period[places])
-    vanishes = (dwell <= of_dwell).any(axis=-1)
-    status = np.where(vanishes, NEGATIVE, CONVERGED)
-    return errors, np.where(errors < most, status, UNSURE)
+    lost = ~(dwell > of_dwell)
+    vanishes = lost & (dwell <= SHORTEST * dwell.sum(axis=-1, keepdims=True))
+    status = np.where(errors < most, np.where(lost.any(axis=-1), NEGATIVE, CONVERGED), UNSURE)
+    return errors, np.where(vanishes.any(axis=-1), NEGATIVE, status)
 
 
 def _far_apart(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) -> np.ndarray:

@@ -7,20 +7,22 @@ boundaries and transitions are enough. Coordinates are physical, positions befor
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
 from nonsmooth.runtime.orbits.table_digits import digits_of
 from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
     guesses,
     itinerary_shape,
 )
@@ -31,7 +33,7 @@ from nonsmooth.runtime.shooting.symmetric_orbit import (
     whole_orbit,
     whole_shape,
 )
-from nonsmooth.runtime.shooting.symmetry import symmetry_of
+from nonsmooth.runtime.shooting.symmetry import Symmetry, symmetry_of
 from nonsmooth.runtime.shooting.table_newton import TableSolution, solve_shape
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 
@@ -78,49 +80,16 @@ def solve_itinerary(
         For wrong names, values or numbers of guesses, an itinerary that the system does not
         allow, or what is no symmetry of the system at these parameters.
     """
-    mirror, phases = None, itinerary
-    if symmetry is not None:
-        declared = piecewise(system, parameters)
-        mirror = symmetry_of(declared, symmetry)
-        phases = whole_itinerary(declared.structure, mirror, itinerary)
-    kernels = with_routes(system, phases)
-    point = piecewise(kernels, parameters)
-    structure = point.structure
-    if mirror is None:
-        cycle = itinerary_shape(structure, itinerary)
-    else:
-        cycle = whole_shape(point, mirror, itinerary)
-    closed, part = closing(point, cycle, mirror)
-    dwell = guesses("the guess of the dwell times", dwell_times, len(part), positive=True)
-    begin, directions = None, translations_of(point)
+    stated = _stated(system, parameters, itinerary, period, symmetry)
+    structure = stated.point.structure
+    dwell = guesses("the guess of the dwell times", dwell_times, len(stated.part), positive=True)
+    begin, directions = None, translations_of(stated.point)
     if start is not None:
         begin = guesses("the guess of the start", start, len(structure.states)).reshape(1, -1)
         begin = up_to_shift(begin, directions)
-    wanted = None if period is None else as_value(period)
-    length = np.nan if wanted is None else float(wanted)
-    if wanted is not None and not 0 < length < np.inf:
-        raise InputError(f"period = {wanted} is not positive and finite")
-    if wanted is not None and mirror is not None:
-        length = float(part_of(wanted, mirror.order))
-    found = solve_shape(
-        part, numbers_of(closed)[None], dwell.reshape(1, -1), begin, np.array([length])
-    )
+    found = solve_shape(stated.part, stated.flat, dwell.reshape(1, -1), begin, stated.length)
     found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
-    digits, status = digits_of(part, numbers_of(closed)[None], found, np.array([length]))
-    part_of_it = found.dwell[0], found.starts[0]
-    times, states = whole_orbit(point, cycle, mirror, *part_of_it, np)
-    kernels = with_routes_at(kernels, point, cycle.itinerary, times, states)
-    return orbit_of(
-        TableProblem(kernels, cycle.itinerary, mirror),
-        point.parameters,
-        wanted,
-        times,
-        states,
-        float(found.residual[0]),
-        int(digits[0]),
-        int(found.iterations[0]),
-        int(status[0]),
-    )
+    return _orbit(stated, found)
 
 
 def known_orbit(
@@ -130,6 +99,9 @@ def known_orbit(
     dwell_times: np.ndarray,
     states: np.ndarray,
     residual: float,
+    *,
+    period: object = None,
+    symmetry: Symmetries = None,
 ) -> Orbit:
     """Periodic orbit of numbers that were solved for before: they stay, digits are counted anew.
 
@@ -143,21 +115,20 @@ def known_orbit(
     states : array (p, N)
         At the start of each phase.
     residual : float
+    period, symmetry
+        As for `solve_itinerary`.
 
     Returns
     -------
     Orbit
-        Its `status` says whether it can be told from rounding; nothing is solved.
+        Its `status` says whether a dwell time, or all of it, is lost in rounding.
 
     Raises
     ------
     InputError
-        For wrong names or values, or an itinerary that the system does not allow.
+        As `solve_itinerary`.
     """
-    kernels = with_routes(system, itinerary)
-    point = piecewise(kernels, parameters)
-    cycle = itinerary_shape(point.structure, itinerary)
-    closed, part = closing(point, cycle, None)
+    stated = _stated(system, parameters, itinerary, period, symmetry)
     found = TableSolution(
         dwell_times[None],
         states[None],
@@ -166,16 +137,66 @@ def known_orbit(
         np.zeros(1, dtype=np.int32),
         np.full(1, CONVERGED, dtype=np.int32),
     )
-    digits, status = digits_of(part, numbers_of(closed)[None], found, np.full(1, np.nan))
-    kernels = with_routes_at(kernels, point, cycle.itinerary, dwell_times, states)
+    return _orbit(stated, found)
+
+
+class _Stated(NamedTuple):
+    """Equations of an orbit at one point; `part` is what a symmetry or translations close."""
+
+    kernels: SystemKernels
+    point: PiecewiseLinear
+    cycle: ItineraryShape
+    mirror: Symmetry | None
+    part: ItineraryShape
+    flat: np.ndarray
+    period: Value | None
+    length: np.ndarray
+
+
+def _stated(
+    system: SystemKernels,
+    parameters: Mapping[str, object],
+    itinerary: Sequence[tuple[str, str]],
+    period: object,
+    symmetry: Symmetries,
+) -> _Stated:
+    """The equations; `length` (1,) is what the part's dwell times sum up to, NaN where free."""
+    mirror, phases = None, itinerary
+    if symmetry is not None:
+        declared = piecewise(system, parameters)
+        mirror = symmetry_of(declared, symmetry)
+        phases = whole_itinerary(declared.structure, mirror, itinerary)
+    kernels = with_routes(system, phases)
+    point = piecewise(kernels, parameters)
+    if mirror is None:
+        cycle = itinerary_shape(point.structure, itinerary)
+    else:
+        cycle = whole_shape(point, mirror, itinerary)
+    closed, part = closing(point, cycle, mirror)
+    wanted = None if period is None else as_value(period)
+    length = np.nan if wanted is None else float(wanted)
+    if wanted is not None and not 0 < length < np.inf:
+        raise InputError(f"period = {wanted} is not positive and finite")
+    if wanted is not None and mirror is not None:
+        length = float(part_of(wanted, mirror.order))
+    flat = numbers_of(closed)[None]
+    return _Stated(kernels, point, cycle, mirror, part, flat, wanted, np.array([length]))
+
+
+def _orbit(stated: _Stated, found: TableSolution) -> Orbit:
+    """Record of a solution, with its digits and the routes that it takes."""
+    digits, status = digits_of(stated.part, stated.flat, found, stated.length)
+    point, cycle, mirror = stated.point, stated.cycle, stated.mirror
+    times, states = whole_orbit(point, cycle, mirror, found.dwell[0], found.starts[0], np)
+    kernels = with_routes_at(stated.kernels, point, cycle.itinerary, times, states)
     return orbit_of(
-        TableProblem(kernels, cycle.itinerary),
+        TableProblem(kernels, cycle.itinerary, mirror),
         point.parameters,
-        None,
-        dwell_times,
+        stated.period,
+        times,
         states,
-        residual,
+        float(found.residual[0]),
         int(digits[0]),
-        0,
+        int(found.iterations[0]),
         int(status[0]),
     )
