@@ -121,7 +121,8 @@ class SoftStop:
     With the penetration g, the force of the stop is stiffness g + damping g' in contact.
     ``released="gap"`` keeps the contact until the gap opens (g = 0): a damped stop then pulls
     a little before. ``released="force"`` ends it when the force vanishes; the mass is then
-    `released`, without a force, until the gap opens or the force would push again.
+    `released`, without a force, until the gap opens or the force would push again. The force of
+    a stop without a damper vanishes as the gap opens: both are the same, ``"gap"``.
 
     Boundaries ``NAME-reaches-stop`` (of `free`), ``NAME-leaves-stop`` (of `contact`), and
     ``NAME-opens`` and ``NAME-meets-again`` (of `released`).
@@ -170,6 +171,8 @@ class SoftStop:
             raise DeclarationError(
                 f"{self.name!r}: released is {self.released!r}, not 'gap' or 'force'"
             )
+        if exact(self.damping) == 0:
+            object.__setattr__(self, "released", "gap")
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from nonsmooth.runtime.cli.application import (
     ranges,
     split,
 )
-from nonsmooth.runtime.cli.keeping import Overwrite, check_new, heeding, kept_of, worked
+from nonsmooth.runtime.cli.keeping import Overwrite, check_new, heeding, kept_of, say, worked
 from nonsmooth.runtime.cli.options import (
     AsJson,
     Physical,
@@ -219,7 +219,8 @@ def find(
         typer.Option(
             "--write",
             metavar="FILE.py",
-            help="Append the orbits as itineraries found-1, ... to the file of the system.",
+            help="Append the orbits that reach a boundary as itineraries found-1, ... to the file"
+            " of the system.",
         ),
     ] = None,
     overwrite: Overwrite = False,
@@ -280,9 +281,15 @@ def find(
 
         written.draw(picture, plot)
     names: tuple[str, ...] = ()
+
+    def append(path: Path) -> None:
+        nonlocal names
+        names = write_itineraries(found, path)
+
     if write is not None and found.orbits and _agreed(f"append the orbits to {write}?"):
-        names = write_itineraries(found, write)
-        written.files.append(str(write))
+        written.save(append, write)
+        if names and (rest := len(found.orbits) - len(names)):
+            say(f"not appended: {rest} of the orbits, which reach no boundary")
     code = written.show(
         lambda: {**found_json(found), "itineraries": list(names)},
         lambda: show_found(found),

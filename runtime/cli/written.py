@@ -35,7 +35,7 @@ class Written:
 
     def __init__(self) -> None:
         self.files: list[str] = []
-        self._unsaved: InputError | None = None
+        self._unsaved: list[InputError] = []
         self._problem: NonsmoothError | KeyboardInterrupt | None = None
 
     def save(self, save: Callable[[Path], object], path: Path | None) -> None:
@@ -53,7 +53,7 @@ class Written:
         try:
             save(path)
         except InputError as problem:
-            self._unsaved = problem
+            self._unsaved.append(problem)
         else:
             self.files.append(str(path))
 
@@ -120,14 +120,14 @@ class Written:
 
     def _ended(self) -> int:
         """Say what could not be written; gives the exit code."""
-        if self._unsaved is not None:
-            say(f"error: not saved: {self._unsaved}")
+        for problem in self._unsaved:
+            say(f"error: not saved: {problem}")
         if isinstance(self._problem, KeyboardInterrupt):
             say("interrupted: no picture is drawn")
             return INTERRUPTED
         if self._problem is not None:
             say(f"error: no picture: {self._problem}")
-        return ANSWERED if self._problem is None and self._unsaved is None else WRONG_INPUT
+        return ANSWERED if self._problem is None and not self._unsaved else WRONG_INPUT
 
     def show_one(
         self,

@@ -12,9 +12,9 @@ from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.orbits.orbit import DOUBLE
 from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
-from nonsmooth.runtime.shooting.newton import CONVERGED, UNSURE
+from nonsmooth.runtime.shooting.newton import CONVERGED, NEGATIVE, UNSURE
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, numbers_in, shoot
-from nonsmooth.runtime.shooting.table_newton import TableSolution, sizes
+from nonsmooth.runtime.shooting.table_newton import SHORTEST, TableSolution, sizes
 from nonsmooth.runtime.shooting.translations import directions_of, up_to_shift
 from nonsmooth.runtime.shooting.variational import Shooting
 
@@ -24,13 +24,14 @@ _EPSILON = float(np.finfo(float).eps)
 _TERM = 8.0  # roundings of one term of a flow
 _TURNED = 1.0  # radians of the fastest mode in which rounding of exponents adds another one
 _MOST_ERROR = 1e-4  # by a bound that is a hundred times the error, or more
+_NO_DIGIT = 0.1
 _WIDE = 1e4  # between a flow's rates, or in radians: nearer together rounding loses few digits
 
 
 def digits_of(
     cycle: ItineraryShape, flat: np.ndarray, found: TableSolution, period: np.ndarray
-) -> np.ndarray:
-    """Decimal digits of orbits in double precision: 0 where there is none.
+) -> tuple[np.ndarray, np.ndarray]:
+    """Decimal digits of orbits in double precision, and what these make of their status.
 
     Parameters
     ----------
@@ -45,17 +46,20 @@ def digits_of(
 
     Returns
     -------
-    array (n,) of int
+    digits : array (n,) of int
+        0 where there is none.
+    status : array (n,) of int
+        `UNSURE` in place of `CONVERGED` where no digit is sure, `NEGATIVE` where a dwell time
+        is zero within its error.
     """
-    digits = np.zeros(len(flat), dtype=int)
-    places = np.flatnonzero(found.status == CONVERGED)
+    digits, status = np.zeros(len(flat), dtype=int), found.status.copy()
+    places = np.flatnonzero(status == CONVERGED)
     if len(places):
-        dwell, start = found.dwell[places], found.starts[places, 0]
+        errors, status[places] = _judged(cycle, flat, found, period, places, _NO_DIGIT)
         with np.errstate(all="ignore"):  # of what is not finite there are no digits
-            errors = _errors(cycle, flat[places], dwell, start, period[places])
             known = np.floor(-np.log10(np.maximum(errors, 1e-300)))
         digits[places] = np.where(np.isfinite(known), np.clip(known, 0, DOUBLE), 0)
-    return digits
+    return digits, status
 
 
 def without_digits(
@@ -63,7 +67,8 @@ def without_digits(
 ) -> np.ndarray:
     """Tell what has converged apart from what rounding leaves too few digits of.
 
-    It is looked at where rates of the flows are far apart, or turn many times in a phase.
+    It is looked at where rates of the flows are far apart, or turn many times in a phase, and
+    where a phase is short.
 
     Parameters
     ----------
@@ -73,16 +78,34 @@ def without_digits(
     Returns
     -------
     array (n,) of int
-        The status of each: `UNSURE` in place of `CONVERGED` where four digits are not sure.
+        The status of each: as of `digits_of`, but `UNSURE` where four digits are not sure.
     """
     status = found.status.copy()
     with np.errstate(all="ignore"):
-        places = np.flatnonzero((status == CONVERGED) & _far_apart(cycle, flat, found.dwell))
-        if len(places):
-            dwell, start = found.dwell[places], found.starts[places, 0]
-            errors = _errors(cycle, flat[places], dwell, start, period[places])
-            status[places[~(errors < _MOST_ERROR)]] = UNSURE
+        short = found.dwell.min(axis=-1) < SHORTEST * found.dwell.sum(axis=-1)
+        looked = short | _far_apart(cycle, flat, found.dwell)
+    places = np.flatnonzero((status == CONVERGED) & looked)
+    if len(places):
+        _, status[places] = _judged(cycle, flat, found, period, places, _MOST_ERROR)
     return status
+
+
+def _judged(
+    cycle: ItineraryShape,
+    flat: np.ndarray,
+    found: TableSolution,
+    period: np.ndarray,
+    places: np.ndarray,
+    most: float,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Errors (k,) of orbits that have converged, at these places, and the status of each."""
+    dwell, start = found.dwell[places], found.starts[places, 0]
+    with np.errstate(all="ignore"):
+        errors, of_dwell = _errors(cycle, flat[places], dwell, start, period[places])
+    lost = ~(dwell > of_dwell)
+    vanishes = lost & (dwell <= SHORTEST * dwell.sum(axis=-1, keepdims=True))
+    status = np.where(errors < most, np.where(lost.any(axis=-1), NEGATIVE, CONVERGED), UNSURE)
+    return errors, np.where(vanishes.any(axis=-1), NEGATIVE, status)
 
 
 def _far_apart(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) -> np.ndarray:
@@ -97,8 +120,8 @@ def _far_apart(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) -> np
 
 def _errors(
     cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray, start: np.ndarray, period: Any
-) -> np.ndarray:
-    """Errors of orbits (n,), the largest of the unknowns' in units of max(1, |x|).
+) -> tuple[np.ndarray, np.ndarray]:
+    """Errors of orbits (n,) in units of max(1, |x|), and of their dwell times (n, p) alone.
 
     What closure and switching miss, and rounding, move the start by as much as the inverse of
     the linearised equations lets them, and the dwell times with it.
@@ -108,7 +131,7 @@ def _errors(
     size_of = sizes(_without_drift(cycle, numbers, now), dwell)
     matrix, right = linearised_closure(now, dwell, size_of, period)
     matrix, right = with_forcing(cycle, numbers, now, size_of, matrix, right, FLOATS)
-    errors = np.full(len(flat), math.inf)
+    errors, of_dwell = np.full(len(flat), math.inf), np.full(dwell.shape, math.inf)
     sound = np.isfinite(matrix).all(axis=(-2, -1)) & np.isfinite(right).all(axis=-1)
     missed, gaps = np.abs(right), []
     for place, configuration in enumerate(cycle.configurations):
@@ -125,7 +148,8 @@ def _errors(
     own = by_state / np.maximum(1, np.abs(start[sound]))
     waits = by_start / np.maximum(1, dwell[sound]).T
     errors[sound] = np.maximum(own.max(axis=-1), waits.max(axis=0))
-    return errors
+    of_dwell[sound] = by_start.T
+    return errors, of_dwell
 
 
 def _rounding(

@@ -29,12 +29,13 @@ from nonsmooth.runtime.orbits.table_limits import limits_at
 from nonsmooth.runtime.orbits.table_motion import motion_along
 from nonsmooth.runtime.orbits.table_phase_functions import Conditions, conditions_of, phase_waves
 from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled
-from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.orbits.table_solve import known_orbit, solve_itinerary
 from nonsmooth.runtime.shooting.derivatives import (
     ShootingDerivatives,
     dependent_variational,
     shooting_derivatives,
 )
+from nonsmooth.runtime.shooting.newton import NEGATIVE
 from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.shooting.shooting_map import (
     Numbers,
@@ -42,6 +43,7 @@ from nonsmooth.runtime.shooting.shooting_map import (
     shoot,
 )
 from nonsmooth.runtime.shooting.symmetric_orbit import closing, closing_matrix
+from nonsmooth.runtime.shooting.table_newton import SHORTEST
 from nonsmooth.runtime.shooting.table_newton import sizes as sizes_along
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
@@ -199,15 +201,20 @@ class TableEquations:
         """See `OrbitEquations`."""
         orbit, symmetry = self.orbit, self.orbit.symmetry
         dwell, start = self._unknowns(x)
-        found = solve_itinerary(
-            orbit.system,
-            {name: given[name] for name in orbit.parameters},
-            self._cycle.itinerary,
-            dwell.tolist(),
-            start.tolist(),
-            period=given.get(PERIOD),
-            symmetry=None if symmetry is None else symmetry.matrix,
-        )
+        parameters = {name: given[name] for name in orbit.parameters}
+        options: Any = {
+            "period": given.get(PERIOD),
+            "symmetry": None if symmetry is None else symmetry.matrix,
+        }
+        asked = orbit.system, parameters, self._cycle.itinerary
+        found = None
+        if dwell.min() < SHORTEST * dwell.sum():  # where it vanishes the equations are singular
+            dwell = np.maximum(dwell, 0.0)
+            now = self._shot(np.concatenate([dwell, x[len(dwell) :]])[None])
+            left = max(np.abs(now.residual).max(), np.abs(now.starts[0, -1] - start).max())
+            found = known_orbit(*asked, dwell, now.starts[0, :-1], float(left), **options)
+        if found is None or found.status != NEGATIVE:
+            found = solve_itinerary(*asked, dwell.tolist(), start.tolist(), **options)
         assert isinstance(orbit.problem, TableProblem)
         return labelled(found, orbit.problem.label, orbit.problem.names)
 

@@ -7,20 +7,22 @@ boundaries and transitions are enough. Coordinates are physical, positions befor
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.values import as_value
+from nonsmooth.runtime.core.values import Value, as_value
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.routes import with_routes, with_routes_at
 from nonsmooth.runtime.orbits.table_digits import digits_of
 from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
-from nonsmooth.runtime.shooting.newton import CONVERGED, UNSURE
+from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.shooting_map import (
+    ItineraryShape,
     guesses,
     itinerary_shape,
 )
@@ -31,11 +33,11 @@ from nonsmooth.runtime.shooting.symmetric_orbit import (
     whole_orbit,
     whole_shape,
 )
-from nonsmooth.runtime.shooting.symmetry import symmetry_of
-from nonsmooth.runtime.shooting.table_newton import solve_shape
+from nonsmooth.runtime.shooting.symmetry import Symmetry, symmetry_of
+from nonsmooth.runtime.shooting.table_newton import TableSolution, solve_shape
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
 
-__all__ = ["Symmetries", "solve_itinerary"]
+__all__ = ["Symmetries", "known_orbit", "solve_itinerary"]
 
 Symmetries = Mapping[str, str] | np.ndarray | Sequence[Sequence[int]] | None
 
@@ -78,6 +80,87 @@ def solve_itinerary(
         For wrong names, values or numbers of guesses, an itinerary that the system does not
         allow, or what is no symmetry of the system at these parameters.
     """
+    stated = _stated(system, parameters, itinerary, period, symmetry)
+    structure = stated.point.structure
+    dwell = guesses("the guess of the dwell times", dwell_times, len(stated.part), positive=True)
+    begin, directions = None, translations_of(stated.point)
+    if start is not None:
+        begin = guesses("the guess of the start", start, len(structure.states)).reshape(1, -1)
+        begin = up_to_shift(begin, directions)
+    found = solve_shape(stated.part, stated.flat, dwell.reshape(1, -1), begin, stated.length)
+    found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
+    return _orbit(stated, found)
+
+
+def known_orbit(
+    system: SystemKernels,
+    parameters: Mapping[str, object],
+    itinerary: Sequence[tuple[str, str]],
+    dwell_times: np.ndarray,
+    states: np.ndarray,
+    residual: float,
+    *,
+    period: object = None,
+    symmetry: Symmetries = None,
+) -> Orbit:
+    """Periodic orbit of numbers that were solved for before: they stay, digits are counted anew.
+
+    Parameters
+    ----------
+    system : SystemKernels
+    parameters : mapping of str to str, number or Value
+        All physical parameters of the system.
+    itinerary : sequence of (configuration, boundary)
+    dwell_times : array (p,)
+    states : array (p, N)
+        At the start of each phase.
+    residual : float
+    period, symmetry
+        As for `solve_itinerary`.
+
+    Returns
+    -------
+    Orbit
+        Its `status` says whether a dwell time, or all of it, is lost in rounding.
+
+    Raises
+    ------
+    InputError
+        As `solve_itinerary`.
+    """
+    stated = _stated(system, parameters, itinerary, period, symmetry)
+    found = TableSolution(
+        dwell_times[None],
+        states[None],
+        np.full((1, *2 * states.shape[1:]), np.nan),
+        np.array([residual]),
+        np.zeros(1, dtype=np.int32),
+        np.full(1, CONVERGED, dtype=np.int32),
+    )
+    return _orbit(stated, found)
+
+
+class _Stated(NamedTuple):
+    """Equations of an orbit at one point; `part` is what a symmetry or translations close."""
+
+    kernels: SystemKernels
+    point: PiecewiseLinear
+    cycle: ItineraryShape
+    mirror: Symmetry | None
+    part: ItineraryShape
+    flat: np.ndarray
+    period: Value | None
+    length: np.ndarray
+
+
+def _stated(
+    system: SystemKernels,
+    parameters: Mapping[str, object],
+    itinerary: Sequence[tuple[str, str]],
+    period: object,
+    symmetry: Symmetries,
+) -> _Stated:
+    """The equations; `length` (1,) is what the part's dwell times sum up to, NaN where free."""
     mirror, phases = None, itinerary
     if symmetry is not None:
         declared = piecewise(system, parameters)
@@ -85,40 +168,35 @@ def solve_itinerary(
         phases = whole_itinerary(declared.structure, mirror, itinerary)
     kernels = with_routes(system, phases)
     point = piecewise(kernels, parameters)
-    structure = point.structure
     if mirror is None:
-        cycle = itinerary_shape(structure, itinerary)
+        cycle = itinerary_shape(point.structure, itinerary)
     else:
         cycle = whole_shape(point, mirror, itinerary)
     closed, part = closing(point, cycle, mirror)
-    dwell = guesses("the guess of the dwell times", dwell_times, len(part), positive=True)
-    begin, directions = None, translations_of(point)
-    if start is not None:
-        begin = guesses("the guess of the start", start, len(structure.states)).reshape(1, -1)
-        begin = up_to_shift(begin, directions)
     wanted = None if period is None else as_value(period)
     length = np.nan if wanted is None else float(wanted)
     if wanted is not None and not 0 < length < np.inf:
         raise InputError(f"period = {wanted} is not positive and finite")
     if wanted is not None and mirror is not None:
         length = float(part_of(wanted, mirror.order))
-    found = solve_shape(
-        part, numbers_of(closed)[None], dwell.reshape(1, -1), begin, np.array([length])
-    )
-    found.starts[0, 0] = up_to_shift(found.starts[0, 0], directions)
-    digits = int(digits_of(part, numbers_of(closed)[None], found, np.array([length]))[0])
-    status = UNSURE if found.status[0] == CONVERGED and not digits else int(found.status[0])
-    part_of_it = found.dwell[0], found.starts[0]
-    times, states = whole_orbit(point, cycle, mirror, *part_of_it, np)
-    kernels = with_routes_at(kernels, point, cycle.itinerary, times, states)
+    flat = numbers_of(closed)[None]
+    return _Stated(kernels, point, cycle, mirror, part, flat, wanted, np.array([length]))
+
+
+def _orbit(stated: _Stated, found: TableSolution) -> Orbit:
+    """Record of a solution, with its digits and the routes that it takes."""
+    digits, status = digits_of(stated.part, stated.flat, found, stated.length)
+    point, cycle, mirror = stated.point, stated.cycle, stated.mirror
+    times, states = whole_orbit(point, cycle, mirror, found.dwell[0], found.starts[0], np)
+    kernels = with_routes_at(stated.kernels, point, cycle.itinerary, times, states)
     return orbit_of(
         TableProblem(kernels, cycle.itinerary, mirror),
         point.parameters,
-        wanted,
+        stated.period,
         times,
         states,
         float(found.residual[0]),
-        digits,
+        int(digits[0]),
         int(found.iterations[0]),
-        status,
+        int(status[0]),
     )

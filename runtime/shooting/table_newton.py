@@ -36,6 +36,7 @@ from nonsmooth.runtime.shooting.shooting_map import (
 from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = [
+    "SHORTEST",
     "TableSolution",
     "message_of",
     "sizes",
@@ -52,8 +53,8 @@ _MESSAGES = {
     CONVERGED: "converged",
     STALLED: "not converged: give a guess nearer to the orbit",
     INVALID: "not finite: a parameter is outside its domain or the guess is far from any orbit",
-    NEGATIVE: "a dwell time goes to zero: near the guess no motion has this itinerary;"
-    " leave that phase out, or change the parameters",
+    NEGATIVE: "a dwell time goes to zero, or is zero within its error: near the guess no motion"
+    " has this itinerary; leave that phase out, or change the parameters",
     SINGULAR: "singular: one of a family of orbits, as there is where a first integral is kept;"
     " give its period",
     UNSURE: BEYOND,

@@ -240,11 +240,11 @@ def test_json_of_find(found):
     others = [float(share) for share in document["outcomes"].values()]
     assert sum(shares) + sum(others) == pytest.approx(1)
     for entry in document["orbits"]:
-        assert {"stability", "itinerary", "start", "multipliers", "trace"} <= entry.keys()
+        assert {"stability", "itinerary", "multipliers", "trace"} <= entry.keys()
         dwell = [float(phase["dwell_time"]) for phase in entry["itinerary"]]
         assert sum(dwell) == pytest.approx(float(entry["period"]))
         assert entry["admissible"] is True
-        assert list(entry["start"]) == ["x1", "x2", "v1", "v2"]
+        assert list(entry["itinerary"][0]["start"]) == ["x1", "x2", "v1", "v2"]
         assert isinstance(entry["multipliers"][0]["re"], str)
 
 

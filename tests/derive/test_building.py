@@ -278,6 +278,15 @@ def test_every_product_has_transitions_for_all_sets_of_boundaries() -> None:
                 assert (configuration.name, frozenset({first.name, second.name})) in sets
 
 
+@pytest.mark.parametrize("damping", [0, "0", sp.Integer(0), sp.Rational(1, 5)])
+def test_the_force_of_a_stop_without_a_damper_vanishes_as_the_gap_opens(damping: Any) -> None:
+    """A phase between the two would take no time."""
+    stop = SoftStop("x", 1, 10, damping, released="force")
+    system = oscillator("clearance", ["x"], [[1]], [[1]], elements=[stop])
+    regimes = {"free", "contact", "released"} if sp.sympify(damping) else {"free", "contact"}
+    assert {configuration.name for configuration in system.configurations} == regimes
+
+
 def test_domains_are_inferred() -> None:
     load, drag = sp.Symbol("load", real=True), sp.Symbol("drag", nonnegative=True)
     system = oscillator(

@@ -205,3 +205,35 @@ def test_a_phase_vanishes_where_the_linear_response_grazes() -> None:
     (event,) = (e for e in followed.events if e.kind == "vanishing-phase")
     squares = np.roots([4, 4 - 3200, 640_000 - 160_000])  # of (800 - 2 W)^2 + 4 W = 160000
     assert event.value == pytest.approx(math.sqrt(squares.max()), rel=1e-7)
+
+
+@pytest.mark.parametrize("seed", [2, 5, 8])
+def test_a_branch_ends_once_where_a_phase_vanishes(seed: int) -> None:
+    """x'' + 2 zeta x' + x = cos(w t) touches x = 1 where w^2 = 2 - 4 zeta^2, whatever the stop.
+
+    There the branch turns, and the contact is left without speed: all of it is one event.
+    """
+    w, k, zeta = sp.symbols("w k zeta")
+    system = oscillator(
+        "bump",
+        ["x"],
+        mass=[[1]],
+        damping=[[2 * zeta]],
+        stiffness=[[1]],
+        forcing=[Harmonic(w, cosine=[1])],
+        elements=[SoftStop("x", at=1, stiffness=k, name="stop")],
+    )
+    rng = np.random.default_rng(seed)
+    bounds = {"w": (0.85, 1.1), "k": (1, 20), "zeta": (0.05, 0.25)}
+    data = {name: f"{rng.uniform(*ends):.2f}" for name, ends in bounds.items()}
+    motion = nonsmooth.simulate(system, data, {"x": 0, "v": 0, "c1": 1, "s1": 0}, until=300)
+    known = nonsmooth.solve(system, data, itinerary=nonsmooth.itinerary_of(motion))
+    branch = nonsmooth.continue_orbit(known, "w", (0.7, 1.7), step=0.05)
+    border = math.sqrt(2 - 4 * float(data["zeta"]) ** 2)
+    (event,) = (e for e in branch.events if abs(e.value - border) < 1e-7)
+    assert (event.kind, branch.events[-1]) == ("vanishing-phase", event)
+    for place in (event, -1):
+        orbit = branch.orbit_at(place)
+        assert not orbit.converged
+        assert "a dwell time goes to zero" in orbit.message
+        np.testing.assert_array_equal(orbit.dwell_times, np.maximum(branch.unknowns[-1, :2], 0))

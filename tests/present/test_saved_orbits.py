@@ -176,6 +176,44 @@ def test_found_orbits_are_appended_to_the_declaration(folder):
     assert again.period == pytest.approx(found.period, rel=1e-12)
 
 
+BUMP = """
+import sympy as sp
+from nonsmooth.derive import Harmonic, SoftStop, oscillator
+
+rubber = SoftStop("x", at=1, stiffness=19, name="rubber")
+system = oscillator("bump", ["x"], mass=[[1]], damping=[["0.16"]], stiffness=[[1]],
+                    forcing=[Harmonic(sp.Symbol("w"), cosine=[1])], elements=[rubber])
+"""
+
+
+def test_orbits_that_reach_no_boundary_are_not_appended(folder):
+    """At w = 1.45 the linear response stays before the stop, and another orbit strikes it."""
+    file = folder / "bump.py"
+    file.write_text(BUMP)
+    options = ("--starts", "10", "--transitions", "100", "--write", "bump.py")
+    answer = answered("find", "bump.py", "w=1.45", *options)
+    reach = [all(phase["boundary"] != "forcing-phase" for phase in orbit["itinerary"])
+             for orbit in answer["orbits"]]  # fmt: skip
+    assert set(reach) == {False, True}
+    assert answer["itineraries"] == [f"found-{k + 1}" for k in range(sum(reach))]
+    striking = answer["orbits"][reach.index(True)]
+    assert ns.solve("bump.py:found-1").period == pytest.approx(float(striking["period"]))
+    text = file.read_text()
+    code, out, err = run("find", "bump.py", "w=3", *options)
+    assert (code, file.read_text()) == (2, text)
+    assert "error: not saved: no orbit that reaches a boundary was found" in err
+    assert "1 periodic orbit from 10 starts" in out
+
+
+def test_what_was_found_is_shown_though_it_cannot_be_appended(folder):
+    (folder / "closed.py").write_text(f"{BUMP}\nassert __file__.endswith('closed.py')\n")
+    options = ("--starts", "4", "--transitions", "100", "--write", "closed.py")
+    code, out, err = run("find", "closed.py", "w=1.2", *options, "--json")
+    assert code == 2
+    assert "error: not saved" in err
+    assert json.loads(out)["orbits"]
+
+
 def test_nothing_is_appended_to_another_file(folder):
     shutil.copy(folder / "gear.py", folder / "other.py")
     for target in ("other.py", "missing.py", "found.json"):

@@ -58,7 +58,7 @@ def test_orbits_are_judged_by_factors_as_by_matrices() -> None:
         numbers = numbers_in(system)
         now = shoot(cycle, numbers, found.dwell[0], found.starts[0, 0], np)
         verdict = assess_cycle(cycle, system, now, found.dwell[0])
-        digits = digits_of(cycle, flat, found, period)
+        digits, _ = digits_of(cycle, flat, found, period)
         many = numbers_in(system.structure, flat)
         waves = phase_waves(cycle, many, found.starts[:, 1], found.dwell, 1)
         told.append((now, verdict, digits, waves))

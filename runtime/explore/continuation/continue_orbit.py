@@ -12,6 +12,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.explore.continuation.branch import Branch
+from nonsmooth.runtime.explore.continuation.event import Event
 from nonsmooth.runtime.explore.continuation.locating import (
     LocatedEvent,
     describe,
@@ -29,12 +30,12 @@ from nonsmooth.runtime.explore.continuation.stepping import (
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.shooting.newton import CONVERGED
+from nonsmooth.runtime.shooting.table_newton import SHORTEST
 
 __all__ = ["STEP", "check_steps", "continue_orbit"]
 
 STEP, MOST_POINTS = 0.01, 2000
 MET = "it meets the branch that it doubles"
-SAME_END = 1e-6  # of a chord: other names of a dwell time that goes to zero
 _NEUTRAL = 1e-10  # distance of a multiplier from the unit circle that is not decided
 
 
@@ -165,7 +166,7 @@ def _branch(curve: OrbitFamily, path: Path) -> Branch:
         for each in found
         if not (
             (each.event.border_collision or each.event.kind == "fold")
-            and any(abs(each.place - end.place) < SAME_END for end in vanished)
+            and any(_vanishes(curve, each.point, end.event) for end in vanished)
         )
     ]
     found += vanished
@@ -222,6 +223,12 @@ def _vanished(curve: OrbitFamily, points: np.ndarray, ends: tuple[str, str]) -> 
             event = describe(curve, monitor, points[place], float(place), None)
             found.append(LocatedEvent(float(place), points[place], event))
     return found
+
+
+def _vanishes(curve: OrbitFamily, z: np.ndarray, end: Event) -> bool:
+    """Whether the phase of an end is so short that another event is a name of its vanishing."""
+    dwell = curve.dwell(z[None])[0]
+    return bool(dwell[end.phase] < SHORTEST * dwell.sum())
 
 
 def _verdict(multipliers: np.ndarray, conservative: bool) -> str:

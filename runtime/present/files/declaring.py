@@ -46,7 +46,8 @@ def check_declaration(system: str, path: Path) -> None:
 def write_itineraries(found: Found, path: Path) -> tuple[str, ...]:
     """Append the orbits that were found to the file that declares their system.
 
-    The file is replaced once its new content has been executed and declares them all.
+    An orbit that reaches no boundary has no itinerary to declare, and is left out. The file is
+    replaced once its new content has been executed and declares all others.
 
     Parameters
     ----------
@@ -61,13 +62,13 @@ def write_itineraries(found: Found, path: Path) -> tuple[str, ...]:
     Raises
     ------
     InputError
-        If nothing was found, the file is another one, cannot be written, or would not declare
-        them.
+        If no orbit reaches a boundary, the file is another one, cannot be written, or would not
+        declare them.
     """
     check_declaration(found.system, path)
-    orbits = [e.orbit for e in found.orbits if isinstance(e.orbit, Orbit)]
+    orbits = [e.orbit for e in found.orbits if not e.orbit.tables.cycle.uninterrupted]
     if not orbits:
-        raise InputError(f"no orbit with an itinerary was found: {path} stays as it is")
+        raise InputError(f"no orbit that reaches a boundary was found: {path} stays as it is")
     known = [orbit.name for orbit in declaration_in(path).orbits]
     names = _free_names(known, len(orbits))
     text = path.read_text(encoding="utf-8")

@@ -21,20 +21,31 @@ from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, known_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
-from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.table_solve import known_orbit
+from nonsmooth.runtime.present.files.table_orbits import check_solves
 
-__all__ = ["FOUND", "found_held", "found_json", "held_found", "load_found", "save_found"]
+__all__ = [
+    "FOUND",
+    "found_held",
+    "found_json",
+    "found_orbit",
+    "held_found",
+    "load_found",
+    "save_found",
+]
 
-_DIGITS_KEPT = 1e-9  # relative change of a dwell time that solving again may make
+_DIGITS_KEPT = 1e-9  # relative change of an equilibrium that solving again may make
 
 
 @dataclass(frozen=True, kw_only=True)
 class FoundPhaseEntries:
-    """A phase of an orbit."""
+    """A phase of an orbit: where it starts, how long it lasts, and how it is left."""
 
     configuration: str
     boundary: str
     dwell_time: Digits
+    start: Mapping[str, Digits]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,7 +75,6 @@ class FoundOrbitEntries:
     starts: int
     share: Digits
     itinerary: tuple[FoundPhaseEntries, ...]
-    start: Mapping[str, Digits]
     multipliers: tuple[MultiplierEntries, ...]
     trace: AnyDigits
     residual: Digits
@@ -117,7 +127,7 @@ FOUND = FileFormat(
     name="nonsmooth found orbits",
     what="file of found orbits",
     entries=FoundEntries,
-    version=3,
+    version=4,
     most=200_000_000,
 )
 
@@ -157,7 +167,7 @@ def save_found(found: Found, path: str | os.PathLike[str]) -> None:
 
 
 def load_found(path: str | os.PathLike[str]) -> Found:
-    """Read what `Found.save` wrote; each orbit is solved again and has to be the same.
+    """Read what `Found.save` wrote, with the same numbers: each orbit has to be one still.
 
     Parameters
     ----------
@@ -185,6 +195,40 @@ def load_found(path: str | os.PathLike[str]) -> Found:
     with naming(path) as file:
         entries = FOUND.read(file)
         return _found(entries, system_in(entries.system, entries.tables))
+
+
+def found_orbit(path: str | os.PathLike[str], number: int | None = None) -> Orbit:
+    """Read one orbit of a file that `Found.save` wrote, whatever the others are.
+
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+    number : int, optional
+        Of the orbit, from 1; needless where there is one.
+
+    Returns
+    -------
+    Orbit
+
+    Raises
+    ------
+    InputError
+        If there is no such orbit, or as `load_found`.
+    """
+    with naming(path) as file:
+        entries = FOUND.read(file)
+        count, name = len(entries.orbits), file.name
+        known = f"{name}:1" if count == 1 else f"{name}:1 ... {name}:{count}"
+        if not count:
+            raise InputError("holds no orbit: none was found")
+        if number is None and count > 1:
+            raise InputError(f"holds {count} orbits: say which, {known}")
+        place = 1 if number is None else number
+        if not 1 <= place <= count:
+            raise InputError(f"holds no orbit {place}; there is {known}")
+        kernels = system_in(entries.system, entries.tables)
+        return _orbit(entries, place - 1, kernels, system_parameters(kernels, entries.parameters))
 
 
 def held_found(path: str | os.PathLike[str]) -> str:
@@ -274,7 +318,7 @@ def _entries(found: Found) -> FoundEntries:
 def _orbit_entries(found: Found, place: int) -> FoundOrbitEntries:
     entry = found.orbits[place]
     orbit = entry.orbit
-    phases = zip(entry.itinerary, orbit.dwell_times.tolist(), strict=True)
+    phases = zip(entry.itinerary, orbit.dwell_times.tolist(), orbit.states.tolist(), strict=True)
     return FoundOrbitEntries(
         period=entry.period,
         forcing_periods=entry.forcing_periods,
@@ -282,10 +326,14 @@ def _orbit_entries(found: Found, place: int) -> FoundOrbitEntries:
         starts=entry.starts,
         share=entry.share,
         itinerary=tuple(
-            FoundPhaseEntries(configuration=configuration, boundary=boundary, dwell_time=duration)
-            for (configuration, boundary), duration in phases
+            FoundPhaseEntries(
+                configuration=configuration,
+                boundary=boundary,
+                dwell_time=duration,
+                start=dict(zip(found.names, start, strict=True)),
+            )
+            for (configuration, boundary), duration, start in phases
         ),
-        start=dict(zip(found.names, orbit.states[0].tolist(), strict=True)),
         multipliers=tuple(
             MultiplierEntries(re=float(m.real), im=float(m.imaginary), trivial=m.trivial)
             for m in orbit.stability.multipliers
@@ -324,17 +372,9 @@ def _mirror_of(mirror: int | None, place: int, before: int) -> int | None:
 def _found(entries: FoundEntries, kernels: SystemKernels) -> Found:
     parameters = system_parameters(kernels, entries.parameters)
     orbits: list[FoundOrbit] = []
-    for entry in entries.orbits:
-        phases = [(phase.configuration, phase.boundary) for phase in entry.itinerary]
-        dwell = [phase.dwell_time for phase in entry.itinerary]
-        orbit = solve_itinerary(kernels, parameters, phases, dwell, list(entry.start.values()))
-        same = np.allclose(orbit.dwell_times, dwell, rtol=_DIGITS_KEPT, atol=0)
-        if not orbit.converged or not same:
-            raise InputError(
-                f"the orbit of period {entry.period!r} is none of the {kernels.name} that is"
-                " installed"
-            )
-        orbits.append(FoundOrbit(orbit, entry.starts, entry.share, _mirror(entry, len(orbits), 0)))
+    for place, entry in enumerate(entries.orbits):
+        orbit = _orbit(entries, place, kernels, parameters)
+        orbits.append(FoundOrbit(orbit, entry.starts, entry.share, _mirror(entry, place, 0)))
     steady = _equilibria(entries.equilibria, piecewise(kernels, parameters), len(orbits))
     names = tuple(kernels.table["states"])
     starts, labels = entries.start_states, entries.labels
@@ -360,6 +400,27 @@ def _found(entries: FoundEntries, kernels: SystemKernels) -> Found:
     )
     check_follows(entries, _shares(found))
     return found
+
+
+def _orbit(
+    entries: FoundEntries, place: int, kernels: SystemKernels, parameters: dict[str, Value]
+) -> Orbit:
+    """The orbit at a place, with the numbers of the file: it has to be one of the system."""
+    entry = entries.orbits[place]
+    names = tuple(kernels.table["states"])
+    itinerary = tuple((phase.configuration, phase.boundary) for phase in entry.itinerary)
+    if not itinerary or any(tuple(phase.start) != names for phase in entry.itinerary):
+        raise InputError(f"orbit {place + 1} is none of the states of {kernels.name}")
+    dwell = np.array([phase.dwell_time for phase in entry.itinerary])
+    states = np.array([list(phase.start.values()) for phase in entry.itinerary])
+    orbit = known_orbit(kernels, parameters, itinerary, dwell, states, entry.residual)
+    try:
+        check_solves(orbit)
+        if not orbit.converged:
+            raise InputError(orbit.message)
+    except InputError as problem:
+        raise InputError(f"orbit {place + 1}, of period {entry.period!r}: {problem}") from None
+    return orbit
 
 
 def _mirror(

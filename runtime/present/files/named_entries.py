@@ -9,10 +9,9 @@ from __future__ import annotations
 import os
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.result_files import format_in
+from nonsmooth.runtime.core.result_files import format_in, naming
 from nonsmooth.runtime.model.kernel_records import OrbitKernels, SavedTable
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_problem import TableProblem
@@ -42,7 +41,7 @@ def saved_orbit(name: str) -> Orbit:
     Raises
     ------
     InputError
-        If the file holds no such orbit, or as `load_orbit_file` and `load_found`.
+        If the file holds no such orbit, or as `load_orbit_file` and `found_orbit`.
     """
     path, number = _place(name)
     return _orbit(path, number)
@@ -87,11 +86,11 @@ def saved_names(name: str) -> tuple[str, ...]:
     path, number = _place(name)
     if number is not None or format_in(path) != finding.FOUND.name:
         return (name,)
-    found = enumerate(finding.load_found(path).orbits, 1)
-    names = tuple(f"{name}:{place}" for place, each in found if isinstance(each.orbit, Orbit))
-    if not names:
+    with naming(path) as file:
+        count = len(finding.FOUND.read(file).orbits)
+    if not count:
         raise InputError(f"{name} holds no orbit that has an itinerary")
-    return names
+    return tuple(f"{name}:{number}" for number in range(1, count + 1))
 
 
 def _place(name: str) -> tuple[Path, int | None]:
@@ -136,18 +135,4 @@ def _orbit(path: Path, number: int | None) -> Orbit:
             raise InputError(f"{path.name} holds one orbit: there is no {path.name}:{number}")
         ends = load(path).orbit if format_in(path) == _DESIGN else None
         return load_orbit_file(path) if ends is None else ends
-    orbits = finding.load_found(path).orbits
-    known = f"{path.name}:1" if len(orbits) == 1 else f"{path.name}:1 ... {path.name}:{len(orbits)}"
-    if not orbits:
-        raise InputError(f"{path.name} holds no orbit: none was found")
-    if number is None and len(orbits) > 1:
-        raise InputError(f"{path.name} holds {len(orbits)} orbits: say which, {known}")
-    place = 1 if number is None else number
-    if not 1 <= place <= len(orbits):
-        raise InputError(f"{path.name} holds no orbit {place}; there is {known}")
-    found: Any = orbits[place - 1].orbit
-    if not isinstance(found, Orbit):
-        raise InputError(
-            f"{path.name}:{place} has no itinerary: it meets no boundary, and nothing is solved for"
-        )
-    return found
+    return finding.found_orbit(path, number)

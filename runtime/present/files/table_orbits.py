@@ -33,7 +33,7 @@ from nonsmooth.runtime.shooting.shooting_map import numbers_in
 from nonsmooth.runtime.shooting.symmetry import symmetry_of
 from nonsmooth.runtime.shooting.translations import projection_along
 
-__all__ = ["TABLE_ORBIT", "TableOrbitEntries", "table_entries", "table_orbit"]
+__all__ = ["TABLE_ORBIT", "TableOrbitEntries", "check_solves", "table_entries", "table_orbit"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -176,14 +176,32 @@ def table_orbit(entries: TableOrbitEntries) -> Orbit:
     )
     if symmetry is not None and len(phases) % symmetry.order:
         raise InputError("its phases are no multiple of those that the symmetry closes")
+    check_solves(orbit, f" (its derivation {entries.derivation}, here {_derivation(kernels)})")
+    return orbit
+
+
+def check_solves(orbit: Orbit, which: str = "") -> None:
+    """Refuse an orbit of a file that is none of the system that is there.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        By tables.
+    which : str
+        What the message says of the kernels.
+
+    Raises
+    ------
+    InputError
+        If a dwell time is not positive, or the equations are not solved.
+    """
     if not (orbit.dwell_times > 0).all():
         raise InputError("a dwell time is not positive")
     if not _solves(orbit):
         raise InputError(
-            f"not a solution of {kernels.name} to {orbit.digits} digits with the kernels that are"
-            f" installed (its derivation {entries.derivation}, here {_derivation(kernels)})"
+            f"not a solution of {orbit.system.name} to {orbit.digits} digits with the kernels that"
+            f" are installed{which}"
         )
-    return orbit
 
 
 def _derivation(kernels: SystemKernels) -> str:

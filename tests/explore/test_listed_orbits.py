@@ -1,0 +1,171 @@
+"""Orbits that are listed differ, last in each phase, keep in a file, and are what proofs say."""
+
+import json
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import (
+    Boundary,
+    Condition,
+    Configuration,
+    FirstOrder,
+    Friction,
+    Harmonic,
+    Parameter,
+    SoftStop,
+    System,
+    Transition,
+    oscillator,
+)
+from nonsmooth.runtime.core.result_files import checksum_of
+
+pytestmark = pytest.mark.compiled
+
+
+@cache
+def converter():
+    """A voltage-mode converter: a comparator with a sawtooth switches the input."""
+    u, p, g = Parameter("u", "input"), Parameter("p", "frequency"), Parameter("g", "gain")
+    i, v, theta = sp.symbols("i v theta", real=True)
+    matrix = [[0, -p.symbol, 0], [p.symbol, -p.symbol / 2, 0], [0, 0, 0]]
+    error = g.symbol * (v - 1)
+    clock, low = Boundary("clock", theta - 1), (Condition(error, along="off"),)
+    return System(
+        name="converter",
+        description="a voltage-mode converter",
+        states=(i, v, theta),
+        parameters=(u, p, g),
+        configurations=(
+            Configuration(
+                "on",
+                FirstOrder(matrix, [u.symbol, 0, 1]),
+                (Boundary("control", error - theta), clock),
+            ),
+            Configuration(
+                "off", FirstOrder(matrix, [0, 0, 1]), (Boundary("control", theta - error), clock)
+            ),
+        ),
+        transitions=(
+            Transition("on", {"control"}, "off"),
+            Transition("off", {"control"}, "on"),
+            Transition("on", {"clock"}, "off", reset={theta: 0}, conditions=low),
+            Transition("on", {"clock"}, "on", reset={theta: 0}),
+            Transition("off", {"clock"}, "off", reset={theta: 0}, conditions=low),
+            Transition("off", {"clock"}, "on", reset={theta: 0}),
+        ),
+    )
+
+
+@cache
+def kicked():
+    """A damped mass before a stop, which a clock kicks."""
+    gap, kick, c = Parameter("gap", "place"), Parameter("kick", "speed"), Parameter("c", "damping")
+    x, v, theta = sp.symbols("x v theta", real=True)
+    free = FirstOrder([[0, 1, 0], [-1, -c.symbol, 0], [0, 0, 0]], [0, 0, 1])
+    bounds = Boundary("stop", x - gap.symbol), Boundary("clock", theta - 4)
+    return System(
+        name="kicked",
+        description="a mass that a clock kicks",
+        states=(x, v, theta),
+        parameters=(gap, kick, c),
+        configurations=(Configuration("free", free, bounds),),
+        transitions=(
+            Transition("free", {"stop"}, "free", reset={v: -sp.Rational(4, 5) * v}),
+            Transition("free", {"clock"}, "free", reset={theta: 0, v: v + kick.symbol}),
+        ),
+    )
+
+
+@cache
+def rub():
+    """A forced mass meets an undamped stop, which ends where its force does, with friction."""
+    w, gap, k = Parameter("w", "frequency"), Parameter("gap", "place"), Parameter("k", "stiffness")
+    return oscillator(
+        "rub",
+        ["x", "y"],
+        mass=sp.eye(2),
+        damping=sp.eye(2) / 10,
+        stiffness=sp.eye(2),
+        forcing=[Harmonic(w.symbol, cosine=[1, 0], sine=[0, 1])],
+        elements=[
+            SoftStop("x", at=gap.symbol, stiffness=k.symbol, name="stator", released="force"),
+            Friction("y", kinetic=sp.Rational(1, 10), normal="stator", velocity=-3, name="face"),
+        ],
+        parameters=[w, gap, k],
+    )
+
+
+RANGES = {
+    converter: {"u": (2.5, 3), "p": (0.9, 1.3), "g": (6, 12)},
+    kicked: {"gap": (0.1, 0.5), "kick": (0.5, 2), "c": (0.1, 0.5)},
+    rub: {"w": (0.8, 1.3), "gap": (0.5, 1), "k": (2, 20)},
+}
+PROVED = 5  # orbits, with the shortest phases
+
+
+def same_motion(one, other):
+    """Whether two orbits pass through the same states where their phases begin."""
+    if not np.isclose(one.period, other.period, rtol=1e-6):
+        return False
+    first, second = (
+        orbit.states[np.roll(orbit.dwell_times > 1e-9 * orbit.period, 1)] for orbit in (one, other)
+    )
+    size = np.abs(np.concatenate([first, second])).max(axis=0)
+    near = (np.abs(first[:, None] - second) <= 1e-6 * size).all(axis=-1)
+    return bool(near.any(axis=0).all() and near.any(axis=1).all())
+
+
+@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("build", RANGES, ids=lambda build: build.__name__)
+def test_what_is_listed_is_true(build, seed, tmp_path):
+    rng = np.random.default_rng(seed)
+    data = {name: f"{rng.uniform(*bounds):.2f}" for name, bounds in RANGES[build].items()}
+    found = ns.find_orbits(build(), data, 1, transitions=130, seed=seed)
+    orbits = [entry.orbit for entry in found.orbits]
+    assert orbits
+    for place, orbit in enumerate(orbits):
+        assert not any(same_motion(orbit, other) for other in orbits[:place])
+    file = tmp_path / "found.json"
+    found.save(file)
+    again = [entry.orbit for entry in ns.load(file).orbits]
+    assert len(again) == len(orbits)
+    for orbit, kept in zip(orbits, again, strict=True):
+        assert (kept.itinerary, kept.unknowns) == (orbit.itinerary, orbit.unknowns)
+        assert (kept.digits, kept.stability) == (orbit.digits, orbit.stability)
+        np.testing.assert_array_equal(kept.states, orbit.states)
+    for place in np.argsort([orbit.dwell_times.min() for orbit in orbits])[:PROVED]:
+        orbit, precise = orbits[place], ns.refine(again[place], 40)
+        assert (precise.dwell_times > 0).all()
+        for near in (orbit, ns.solve(f"{file}:{place + 1}")):
+            for name, value in precise.unknowns.items():
+                assert abs(near.unknowns[name] - value) <= 10.0**-near.digits * max(1, abs(value))
+        certificate = ns.certify(orbit)
+        for claim, verdict in certificate.claims.items():
+            if verdict == "undecided":
+                assert certificate.reasons[claim]
+            elif claim == "stability" and orbit.stability.verdict != "undecided":
+                assert (verdict == "proved") == (orbit.stability.verdict == "stable")
+            else:
+                assert verdict == "proved"
+
+
+def test_one_bad_orbit_of_a_file_leaves_the_others(tmp_path):
+    data = {"gap": "0.3", "kick": "1", "c": "0.2"}
+    found = ns.find_orbits(kicked(), data, 2, transitions=200)
+    assert len(found.orbits) > 1
+    file = tmp_path / "found.json"
+    found.save(file)
+    content = json.loads(file.read_text())
+    content["orbits"][0]["itinerary"][0]["dwell_time"] = "1e-16"
+    content["sha256"] = checksum_of({k: v for k, v in content.items() if k != "sha256"})
+    file.write_text(json.dumps(content))
+    for broken in (lambda: ns.load(file), lambda: ns.solve(f"{file}:1")):
+        with pytest.raises(ns.InputError, match=r"orbit 1, of period.*not a solution"):
+            broken()
+    other = ns.solve(f"{file}:2")
+    assert other.itinerary == found.orbits[1].itinerary
+    assert other.period == pytest.approx(found.orbits[1].period, rel=1e-12)
