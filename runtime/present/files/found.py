@@ -21,7 +21,10 @@ from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, known_system
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
+from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.table_problem import TableProblem, orbit_of
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
+from nonsmooth.runtime.shooting.shooting_map import numbers_in, shoot
 
 __all__ = ["FOUND", "found_held", "found_json", "held_found", "load_found", "save_found"]
 
@@ -157,7 +160,7 @@ def save_found(found: Found, path: str | os.PathLike[str]) -> None:
 
 
 def load_found(path: str | os.PathLike[str]) -> Found:
-    """Read what `Found.save` wrote; each orbit is solved again and has to be the same.
+    """Read what `Found.save` wrote: its numbers, where each orbit, solved again, is the same.
 
     Parameters
     ----------
@@ -327,13 +330,15 @@ def _found(entries: FoundEntries, kernels: SystemKernels) -> Found:
     for entry in entries.orbits:
         phases = [(phase.configuration, phase.boundary) for phase in entry.itinerary]
         dwell = [phase.dwell_time for phase in entry.itinerary]
-        orbit = solve_itinerary(kernels, parameters, phases, dwell, list(entry.start.values()))
+        start = list(entry.start.values())
+        orbit = solve_itinerary(kernels, parameters, phases, dwell, start)
         same = np.allclose(orbit.dwell_times, dwell, rtol=_DIGITS_KEPT, atol=0)
         if not orbit.converged or not same:
             raise InputError(
                 f"the orbit of period {entry.period!r} is none of the {kernels.name} that is"
                 " installed"
             )
+        orbit = _with_numbers(orbit, dwell, start, entry.residual)
         orbits.append(FoundOrbit(orbit, entry.starts, entry.share, _mirror(entry, len(orbits), 0)))
     steady = _equilibria(entries.equilibria, piecewise(kernels, parameters), len(orbits))
     names = tuple(kernels.table["states"])
@@ -360,6 +365,27 @@ def _found(entries: FoundEntries, kernels: SystemKernels) -> Found:
     )
     check_follows(entries, _shares(found))
     return found
+
+
+def _with_numbers(
+    orbit: Orbit, dwell: Sequence[float], start: Sequence[float], residual: float
+) -> Orbit:
+    """The same orbit with the numbers of a file: what is asked of it later has the same answer."""
+    assert isinstance(orbit.problem, TableProblem)
+    tables, times = orbit.tables, np.array(dwell)
+    numbers = numbers_in(tables.piecewise)
+    starts = shoot(tables.cycle, numbers, times, np.array(start), np).starts
+    return orbit_of(
+        orbit.problem,
+        orbit.parameters,
+        None,
+        times,
+        starts[:-1],
+        residual,
+        orbit.digits,
+        orbit.iterations,
+        orbit.status,
+    )
 
 
 def _mirror(
