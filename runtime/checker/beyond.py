@@ -31,7 +31,7 @@ from nonsmooth.runtime.checker.stability import MULTIPLIERS
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
 
-__all__ = ["check_branch"]
+__all__ = ["check_beyond", "check_branch"]
 
 _BITS, _SHARP = 64, 192
 _NONE, _FORCING_PHASE = "not admissible", "forcing-phase"
@@ -62,8 +62,7 @@ def check_branch(content: dict[str, Any]) -> None:
         told = [] if tile.event is None else tile.event.get("beyond", [])
         for beyond in told:
             try:
-                with ctx.workprec(_BITS):
-                    _check(content, tile, beyond)
+                check_beyond(content, tile, beyond)
             except Failure as failure:
                 raise Failure(f"beyond the event of tile {number}: {failure}") from None
         ways = [_rotations(beyond["branch"]["itinerary"]) for beyond in told]
@@ -74,6 +73,27 @@ def check_branch(content: dict[str, Any]) -> None:
 def _rotations(itinerary: Sequence[Sequence[str]]) -> set[tuple[tuple[str, ...], ...]]:
     phases = tuple(map(tuple, itinerary))
     return {phases[k:] + phases[:k] for k in range(len(phases))}
+
+
+def check_beyond(content: dict[str, Any], tile: CheckedTile, beyond: dict[str, Any]) -> None:
+    """Prove what is stated of orbits that begin at an event.
+
+    Parameters
+    ----------
+    content : dict
+        Entries of the event's branch.
+    tile : CheckedTile
+        The event's, proved.
+    beyond : dict
+        Entries of the orbits.
+
+    Raises
+    ------
+    Failure
+        If a claim is not proved.
+    """
+    with ctx.workprec(_BITS):
+        _check(content, tile, beyond)
 
 
 def _check(content: dict[str, Any], tile: CheckedTile, beyond: dict[str, Any]) -> None:

@@ -16,7 +16,7 @@ from nonsmooth.runtime.checker.exact import Failure, demand, exact
 from nonsmooth.runtime.checker.parameters import independent, values_of
 from nonsmooth.runtime.core.jets import part_of
 
-__all__ = ["checked_tiles"]
+__all__ = ["check_joint", "checked_tiles", "curve_of"]
 
 _FINISHED, _VANISHED = "end of the interval", "a phase vanishes"
 
@@ -43,6 +43,41 @@ def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
     _claimed(content)
     if not tiles:
         return []
+    curve = curve_of(content)
+    with ctx.workprec(BITS):
+        found = [CheckedTile(curve, tile) for tile in tiles]
+        for number, tile in enumerate(found, 1):
+            try:
+                tile.check_sharply()
+            except Failure as failure:
+                raise Failure(f"in tile {number} of the branch: {failure}") from None
+        for number, (tile, other) in enumerate(pairwise(found), 1):
+            try:
+                check_joint(tile, other)
+            except Failure as failure:
+                raise Failure(f"tiles {number} and {number + 1}: {failure}") from None
+        _ends(found, content)
+        independent(curve.declared, curve.constants, [curve.interval])
+    return found
+
+
+def curve_of(content: dict[str, Any]) -> CheckedCurve:
+    """The equations of a branch, of which nothing is proved yet.
+
+    Parameters
+    ----------
+    content : dict
+        Entries of a branch, in their shape.
+
+    Returns
+    -------
+    CheckedCurve
+
+    Raises
+    ------
+    Failure
+        If its declaration is not exact, or it names unknowns or a stability of another one.
+    """
     demand(content["declaration"], "claims about no declaration")
     with ctx.workprec(BITS):
         told = content["declaration"].get("constants", [])
@@ -53,21 +88,7 @@ def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
         demand(content["stability"] == declared.stability, "stability of another kind")
         demand(content["unknown_names"] == declared.unknowns, "other unknowns")
         interval = [exact(end) for end in content["interval"]]
-        curve = CheckedCurve(declared, declared.closes(), constants, name, interval)
-        found = [CheckedTile(curve, tile) for tile in tiles]
-        for number, tile in enumerate(found, 1):
-            try:
-                tile.check_sharply()
-            except Failure as failure:
-                raise Failure(f"in tile {number} of the branch: {failure}") from None
-        for number, (tile, other) in enumerate(pairwise(found), 1):
-            try:
-                _joined(tile, other)
-            except Failure as failure:
-                raise Failure(f"tiles {number} and {number + 1}: {failure}") from None
-        _ends(found, content)
-        independent(declared, constants, [tuple(map(exact, content["interval"]))])
-    return found
+        return CheckedCurve(declared, declared.closes(), constants, name, interval)
 
 
 def _claimed(content: dict[str, Any]) -> None:
@@ -88,8 +109,19 @@ def _claimed(content: dict[str, Any]) -> None:
         demand(same or tile["event"], "the verdict changes without an event")
 
 
-def _joined(tile: CheckedTile, other: CheckedTile) -> None:
-    """The end of one tile and the beginning of the next are one orbit, and lead the same way."""
+def check_joint(tile: CheckedTile, other: CheckedTile) -> None:
+    """Prove that one tile ends with the orbit with which the next begins, and leads its way.
+
+    Parameters
+    ----------
+    tile, other : CheckedTile
+        In the order of the branch.
+
+    Raises
+    ------
+    Failure
+        If that is not proved.
+    """
     curve = tile.curve
     with ctx.workprec(SHARP):
         _same_equations(tile, other)

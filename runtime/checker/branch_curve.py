@@ -89,6 +89,22 @@ class CheckedCurve:
         self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
     ) -> list[Any] | None:
         """The image of a box of the other coordinates, where it lies inside: one root is there."""
+        found = self._moved(place, value, centre, radii)
+        if found is None or not all(abs(d) < r for d, r in zip(found, radii, strict=True)):
+            return None
+        return [x + d for x, d in zip(centre, found, strict=True)]
+
+    def nearer(
+        self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
+    ) -> list[Any] | None:
+        """Where the roots are that a box of the other coordinates is known to hold."""
+        found = self._moved(place, value, centre, radii)
+        return None if found is None else [x + d for x, d in zip(centre, found, strict=True)]
+
+    def _moved(
+        self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
+    ) -> list[Any] | None:
+        """How far Krawczyk's map leads from the centre of a box: every root of the box is there."""
         box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
         values, slopes = self.slopes(with_entry(place, value, centre))
         try:
@@ -100,10 +116,8 @@ class CheckedCurve:
         unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
         rest = unit - y * matrix([without_entry(place, row) for row in over])
         moved = rest * arb_mat([[arb(0, r)] for r in radii]) - y * matrix([[v] for v in values])
-        found = moved.entries()
-        if not all(abs(d) < r for d, r in zip(found, radii, strict=True)):
-            return None
-        return [x + d for x, d in zip(centre, found, strict=True)]
+        entries: list[Any] = moved.entries()
+        return entries
 
     def jets(self, place: int, point: Sequence[Any], order: int) -> list[Any]:
         """The coordinates with their derivatives by one of them, at enclosed roots."""

@@ -34,6 +34,7 @@ OPEN = "undecided"
 _ORDER = 5  # of the models: that of the polynomials
 _STEPS = 8  # of Newton's method
 _DEEPEST = 5  # halvings of a tile whose claims take smaller ones
+_SHARPENINGS = 8  # of the enclosures on a part, at most
 
 
 class CheckedTile:
@@ -158,17 +159,17 @@ class CheckedTile:
             self.parts(prove, self._sharper([x.at([e]) for x in point]), depth + 1)
 
     def _sharper(self, point: Sequence[Any]) -> list[Any]:
-        """Enclosures of its orbits on a part, from boxes around them that are smaller there."""
+        """Enclosures of its orbits on a part, again and again from the boxes that hold them."""
         found, value = without_entry(self.place, point), point[self.place]
-        for _ in range(2):
-            centre = [x.mid() for x in found]
-            away = [abs(range_of(x - c)) for x, c in zip(found, centre, strict=True)]
-            radii = [(2 * d + (1 + abs(x)) * arb(2) ** -55).upper() for d, x in
-                     zip(away, found, strict=True)]  # fmt: skip
-            image = self.curve.krawczyk(self.place, value, centre, radii)
+        widths = list(map(_width, found))
+        for _ in range(_SHARPENINGS):
+            image = self.curve.nearer(self.place, value, [x.mid() for x in found], widths)
             if image is None:
                 break
             found = [min(pair, key=_width) for pair in zip(found, image, strict=True)]
+            before, widths = widths, list(map(_width, found))
+            if not any(2 * now < was for now, was in zip(widths, before, strict=True)):
+                break
         return with_entry(self.place, value, found)
 
     def _goes_on(self, point: Sequence[Any]) -> None:

@@ -189,6 +189,8 @@ class TableEquations:
         """See `OrbitEquations`."""
         found = np.full(len(x), False)
         told = np.flatnonzero(np.isfinite(x).all(axis=-1) & (self.dwell(x) > 0).all(axis=-1))
+        if not len(told):
+            return found
         system, cycle = self.orbit.system, self.orbit.tables.cycle
         dwell, start = self._unknowns(x[told])
         points, times = x[told][:, self._given], np.tile(dwell, self.order)

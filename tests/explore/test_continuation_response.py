@@ -117,6 +117,17 @@ def test_picture_of_frequency_over_energy() -> None:
         branch.plot("frequency", over="speed")
 
 
+def test_a_picture_changes_its_style_at_the_event() -> None:
+    """Up to a border collision orbits are motions: no part of the picture says otherwise."""
+    pytest.importorskip("matplotlib")
+    branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.2), step=0.2)
+    (axes,) = branch.plot("tau").axes
+    ends = {line.get_label(): line.get_xdata() for line in axes.lines}
+    grazing, flip = (event.value for event in branch.events)
+    assert (ends["not admissible"].max(), ends["unstable"].min()) == (grazing, grazing)
+    assert (ends["unstable"].max(), ends["stable"].min()) == (flip, flip)
+
+
 def test_an_amplitude_where_a_phase_vanishes() -> None:
     """The last orbit of the branch has a phase that takes no time; its neighbours tell the rest."""
     data = dict(chi="0.5", eta=1, V=1, us1=1, us2=1, ur1="4.0195", ur2="1.4831")

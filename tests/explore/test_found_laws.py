@@ -408,9 +408,7 @@ def test_files_and_words(tmp_path):
         found.save(tmp_path / "found.json")
         again = load_found(tmp_path / "found.json")
         told, wanted = found_json(again), found_json(found)
-        for one, other in zip(told.pop("orbits"), wanted.pop("orbits"), strict=True):
-            assert float(one["period"]) == pytest.approx(float(other["period"]), rel=1e-13)
-            assert one["itinerary"][0]["boundary"] == other["itinerary"][0]["boundary"]
+        for one in told["orbits"]:
             assert (one["forcing_periods"], one["symmetric"]) == ([1], False)
         assert shown_name(told.pop("system")) == shown_name(wanted.pop("system"))
         assert told == wanted

@@ -4,10 +4,12 @@ from functools import cache
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, SoftStop, oscillator
+from nonsmooth.derive import Friction, Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.model.piecewise import piecewise_at
+from nonsmooth.runtime.orbits.equations import equations_of
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
 from nonsmooth.runtime.shooting.shooting_map import numbers_in, shoot
 
@@ -45,3 +47,32 @@ def test_a_boundary_that_is_missed_by_rounding_is_not_crossed_behind_it(phase, l
 
 def test_a_boundary_that_is_missed_by_more_is_crossed_behind_it():
     assert verdict(released(), [0, -1e-3, 0]) is False
+
+
+def test_a_contact_that_has_just_broken_loose_is_no_crossing():
+    """There forces cancel: whether the speed rises at once is not told by their rounding."""
+    capsule = oscillator(
+        "capsule", ["x1", "x2"], mass=[[1, 0], [0, 5]], damping=[["0.1", "-0.1"], ["-0.1", "0.1"]],
+        stiffness=[[1, -1], [-1, 1]], forcing=[Harmonic(sp.Symbol("omega"), cosine=["1.6", 0])],
+        elements=[
+            SoftStop({"x1": 1, "x2": -1}, at="0.02", stiffness=15, name="wall"),
+            Friction("x2", kinetic=1, name="ground"),
+        ],
+    )  # fmt: skip
+    back, over, slips = ("ground-reaches-belt",), "free-overshoot", "free-slip"
+    hits, leaves = ("wall-reaches-stop",), ("contact-overshoot", "wall-leaves-stop")
+    itinerary = [
+        leaves, (over, *back), (slips, *back), ("free-stick", *hits),
+        ("contact-stick", "ground-breaks-backward"), leaves, (over, *hits), leaves, (over, *back),
+        ("free-stick", "ground-breaks-forward"), (slips, *hits), ("contact-slip", *back),
+    ]  # fmt: skip
+    dwell = [0.577, 1.806, 1.408, 1.960, 0.035, 0.809, 1.861, 0.481, 0.159, 0.744, 2.526, 0.201]
+    orbit = ns.solve(capsule, {"omega": 1}, dwell, itinerary=itinerary)
+    equations = equations_of(orbit)
+    rounding = np.random.default_rng(0).integers(-4, 5, (100, len(equations.values)))
+    assert equations.admissible(equations.values * (1 + rounding * 2.0**-52)).all()
+
+
+def test_of_no_orbit_whose_phases_last_admissibility_is_told():
+    equations = equations_of(released())
+    assert not equations.admissible(-equations.values[None]).any()

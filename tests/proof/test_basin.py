@@ -4,12 +4,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.basin.attracting_core import attracting_core
+from nonsmooth.runtime.proof.basin.basin_section import section_of
 from nonsmooth.runtime.proof.basin.starting_tiles import next_tiles
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.sets.sections import transition_section
@@ -246,3 +249,18 @@ def test_wrong_numbers_are_refused(orbit, wrong, told):
 def test_parameters_that_an_orbit_leaves_open_are_asked_for():
     with pytest.raises(ns.InputError, match="open"):
         ns.certify_basin(ns.solve("dry-friction/global-stick"))
+
+
+def test_a_linear_response_has_a_section_at_every_frequency():
+    """A turn of the forcing and the motion over one are the same, but for rounding."""
+    far = oscillator(
+        "far", ["x"], [[1]], [[1]], [["1/5"]], forcing=[Harmonic(sp.Symbol("w"), cosine=[1])],
+        elements=[SoftStop("x", at=10, stiffness=10, name="stop")],
+    )  # fmt: skip
+    for w in np.arange(20, 31) / 10:
+        orbit = ns.solve(far, {"w": w}, [2 * np.pi / w], itinerary=[("free", "forcing-phase")])
+        with flint_precision(128):
+            system = enclosed_system(orbit.system, {"w": orbit.parameters["w"]})(128)
+            met = section_of(system, orbit.trajectory(), float(orbit.period))
+        x, v = met.point
+        assert np.hypot(x, v / w) == pytest.approx(1 / abs(1 - w**2 + 0.2j * w))

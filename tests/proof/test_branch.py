@@ -13,10 +13,12 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from flint import arb
+from flint import arb, fmpq
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, check_branch
+from nonsmooth.runtime.checker.branch_tile import CheckedTile
+from nonsmooth.runtime.checker.exact import demand
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.jets import part_of
@@ -374,6 +376,43 @@ def test_little_is_looked_at_beside_an_event_at_an_end(branch: Any) -> None:
     assert all(abs(part.begin - event.value) < 1e-9 for part in found.undecided)
     assert sum(part.width for part in found.undecided) < 1e-11
     assert len(found.tiles) < 100
+
+
+@pytest.fixture(scope="module")
+def near_a_flip() -> Any:
+    return ns.continue_orbit(ns.solve("dry-friction/symmetric", {"V": "1.07"}), "V", (1.06, 1.1))
+
+
+def test_a_tile_that_the_check_refuses_is_divided(
+    near_a_flip: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is stated is what the check proves, however little that can do."""
+    sharply, widest = CheckedTile.check_sharply, fmpq(1, 400)
+
+    def weak(tile: CheckedTile) -> None:
+        demand(tile.high - tile.low < widest, "planted: it is too wide")
+        sharply(tile)
+
+    monkeypatch.setattr(CheckedTile, "check_sharply", weak)
+    found = ns.certify_branch(near_a_flip, interval=("1.06", "1.1"))
+    assert found.complete, found.statement
+    assert [event.kind for event in found.events] == ["flip"]
+    assert all(tile.upper - tile.lower < Fraction(1, 400) for tile in found.tiles)
+    found.save(tmp_path / "branch.json")
+    assert ns.check_certificate(tmp_path / "branch.json").difference is None
+
+
+def test_what_the_check_does_not_join_is_not_stated(
+    near_a_flip: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: Any) -> None:
+        raise Failure("planted")
+
+    monkeypatch.setattr(CheckedTile, "holds", refuse)
+    found = ns.certify_branch(near_a_flip, interval=("1.06", "1.1"))
+    assert len(found.tiles) == 1
+    assert not found.complete
+    assert any("planted" in end for end in found.ends)
 
 
 def test_an_undecided_tile_is_never_part_of_a_complete_branch(found: CertifiedBranch) -> None:

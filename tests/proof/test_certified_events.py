@@ -7,8 +7,10 @@ from typing import Any
 
 import mpmath
 import pytest
+import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth.derive import Friction, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError
 from tests.certified import kicked, loop
@@ -163,3 +165,20 @@ def test_json_has_every_digit() -> None:
     assert told["enclosures"]["V"]["mid"] == found.value.mid
     assert len(told["enclosures"]["V"]["mid"]) > 70
     assert {side["name"] for side in told["box"]} == set(told["enclosures"])
+
+
+def test_where_no_multiplier_differs_from_zero_a_fold_is_undecided_and_says_why() -> None:
+    """A branch with rest at a belt turns where the force limit is touched: no multiplier is 1."""
+    slider = oscillator(
+        "slider", ["x"], [[1]], [["19/8"]], [["81/256"]],
+        elements=[Friction("x", kinetic="1/4", static="7/8", velocity=sp.Symbol("p") / 4)],
+    )  # fmt: skip
+    itinerary = [("slip", "x-reaches-belt"), ("stick", "x-breaks-forward")]
+    orbit = ns.solve(slider, {"p": "1.07"}, [3.324, 1.068], itinerary=itinerary)
+    found = ns.continue_orbit(orbit, "p", (1.06, 1.1))
+    fold, touch = of_kind(found, "fold"), of_kind(found, "tangent")
+    assert fold.value == pytest.approx(touch.value)
+    assert ns.certify_event(found, touch).proved
+    turn = ns.certify_event(found, fold)
+    assert not turn.proved
+    assert "too few multipliers differ from zero" in turn.reason

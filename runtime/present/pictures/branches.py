@@ -231,11 +231,15 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
         s if allowed else _REFUSED
         for s, allowed in zip(branch.stability, branch.admissible, strict=True)
     ]
-    # an interval between two points is drawn as the point at its end away from a change
-    kinds = [
-        labels[k] if labels[k] == labels[k + 1] else _worse(labels[k : k + 2])
-        for k in range(len(x) - 1)
-    ]
+    met = {
+        event.place: (_at(event, branch, over, across), _at(event, branch, quantity, up))
+        for event in branch.events
+    }
+    corners: dict[float, tuple[Any, Any]] = dict(enumerate(zip(x, y, strict=True)))
+    corners |= met
+    places = sorted(corners)
+    kinds = [_between(labels, sorted(met), *ends) for ends in pairwise(places)]
+    x, y = np.array([corners[place] for place in places]).T
     cuts = [0, *(k for k in range(1, len(kinds)) if kinds[k] != kinds[k - 1]), len(kinds)]
     told = set(axes.get_legend_handles_labels()[1])  # of branches that were drawn before
     for begin, end in pairwise(cuts):
@@ -318,7 +322,18 @@ def _at(event: Event, branch: Branch, quantity: str, shown: _Shown) -> float:
     return float(np.interp(event.place, np.arange(len(shown.values)), shown.values))
 
 
-def _worse(labels: list[str]) -> str:
+def _between(labels: Sequence[str], events: Sequence[float], begin: float, end: float) -> str:
+    """The label between two places: that of a point up to the first event, or from the last."""
+    step = min(int(begin), len(labels) - 2)
+    passed = [place for place in events if step <= place <= step + 1]
+    if passed and end <= passed[0]:
+        return labels[step]
+    if passed and begin >= passed[-1]:
+        return labels[step + 1]
+    return _worse(labels[step : step + 2])
+
+
+def _worse(labels: Sequence[str]) -> str:
     """Of two neighbours' labels the one that promises less."""
     order = (_REFUSED, "undecided", "unstable", "neutral", "stable")
     return min(labels, key=order.index)

@@ -60,7 +60,8 @@ def _forced(system: EnclosedSystem, motion: Trajectory, period: float) -> MetSec
     for phase in phases(_PHASES):
         cosine, sine = (float(x.p) / float(x.q) for x in phase)
         angle = np.arctan2(sine, cosine)
-        time = np.array([((angle - first) / speed) % turn])
+        # by rounding a turn may be longer than the motion
+        time = np.array([min(((angle - first) / speed) % turn, motion.end)])
         state, name = motion(time)[0], str(motion.configuration(time)[0])
         configuration = structure.configuration(name)
         rows = motion.system.rows[[b.row for b in structure.boundaries[configuration]]]

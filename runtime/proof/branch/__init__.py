@@ -4,6 +4,7 @@
 `certify_branch`    `certify_branch`: both ways along a branch, tile after tile
 `beyond_border`     other itineraries that begin at a border: their side and verdict
 `same_motion`       whether the events of two itineraries are one motion
+`refusals`          what the checker does not prove of a tile, asked before it is stated
 `march`             steps that fit what can be proved, by the coordinate that leads on
 `look`              the verdict on a tile, or one event and the verdicts beside it
 `crossing`          one zero of a number along a tile, with a speed that is not zero

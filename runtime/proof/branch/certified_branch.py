@@ -24,6 +24,7 @@ __all__ = [
     "DrawnOverParameter",
     "OrbitBeyond",
     "event_json",
+    "tile_json",
     "told_json",
 ]
 
@@ -371,7 +372,7 @@ class CertifiedBranch(DrawnOverParameter):
             "claims": self.claims,
             "start": self.start,
             "ends": list(self.ends),
-            "tiles": [_tile_json(tile) for tile in self.tiles],
+            "tiles": [tile_json(tile) for tile in self.tiles],
         }
 
 
@@ -442,7 +443,18 @@ def told_json(found: CertifiedBranch) -> dict[str, Any]:
     }
 
 
-def _tile_json(tile: BranchTile) -> dict[str, Any]:
+def tile_json(tile: BranchTile) -> dict[str, Any]:
+    """Give a tile as JSON.
+
+    Parameters
+    ----------
+    tile : BranchTile
+
+    Returns
+    -------
+    dict
+        Phases are counted from 1.
+    """
     return {
         "coordinate": tile.coordinate,
         "lower": str(tile.lower),

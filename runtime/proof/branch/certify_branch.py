@@ -6,6 +6,7 @@ import math
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
@@ -23,10 +24,12 @@ from nonsmooth.runtime.proof.branch.beyond_border import with_beyond
 from nonsmooth.runtime.proof.branch.certified_branch import (
     FINISHED,
     VANISHED,
+    BranchTile,
     CertifiedBranch,
 )
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve
 from nonsmooth.runtime.proof.branch.march import JOINT, BranchStep, MarchPlace, march
+from nonsmooth.runtime.proof.branch.refusals import Refusals
 from nonsmooth.runtime.proof.branch.stating import STATED, stated_branch, stated_tile
 from nonsmooth.runtime.proof.branch.tube import BranchTube, orbit_at, orbit_near
 from nonsmooth.runtime.proof.exact_tables import rational_of
@@ -120,16 +123,17 @@ def certify_branch(
         orbit, chosen = with_open_ones(orbit, box)
         curve = OrbitCurve(region_of(orbit, box))
         begin = _begin(curve)
+        empty = stated_branch(orbit, box, chosen, curve)
+        refusals = Refusals(empty)
     except NotCovered as reason:
         found = stated_branch(orbit, box, (), None)
         found = replace(found, ends=(str(reason),) * 2)
         if resume is not None:
             _check_same(found, resume)
         return found
-    empty = stated_branch(orbit, box, chosen, curve)
     if resume is not None:
         _check_same(empty, resume)
-    work = _Following(curve, begin, resume or empty, branch)
+    work = _Following(curve, begin, resume or empty, branch, refusals)
     kept = begun = time.monotonic()
     try:
         for count, _ in enumerate(islice(work.steps(), tiles), 1):
@@ -150,9 +154,11 @@ class _Following:
     """Both ways along a branch, tile after tile."""
 
     def __init__(
-        self, curve: OrbitCurve, begin: list[arb], state: CertifiedBranch, branch: Branch
-    ) -> None:
+        self, curve: OrbitCurve, begin: list[arb], state: CertifiedBranch, branch: Branch,
+        refusals: Refusals,
+    ) -> None:  # fmt: skip
         self.curve, self.begin, self.state, self.branch = curve, begin, state, branch
+        self.refusals = refusals
         self.share = 0.0
 
     def steps(self) -> Any:
@@ -166,7 +172,7 @@ class _Following:
                 if outwards:
                     self._end(side, FINISHED)
                     continue
-            for step in march(self.curve, place):
+            for step in march(self.curve, place, partial(self._refused, side)):
                 self._take(side, step)
                 yield step
 
@@ -174,6 +180,8 @@ class _Following:
         """Prove what begins at the borders."""
         for place, tile in enumerate(self.state.tiles):
             found = with_beyond(self.curve, tile, self.branch, opened)
+            if found is not tile:
+                found = self.refusals.without_refused(found)
             before, behind = self.state.tiles[:place], self.state.tiles[place + 1 :]
             self.state = replace(self.state, tiles=(*before, found, *behind))
 
@@ -201,6 +209,21 @@ class _Following:
         slopes = [*others[:coordinate], 1.0, *others[coordinate:]]
         return MarchPlace(coordinate, value, forwards, point, slopes)
 
+    def _tile(self, side: int, step: BranchStep) -> BranchTile | None:
+        """What is stated of a step; None where nothing is proved."""
+        if step.piece is None:
+            return None
+        forwards = step.forwards == (side == 1)
+        return stated_tile(self.curve, step.piece.tube, step.found, step.divided, forwards=forwards)
+
+    def _refused(self, side: int, step: BranchStep) -> str:
+        """Why the checker does not prove a step behind those that were taken."""
+        tile, tiles = self._tile(side, step), self.state.tiles
+        assert tile is not None
+        before = tiles[-1] if side == 1 and tiles else None
+        after = tiles[0] if side == 0 and tiles else None
+        return self.refusals.of_tile(tile, before, after)
+
     def _take(self, side: int, step: BranchStep) -> None:
         state = self.state
         end = ""
@@ -212,11 +235,8 @@ class _Following:
             end = FINISHED
         elif step.found.ends:
             end = VANISHED
-        if step.piece is not None:
-            tile = stated_tile(
-                self.curve, step.piece.tube, step.found, step.divided,
-                forwards=step.forwards == (side == 1),
-            )  # fmt: skip
+        tile = self._tile(side, step)
+        if tile is not None:
             if side == 0:
                 state = replace(state, tiles=(tile, *state.tiles), start=state.start + 1)
             else:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -83,7 +83,9 @@ class BranchStep:
     divided: int | None = None
 
 
-def march(curve: OrbitCurve, place: MarchPlace) -> Iterator[BranchStep]:
+def march(
+    curve: OrbitCurve, place: MarchPlace, refused: Callable[[BranchStep], str]
+) -> Iterator[BranchStep]:
     """Tiles along a branch up to the end of the parameter's interval.
 
     Parameters
@@ -91,6 +93,8 @@ def march(curve: OrbitCurve, place: MarchPlace) -> Iterator[BranchStep]:
     curve : OrbitCurve
     place : MarchPlace
         Where it begins.
+    refused : function of a BranchStep
+        Why a tile cannot be stated, "" if it can: then a smaller one is tried.
 
     Yields
     ------
@@ -114,6 +118,12 @@ def march(curve: OrbitCurve, place: MarchPlace) -> Iterator[BranchStep]:
         reason = ""
         while True:
             taken = _tried(curve, place, turned, step, (low, high))
+            if not isinstance(taken, str) and taken.found.decided:
+                reason = refused(taken)
+                if reason:
+                    taken = replace(taken, found=Look(UNDECIDED, UNDECIDED, reason))
+            if not isinstance(taken, str) and not taken.found.decided and step <= least:
+                taken = refused(taken) or taken
             if isinstance(taken, str):
                 reason = taken
                 if step <= smallest:

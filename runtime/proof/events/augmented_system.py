@@ -136,7 +136,8 @@ def augmented(region: Region, event: Event, names: Sequence[str]) -> Augmented:
     return Augmented(region, len(names), (*names, *region.names, *more), values)
 
 
-def _map(here: _Here) -> Any:
+def _map(here: _Here, fewest: int) -> Any:
+    """The map on its section, where so many multipliers may differ from zero."""
     region = here.region
     if region.cycle.one_sided:
         raise NotCovered(CORNER)
@@ -144,6 +145,8 @@ def _map(here: _Here) -> Any:
     found = reduced_map(maps, region.invariants, region.closing, here.number)
     if found.nrows() > _LARGEST_MAP:
         raise NotCovered(f"more than {_LARGEST_MAP} multipliers")
+    if found.nrows() < fewest:
+        raise NotCovered("too few multipliers differ from zero: the branch meets a border there")
     return found
 
 
@@ -151,7 +154,7 @@ def _multiplier(sign: int) -> Callable[[_Here], list[Any]]:
     """det(M + 1) = 0 or det(M - 1) = 0."""
 
     def values(here: _Here) -> list[Any]:
-        found = _map(here)
+        found = _map(here, 1)
         size = found.nrows()
         return [determinant([[found[i, j] + sign * (i == j) for j in range(size)]
                               for i in range(size)])]  # fmt: skip
@@ -161,7 +164,7 @@ def _multiplier(sign: int) -> Callable[[_Here], list[Any]]:
 
 def _pair(here: _Here) -> list[Any]:
     """Two multipliers with the product 1 that are not real, by the bialternate product."""
-    found = _map(here)
+    found = _map(here, 2)
     check_pair(range_of(found))
     return [pair_products(found)]
 
