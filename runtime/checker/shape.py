@@ -363,6 +363,7 @@ BASIN = {
     "ranks": [(int, int)],
     "tiles": _GRID,
     "states": [str],
+    "box": Named((float, float)),
     "verdicts": [(int, int)],
     "widest": float,
     "most": int,

@@ -1,6 +1,7 @@
 """The check of basins: true files pass, and false ones do not."""
 
 import json
+from math import prod
 
 import pytest
 
@@ -127,6 +128,18 @@ def test_tiles_that_are_not_attracted_are_not_stated_to_be(content, tmp_path):
     last = max(k for k, verdict in enumerate(verdicts) if verdict == 1)
     verdicts[last] = 2
     refused({**content, "verdicts": runs(verdicts)}, tmp_path, "a tile may lead elsewhere")
+
+
+@pytest.mark.parametrize("ends", [(-0.5, 1e300), (-0.5, 0.75), (0.0, 0.5), (0.5, -0.5)])
+def test_tiles_are_those_of_the_box_that_is_stated(content, tmp_path, ends):
+    box = {**content["box"], "v1": list(ends)}
+    refused({**content, "box": box}, tmp_path, "box")
+    tiles = content["tiles"]
+    place = content["states"].index("v1")
+    counts = [n - (k == place) for k, n in enumerate(tiles["counts"])]
+    verdicts = runs(flat(content["verdicts"])[: prod(counts)])
+    edited = {**content, "tiles": {**tiles, "counts": counts}, "verdicts": verdicts}
+    refused(edited, tmp_path, "tiles of another box")
 
 
 def test_another_core_is_refused(content, tmp_path):
