@@ -147,6 +147,7 @@ CERTIFICATE = {
     "given_period": str,
     "bits": int,
     "multipliers": [{"re": _BALL, "im": _BALL}],
+    "other_multipliers": Either((re.compile(""), NUMBER)),
     "margins": [
         {
             "phase": int,
@@ -401,9 +402,7 @@ CENSUS = {
     "orbits": [
         {"unique": _BOUNDS, "certificate": Either((type(None), CERTIFICATE)), "reason": str},
     ],
-    "beyond": int,
     "undecided": [{"bounds": _BOUNDS, "reason": str}],
-    "looked": int,
     "bits": int,
 }
 

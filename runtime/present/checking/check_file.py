@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -87,6 +87,7 @@ Proven = (
 )
 _HELD = "{} is the system as the file holds it: no declaration was run"
 _NOT_CALLED = "what the orbit and its unknowns are called was not compared"
+_NOT_TOLD = "why is not proved again"
 _NOT_COUNTED = "that there are no other orbits was NOT proved again"
 
 
@@ -103,8 +104,8 @@ class Check(Shown):
     certificate : Certificate, BoxCertificate, CertifiedBranch, CertifiedCascade, Census,
         ChaosCertificate, BasinCertificate, GraphCertificate, tuple, or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
-        Reasons why a claim is undecided, which parameters were chosen, and of a census all but
-        its orbits are as the file says.
+        Its reasons why something is undecided are left out: nothing proves them. Which
+        parameters were chosen, and of a census all but its orbits, are as the file says.
     claims : dict of str to {"proved", "refuted", "undecided"}
         What was proved again. Of a census "listed" says whether each of its orbits was;
         "no others" is undecided.
@@ -229,7 +230,26 @@ def check_certificate(
     except WRONG_SHAPE as problem:
         return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
     note = _note(content, found, compared, held=declared is None)
-    return Check(None, note, found, kind.claims(found), compared)
+    return Check(None, note, _without_reasons(found), kind.claims(found), compared)
+
+
+def _without_reasons(found: Any) -> Any:
+    """A record in which no text says why something is not proved: nothing proves such texts."""
+    if type(found) is tuple:
+        parts = tuple(map(_without_reasons, found))
+        return parts if any(x is not y for x, y in zip(parts, found, strict=True)) else found
+    if not is_dataclass(found) or isinstance(found, type):
+        return found
+    changed: dict[str, Any] = {}
+    for name in (entry.name for entry in fields(found)):
+        own = getattr(found, name)
+        if name in ("reasons", "no_derivatives"):
+            changed[name] = dict.fromkeys(own, _NOT_TOLD)
+        elif name in ("reason", "end") and isinstance(own, str):
+            changed[name] = own and _NOT_TOLD
+        elif (new := _without_reasons(own)) is not own:
+            changed[name] = new
+    return replace(found, **changed) if changed else found
 
 
 def _agrees(told: Any, content: Any) -> bool:
