@@ -10,9 +10,10 @@ from flint import arb_mat
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.basin import _begin_tiles, _check_ranks
+from nonsmooth.runtime.checker.basin import _begin_tiles, _check_ranks, _motions
+from nonsmooth.runtime.checker.grids import stated_grid
 from nonsmooth.runtime.core.box_grid import BoxGrid
-from nonsmooth.runtime.core.float_sets import Rounded
+from nonsmooth.runtime.core.float_sets import ManySets, Rounded
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.checking.compare_declarations import compare
 
@@ -222,3 +223,29 @@ def test_tiles_lead_to_boxes_that_have_a_rank(content):
     assert _begin_tiles(content)(attracted)
     core = runs([-1 if rank else 0 for rank in flat(content["ranks"])])
     assert not _begin_tiles({**content, "ranks": core})(attracted)
+
+
+def test_false_tiles_are_not_followed_for_ever(content):
+    """On average a set has a quarter of the portions that it may have."""
+    tiles, section = stated_grid(content["tiles"], 4), stated_grid(content["grid"], 1)
+    sums = section.sums(np.repeat(*zip(*content["ranks"], strict=True)) >= 0)
+    verdicts, followed = np.array(flat(content["verdicts"])), []
+    for verdict in (2, 1):
+        motions, chosen = _motions(content), np.flatnonzero(verdicts == verdict)[:12]
+        leaves, portions = motions.leaves, []
+
+        def counted(*arguments, leaves=leaves, portions=portions):
+            found = leaves(*arguments)
+            portions.append(found.portions)
+            return found
+
+        motions.leaves = counted
+        boxes = tiles.sets(chosen)
+        states = (np.insert(x, x.shape[1] - 1, 0.0, axis=1) for x in vars(boxes).values())
+        led = motions.lead(
+            ManySets(*states), "slip-slip", (), lambda _, *box: section.covered(sums, *box)
+        )
+        assert led == (verdict == 2)
+        followed.append(sum(portions))
+        assert followed[-1] < motions.most * (len(chosen) / 4 + 2)
+    assert followed[1] > followed[0]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker import Failure
+from nonsmooth.runtime.checker import Failure, graph
 from nonsmooth.runtime.checker.graph import _StatedGraph
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
@@ -262,9 +262,18 @@ def test_an_edge_outside_of_components_descends(edges, ranks, told):
         "divided": [none], "edges": edges, "outside": none, "unknown": none, "trapping": none,
         "components": [[-1, 2]], "ranks": runs(ranks), "claim": "undecided",
     }  # fmt: skip
-    graph = _StatedGraph(content, 1)
+    stated = _StatedGraph(content, 1)
     if told is None:
-        graph.check_order(content)
+        stated.check_order(content)
     else:
         with pytest.raises(Failure, match=told):
-            graph.check_order(content)
+            stated.check_order(content)
+
+
+def test_values_outside_of_their_domains_are_refused_before_anything_is_followed(
+    content, tmp_path, monkeypatch
+):
+    monkeypatch.setattr(graph, "ManyMotions", None)
+    for name, value in (("V", "-1.0"), ("us1", "-1/2"), ("eta", "0")):
+        other = {**content, "parameters": {**content["parameters"], name: value}}
+        refused(other, tmp_path, "outside its domain")

@@ -36,7 +36,7 @@ from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.saved_system import same_system
-from nonsmooth.runtime.present.checking.compare_declarations import compare
+from nonsmooth.runtime.present.checking.compare_declarations import check_domains, compare
 from nonsmooth.runtime.present.files.basin_certificates import BASIN, basin_entries, basin_of
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
 from nonsmooth.runtime.present.files.censuses import CENSUS, census_entries, census_of
@@ -215,6 +215,8 @@ def check_certificate(
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     try:
+        for told in _told(content):
+            check_domains(told)  # before anything is proved of such values
         with flint_precision(64):  # the one precision of the process is kept
             kind.check(content, *((workers, progress) if kind.divides else ()))
         found = kind.of(entries)
