@@ -30,6 +30,7 @@ _BITS = 80
 _MOST, _FINEST = 4000, fmpq(1, 2**10)  # parts of the core, and of their sides
 _BATCH = 8192
 _LONGEST = 24  # transitions on one way
+_FAR = 1e308  # numbers that are finite
 _MORE = 8  # times the parts of one set that the file states
 
 
@@ -60,18 +61,21 @@ def check_basin(
     check_sum(content)
     check_bits(content)
     if content["claim"] != "proved":
-        told = ("core", "grid", "tiles", "ranks", "verdicts", "itinerary", "states", "declaration")
-        demand(not any(content[name] for name in told), "numbers of no claim")
+        told = ("core", "grid", "tiles", "ranks", "verdicts", "itinerary", "states", "box")
+        demand(not any(content[name] for name in (*told, "declaration")), "numbers of no claim")
         demand(content["contraction"] == "1" and not content["iterates"], "numbers of no claim")
         return
     demand(not content["reason"], "a reason why it is not proved")
     demand(content["core"] is not None, "there is no core")
     widest = content["widest"]
     demand(0 < widest < float("inf") and 0 < content["most"] <= 10**5, "no limits of sets")
+    grid = stated_grid(content["grid"], len(content["coordinates"]))
+    ranks, attracted = listed(content["ranks"], len(grid)), _attracted(content)
+    demand(ranks.min() >= -1 and ranks.max() < len(grid), "no such ranks")
     with ctx.workprec(_BITS):
         core = _check_core(content)
-        grid = _check_ranks(content, _motions(content), core)
-    _check_tiles(content, grid, workers, progress)
+        _check_ranks(content, _motions(content), core, grid, ranks)
+    _check_tiles(content, attracted, workers, progress)
 
 
 def _check_core(content: dict[str, Any]) -> Rounded:
@@ -118,13 +122,12 @@ def _contracted(part: SectionPart, box: Box, told: Any) -> bool:
     return all(bool(total < arb(told)) for total in sums)
 
 
-def _check_ranks(content: dict[str, Any], motions: ManyMotions, core: Rounded) -> BoxGrid:
-    """Boxes of the section have the ranks that are stated; gives their grid."""
+def _check_ranks(
+    content: dict[str, Any], motions: ManyMotions, core: Rounded, grid: BoxGrid, ranks: Any
+) -> None:
+    """Boxes of the section have the ranks that are stated."""
     named = [motions.system.states[k] for k in motions.free]
     demand(content["coordinates"] == named, "the coordinates are not those of the section")
-    grid = stated_grid(content["grid"], len(named))
-    ranks = listed(content["ranks"], len(grid))
-    demand(ranks.min() >= -1 and ranks.max() < len(grid), "no such ranks")
 
     def in_core(low: Any, high: Any) -> Any:
         if not len(low):
@@ -148,22 +151,37 @@ def _check_ranks(content: dict[str, Any], motions: ManyMotions, core: Rounded) -
             lifted = starts.mapped(motions.lift(motions.facts, timed=False))
             good = motions.lead(lifted, motions.section.configuration, motions.facts, known)
             demand(good, f"a box of the rank {rank} may lead elsewhere")
-    return grid
 
 
-def _check_tiles(
-    content: dict[str, Any], grid: BoxGrid, workers: int, progress: Callable[[int, int], object]
-) -> None:
-    """From tiles that are stated to be attracted all motions come to boxes with a rank."""
+def _attracted(content: dict[str, Any]) -> Any:
+    """The tiles that are stated to be attracted: they cover the box, and no larger one."""
     if content["tiles"] is None:
-        demand(not content["verdicts"] and not content["states"], "verdicts of no tiles")
-        return
+        told = (content[name] for name in ("verdicts", "states", "box"))
+        demand(not any(told), "verdicts of no tiles")
+        return np.zeros(0, dtype=int)
     states = content["declaration"]["states"]
     demand(content["states"] == states and not content["phase"], "tiles of other states")
     tiles = stated_grid(content["tiles"], len(states))
+    demand(list(content["box"]) == states, "the box is not one of the states")
+    ends = [content["box"][name] for name in states]
+    demand(all(-_FAR < low < high < _FAR for low, high in ends), "the box is none")
+    for exponent, first, count, (low, high) in zip(
+        tiles.exponents, tiles.first, tiles.counts, ends, strict=True
+    ):
+        from_first, to_last = (
+            fmpq(*x.as_integer_ratio()) / fmpq(2) ** exponent for x in (low, high)
+        )
+        met = first <= from_first < first + 1 and first + count - 1 < to_last <= first + count
+        demand(met, "tiles of another box")
     verdicts = listed(content["verdicts"], len(tiles))
     demand(verdicts.min() >= 0 and verdicts.max() <= 2, "no such verdicts")
-    good = np.flatnonzero(verdicts == 2)
+    return np.flatnonzero(verdicts == 2)
+
+
+def _check_tiles(
+    content: dict[str, Any], good: Any, workers: int, progress: Callable[[int, int], object]
+) -> None:
+    """From tiles that are stated to be attracted all motions come to boxes with a rank."""
     size = max(1, min(_BATCH, -(-len(good) // workers)))
     batches = (good[begin : begin + size] for begin in range(0, len(good), size))
     given, done = {**content, "verdicts": []}, 0

@@ -34,17 +34,22 @@ __all__ = ["Arrivals", "ManyMotions"]
 _BITS = 80
 _ABOUT_ZERO = 2.0**-30  # a time
 _HALVINGS = 16  # of a set that is lost or comes elsewhere too, as a whole
+_SHARE = 4  # of the portions of a set those that sets have on average, at most
 _HALVES = 1024  # of several sets, besides two of each
 _RADIANS = 0.125  # of the fastest motion in a window
 
 
 class Arrivals(NamedTuple):
-    """Boxes (L, d) of the section's coordinates, of which set each is, and which sets are lost."""
+    """Boxes (L, d) of the section's coordinates, of which set each is, and which sets are lost.
+
+    And how many portions were followed.
+    """
 
     origin: Any
     low: Floats
     high: Floats
     lost: Any
+    portions: int
 
 
 class ManyMotions:
@@ -119,7 +124,9 @@ class ManyMotions:
         return self.leaves(lifted, self.section.configuration, self.facts)
 
     @np.errstate(all="ignore")  # sets without bounds are lost
-    def leaves(self, starts: ManySets, configuration: str, facts: Sequence[Any]) -> Arrivals:
+    def leaves(
+        self, starts: ManySets, configuration: str, facts: Sequence[Any], whole: float = np.inf
+    ) -> Arrivals:
         """Boxes that contain the first arrival of every state of every set.
 
         Parameters
@@ -130,6 +137,8 @@ class ManyMotions:
             In which they are.
         facts : sequence of row
             What is exactly zero for them; of a forcing also that it has the section's phase.
+        whole : int, optional
+            Portions of all sets together: beyond so many all sets are lost.
 
         Returns
         -------
@@ -148,7 +157,7 @@ class ManyMotions:
         demand(here, "the forcing has another phase")
         rows = self.system.boundaries[configuration]
         inside = frozenset(name for name, row in rows.items() if any(reduced(row, known)))
-        remaining = Remaining(len(starts), self.most)
+        remaining = Remaining(len(starts), self.most, whole)
         each = np.arange(len(starts))
         remaining.add(
             KnownStart(configuration, known, inside, 0), Portions(starts, each, np.zeros_like(each))
@@ -161,7 +170,7 @@ class ManyMotions:
                     found.append((own.origin, low[:, self.free], high[:, self.free]))
         origin, low, high = (np.concatenate(x) for x in zip(*found, strict=True))
         kept = ~remaining.lost[origin]
-        return Arrivals(origin[kept], low[kept], high[kept], remaining.lost)
+        return Arrivals(origin[kept], low[kept], high[kept], remaining.lost, remaining.portions)
 
     def lead(
         self,
@@ -171,6 +180,9 @@ class ManyMotions:
         known: Callable[[Any, Any, Any], Any],
     ) -> bool:
         """Whether all states of all sets come to what is known, in parts if need be.
+
+        On average over the sets a quarter of the portions is followed that one set may have,
+        halves included: so the work is bounded by the number of sets, whether it is true or not.
 
         Parameters
         ----------
@@ -187,14 +199,16 @@ class ManyMotions:
         bool
         """
         origin, most = np.arange(len(starts)), 2 * len(starts) + _HALVES
+        left = self.most * (len(starts) / _SHARE + 1)
         for _ in range(_HALVINGS + 1):
-            found = self.leaves(starts, configuration, facts)
+            found = self.leaves(starts, configuration, facts, left)
+            left -= found.portions
             bad = found.lost.copy()
             bad[found.origin[~known(origin[found.origin], found.low, found.high)]] = True
             if not bad.any():
                 return True
             starts, origin = starts[bad], np.tile(origin[bad], 2)
-            if 2 * len(starts) > most:
+            if 2 * len(starts) > min(most, left):
                 return False
             starts = starts.halves(np.argmax(np.abs(starts.sides).max(axis=1), axis=1))
         return False

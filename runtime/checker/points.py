@@ -18,7 +18,7 @@ from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
 from nonsmooth.runtime.checker.shape import CERTIFICATE, check_bits, check_shape
-from nonsmooth.runtime.checker.stability import has_multipliers, stability
+from nonsmooth.runtime.checker.stability import check_multipliers, stability
 
 __all__ = ["check"]
 
@@ -47,7 +47,7 @@ def check(content: dict[str, Any]) -> None:
     exists, admissible, stable = agreed_claims(content["claims"], content["reasons"])
     if exists != "proved":
         told = [content[name] for name in ("enclosures", "multipliers", "margins")]
-        told += [content.get(name) for name in ("derivatives", "directions")]
+        told += [content.get(n) for n in ("derivatives", "directions", "other_multipliers")]
         demand(not any(told), "numbers of no orbit")
     if exists == "undecided":
         told = [content[name] for name in ("box", "declaration", "closing", "given_period")]
@@ -82,7 +82,7 @@ def check(content: dict[str, Any]) -> None:
         for name, enclosure in content["enclosures"].items():
             demand(inside(found[name], enclosure), f"{name} is not in its enclosure")
         multipliers = [(ball(m["re"]), ball(m["im"])) for m in content["multipliers"]]
-        demand(has_multipliers(orbit, multipliers), "a stated multiplier is none")
+        check_multipliers(orbit, multipliers, content["other_multipliers"])
         if stable != "undecided":
             verdict = stability(orbit)
             demand(verdict == stable, f"stability is {verdict}")

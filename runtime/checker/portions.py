@@ -226,13 +226,13 @@ class Remaining:
     ----------
     count : int
         Of sets.
-    most : int
-        Portions of a set.
+    most, whole : int
+        Portions of a set, and of all of them together.
     """
 
-    def __init__(self, count: int, most: int) -> None:
-        self.lost = np.zeros(count, dtype=bool)
-        self._most, self._counted = most, np.zeros(count, dtype=int)
+    def __init__(self, count: int, most: int, whole: float = np.inf) -> None:
+        self.lost, self.portions = np.zeros(count, dtype=bool), 0
+        self._most, self._whole, self._counted = most, whole, np.zeros(count, dtype=int)
         self._left: dict[KnownStart, list[Portions]] = {}
 
     def add(self, known: KnownStart, portions: Portions) -> None:
@@ -247,7 +247,7 @@ class Remaining:
         self._left.setdefault(known, []).append(portions)
 
     def count(self, origin: Any) -> None:
-        """Count portions; a set that has too many is lost.
+        """Count portions; a set that has too many is lost, and all are if there are too many.
 
         Parameters
         ----------
@@ -255,7 +255,8 @@ class Remaining:
             Of which set each is.
         """
         np.add.at(self._counted, origin, 1)
-        self.lost |= self._counted > self._most
+        self.portions += len(origin)
+        self.lost |= (self._counted > self._most) | (self.portions > self._whole)
 
     def lose(self, origin: Any) -> None:
         """Some sets are lost.

@@ -147,6 +147,7 @@ CERTIFICATE = {
     "given_period": str,
     "bits": int,
     "multipliers": [{"re": _BALL, "im": _BALL}],
+    "other_multipliers": Either((re.compile(""), NUMBER)),
     "margins": [
         {
             "phase": int,
@@ -363,6 +364,7 @@ BASIN = {
     "ranks": [(int, int)],
     "tiles": _GRID,
     "states": [str],
+    "box": Named((float, float)),
     "verdicts": [(int, int)],
     "widest": float,
     "most": int,
@@ -400,9 +402,7 @@ CENSUS = {
     "orbits": [
         {"unique": _BOUNDS, "certificate": Either((type(None), CERTIFICATE)), "reason": str},
     ],
-    "beyond": int,
     "undecided": [{"bounds": _BOUNDS, "reason": str}],
-    "looked": int,
     "bits": int,
 }
 

@@ -7,15 +7,15 @@ from typing import Any
 
 from flint import acb, acb_poly, arb, arb_mat, arb_poly
 
-from nonsmooth.runtime.checker.exact import demand
+from nonsmooth.runtime.checker.exact import demand, exact
 from nonsmooth.runtime.checker.orbit import CheckedOrbit, trace_of
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of
 
 __all__ = [
     "MULTIPLIERS",
     "characteristic",
+    "check_multipliers",
     "demand_alone",
-    "has_multipliers",
     "outside_if_reached",
     "paired",
     "passing",
@@ -27,10 +27,13 @@ MULTIPLIERS = {"flip": -1, "fold": 1, "neimark-sacker": 0}
 _SQUARINGS = 12  # of roots, before nothing is said of them
 
 
-def has_multipliers(orbit: CheckedOrbit, stated: Sequence[tuple[Any, Any]]) -> bool:
-    """Whether there is one in each disc, no two in one: Newton's map leads into it.
+def check_multipliers(orbit: CheckedOrbit, stated: Sequence[tuple[Any, Any]], others: str) -> None:
+    """There is one multiplier in each disc, no two in one, and the others are small enough.
 
-    On a section with fewer coordinates than the orbit has all the others are zero.
+    Newton's map leads into each disc. On a section with fewer coordinates than the orbit has all
+    the others are zero. The characteristic polynomial divided by the roots in the discs, and by
+    the trivial one, has roots that are at most twice the largest k-th root of its k-th
+    coefficient (M. Fujiwara, 1916).
 
     Parameters
     ----------
@@ -38,20 +41,38 @@ def has_multipliers(orbit: CheckedOrbit, stated: Sequence[tuple[Any, Any]]) -> b
         The orbit, located.
     stated : sequence of (arb, arb)
         Real and imaginary part of each multiplier.
+    others : str
+        What no other nontrivial one exceeds in absolute value; empty where that is open.
 
-    Returns
-    -------
-    bool
-        True if that is proved.
+    Raises
+    ------
+    Failure
+        If something is not proved.
     """
-    others = [0] * (orbit.section.nrows() < len(orbit.declared.free))
-    polynomial = acb_poly([*others, *(acb(c) for c in reversed(characteristic(orbit.section)))])
+    if not stated and not others:
+        return
+    demand(orbit.declared.alone, "multipliers of one-sided maps")
+    zeros = [acb(0)] * (orbit.section.nrows() < len(orbit.declared.free))
+    coefficients = [*map(acb, characteristic(orbit.section)), *zeros]
+    polynomial = acb_poly(coefficients[::-1])
     discs = [acb(re, im) for re, im in stated]
-    if any(first.overlaps(second) for first, second in combinations(discs, 2)):
-        return False
+    overlap = any(first.overlaps(second) for first, second in combinations(discs, 2))
+    demand(not overlap and len(discs) < len(coefficients), "a stated multiplier is none")
     steps = [polynomial(disc.mid()) / polynomial.derivative()(disc) for disc in discs]
     pairs = zip(discs, steps, strict=True)
-    return all(disc.contains_interior(disc.mid() - step) for disc, step in pairs)
+    inside = all(disc.contains_interior(disc.mid() - step) for disc, step in pairs)
+    demand(inside, "a stated multiplier is none")
+    if not others:
+        return
+    for root in (*discs, *[acb(1)] * (orbit.declared.stability == "neutral")):
+        carried, kept = acb(0), coefficients[:-1]
+        coefficients = []
+        for coefficient in kept:
+            carried = coefficient + root * carried
+            coefficients.append(carried)
+    half = arb(exact(others)) / 2
+    small = half > 0 and all(abs(x) <= half**k for k, x in enumerate(coefficients[1:], 1))
+    demand(small, "there is a multiplier that is not stated")
 
 
 def stability(orbit: CheckedOrbit) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from decimal import ROUND_DOWN, Context
+
 from rich.text import Text
 
 from nonsmooth.runtime.cli.display_certificates import STYLES
@@ -10,6 +12,8 @@ from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 
 __all__ = ["basin_lines", "show_basin"]
+
+_DOWN = Context(prec=3, rounding=ROUND_DOWN)  # no more is said than is proved
 
 
 def show_basin(found: BasinCertificate) -> None:
@@ -67,6 +71,6 @@ def basin_lines(found: BasinCertificate) -> list[str]:
         sides = ", ".join(f"{side:g}" for side in found.tiles.sides)
         lines.append(
             f"tiles of the sides {sides}: {good} of {looked} that were looked at are attracted,"
-            f" {100 * found.share:.3g} % of the box"
+            f" {_DOWN.create_decimal(100 * found.share)} % of the box"
         )
     return lines

@@ -98,6 +98,9 @@ def show_certificate(certificate: Certificate) -> None:
     for number, (re, im) in enumerate(certificate.multipliers, 1):
         imaginary = "" if im.contains(0) else f" + {im} i"
         table.add_row(f"multiplier {number}", f"{re}{imaginary}", "")
+    others = certificate.other_multipliers
+    bound = f"at most {float(others):g} in absolute value" if others else "not enclosed"
+    table.add_row("other multipliers", bound, "")
     show_table(table, out)
     show_derivatives(out, certificate)
     if certificate.margins:

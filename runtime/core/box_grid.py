@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from itertools import product
-from math import prod
+from math import ceil, floor, frexp, prod
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.float_sets import Floats, ManySets
 
 __all__ = ["BoxGrid"]
+
+_LARGEST = 10**8  # boxes
+_EXPONENT = 900  # of 2, of a side: what is near to none and to infinity has other roundings
+_FARTHEST = 2**52  # sides from 0: doubles and machine integers hold all places exactly
 
 
 @dataclass(frozen=True)
@@ -31,25 +38,82 @@ class BoxGrid:
     first: tuple[int, ...]
     counts: tuple[int, ...]
 
+    def __post_init__(self) -> None:
+        if not len(self.exponents) == len(self.first) == len(self.counts) > 0:
+            raise InputError("a grid states its sides, first boxes and counts by coordinates")
+        if any(abs(e) > _EXPONENT for e in self.exponents):
+            raise InputError(f"a side of a box is from 2^-{_EXPONENT} to 2^{_EXPONENT}")
+        if min(self.counts) < 1 or prod(self.counts) > _LARGEST:
+            raise InputError(f"a grid has 1 to {_LARGEST} boxes: take longer sides")
+        self.check_levels(0)
+
+    def check_levels(self, levels: int) -> None:
+        """InputError unless doubles hold all coordinates, after sides were halved so often.
+
+        Parameters
+        ----------
+        levels : int
+        """
+        ends = (*self.first, *(f + n for f, n in zip(self.first, self.counts, strict=True)))
+        if max(map(abs, ends)) << levels > _FARTHEST:
+            raise InputError("so far from 0 boxes have longer sides: take longer ones")
+
     @staticmethod
-    def around(low: Floats, high: Floats, sides: Floats) -> BoxGrid:
+    def over(low: Sequence[float], high: Sequence[float], exponents: Sequence[int]) -> BoxGrid:
+        """The least grid of some sides that covers a box.
+
+        Parameters
+        ----------
+        low, high : sequence of float (d,)
+            Its ends.
+        exponents : sequence of int (d,)
+            Of 2, of the sides.
+
+        Returns
+        -------
+        BoxGrid
+
+        Raises
+        ------
+        InputError
+            If it has too many boxes, or doubles do not hold them.
+        """
+        units = [Fraction(2) ** e for e in exponents]
+        first = [floor(Fraction(x) / unit) for x, unit in zip(low, units, strict=True)]
+        last = [ceil(Fraction(x) / unit) for x, unit in zip(high, units, strict=True)]
+        counts = (max(end - begin, 1) for begin, end in zip(first, last, strict=True))
+        return BoxGrid(tuple(exponents), tuple(first), tuple(counts))
+
+    @staticmethod
+    def around(low: Floats, high: Floats, sides: Floats, most: int = _LARGEST) -> BoxGrid:
         """The grid that covers a box, with sides that are no longer than some.
 
         Parameters
         ----------
         low, high, sides : array (d,)
+        most : int
+            Boxes.
 
         Returns
         -------
         BoxGrid
+
+        Raises
+        ------
+        InputError
+            If it has more boxes, or doubles do not hold them.
         """
-        exponents = tuple(int(x) for x in np.floor(np.log2(sides)))
-        unit = 2.0 ** np.array(exponents)
-        first = np.floor(low / unit).astype(int)
-        last = np.ceil(high / unit).astype(int)
-        return BoxGrid(
-            exponents, tuple(map(int, first)), tuple(map(int, np.maximum(last - first, 1)))
-        )
+        lengths = sides.tolist()
+        told = f"boxes of the sides {', '.join(f'{side:g}' for side in lengths)}"
+        if not (np.isfinite([low, high, sides]).all() and min(lengths) > 0):
+            raise InputError(f"{told}: not all ends and sides are finite and positive")
+        try:
+            grid = BoxGrid.over(low.tolist(), high.tolist(), [frexp(x)[1] - 1 for x in lengths])
+        except InputError as problem:
+            raise InputError(f"{told}: {problem}") from None
+        if len(grid) > most:
+            raise InputError(f"{told}: {len(grid)} are more than {most}, take longer ones")
+        return grid
 
     def __len__(self) -> int:
         return prod(self.counts)

@@ -35,6 +35,9 @@ class DividedGrid:
     grid: BoxGrid
     divided: tuple[Flags, ...]
 
+    def __post_init__(self) -> None:
+        self.grid.check_levels(len(self.divided) - 1)
+
     @staticmethod
     def of(grid: BoxGrid) -> DividedGrid:
         """The boxes of a grid, none of them divided.

@@ -352,7 +352,7 @@ class _Search:
         return error / curvature if curvature > 0 else 0.0
 
     def _polished(self, t: float) -> Crossing:
-        for _ in range(12):
+        for _ in range(100):  # the distance to nearly a double root is halved each time
             value, slope, _, error = self.jet(t)
             if slope <= 0:
                 break

@@ -127,9 +127,13 @@ class Certificate(Kept):
     multipliers : tuple of (Stated, Stated)
         Real and imaginary part of each nontrivial one that is clearly apart from the others
         and from zero.
+    other_multipliers : str
+        What no other nontrivial one exceeds in absolute value: 1e-6 where all that are not zero
+        are listed, empty where nothing is known of them.
     margins : tuple of dict
-        How clearly each boundary is respected: phase, configuration, boundary, quantity
-        ("distance", "departure" or "speed") and what it is at least.
+        How clearly boundaries are respected: phase, configuration, boundary, quantity
+        ("distance", "departure" or "speed") and what it is at least. Those that are not listed
+        are respected too where admissibility is proved.
     box : tuple of Unknown
         Where the orbit is unique.
     bits : int
@@ -161,6 +165,7 @@ class Certificate(Kept):
     reasons: Mapping[str, str]
     enclosures: Mapping[str, Stated]
     multipliers: tuple[tuple[Stated, Stated], ...]
+    other_multipliers: str
     margins: tuple[Mapping[str, Any], ...]
     box: tuple[Unknown, ...]
     bits: int
@@ -228,6 +233,7 @@ class Certificate(Kept):
             "multipliers": [
                 {"re": re.to_json(), "im": im.to_json()} for re, im in self.multipliers
             ],
+            "other_multipliers": self.other_multipliers,
             "margins": [dict(margin) for margin in self.margins],
             "box": [asdict(x) for x in self.box],
             **told,

@@ -164,6 +164,7 @@ def _certificate(
     reasons: dict[str, str] = {}
     enclosures: dict[str, Stated] = {}
     multipliers: tuple[tuple[Stated, Stated], ...] = ()
+    others = ""
     margins: tuple[dict[str, Any], ...] = ()
     if isinstance(root, Missing):
         claims["existence"], reasons["existence"] = root.verdict, root.reason
@@ -181,10 +182,9 @@ def _certificate(
             region, root.equations, root.linearised.shooting, dwell, stability.trace
         )
         enclosures = {name: stated(x, bits, int(name == "trace")) for name, x in named.items()}
-        multipliers = tuple(
-            (stated(m.real, bits, 1), stated(m.imag, bits, 1))
-            for m in stability.multipliers(region)
-        )
+        known = stability.multipliers(region)
+        multipliers = tuple((stated(m.real, bits, 1), stated(m.imag, bits, 1)) for m in known)
+        others = stability.others_below(region, known)
         margins = tuple(_margin(m) for m in judgement.margins)
     declaration: dict[str, Any] = {}
     how: dict[str, Any] = {}
@@ -201,6 +201,7 @@ def _certificate(
         reasons=reasons,
         enclosures=enclosures,
         multipliers=multipliers,
+        other_multipliers=others,
         margins=margins,
         box=root.box,
         bits=bits,
@@ -284,6 +285,7 @@ def _uncovered(orbit: Orbit, bits: int, reason: str, by: Sequence[str]) -> Certi
         reasons=reasons,
         enclosures={},
         multipliers=(),
+        other_multipliers="",
         margins=(),
         box=(),
         bits=bits,

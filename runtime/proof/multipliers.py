@@ -22,6 +22,7 @@ __all__ = [
     "eigenvalues_of",
     "inside_circle",
     "neutral_pairs",
+    "others_below",
     "product_of",
     "reduced_map",
     "trace_of",
@@ -200,6 +201,36 @@ def apart(multipliers: Sequence[acb], size: int, *, trivial: bool) -> tuple[acb,
         if abs(slope) > _LEAST_SLOPE:
             found.append(multiplier)
     return tuple(found)
+
+
+def others_below(section: arb_mat, known: Sequence[acb]) -> float:
+    """About what no eigenvalue but the known ones exceeds in absolute value.
+
+    The characteristic polynomial divided by the known roots has roots that are no larger than
+    twice the largest k-th root of its k-th coefficient (M. Fujiwara, Tohoku Math. J. 10, 1916).
+
+    Parameters
+    ----------
+    section : arb_mat (n, n)
+    known : sequence of acb
+        Simple eigenvalues, at most n.
+
+    Returns
+    -------
+    float
+        Zero where all are known.
+    """
+    from flint import acb
+
+    quotient = [acb(x) for x in reversed(section.charpoly().coeffs())]
+    for root in known:
+        carried, kept = acb(0), quotient[:-1]
+        quotient = []
+        for coefficient in kept:
+            carried = coefficient + root * carried
+            quotient.append(carried)
+    sizes = (float(abs(x).abs_upper()) ** (1 / k) for k, x in enumerate(quotient[1:], 1))
+    return 2 * max(sizes, default=0.0)
 
 
 def _divided(coefficients: Sequence[arb]) -> list[arb]:

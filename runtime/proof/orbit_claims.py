@@ -7,6 +7,7 @@ parameters, and its Taylor models are balls.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.core.taylor_models import matrix, range_of
@@ -19,6 +20,7 @@ from nonsmooth.runtime.proof.multipliers import (
     eigenvalues_of,
     inside_circle,
     neutral_pairs,
+    others_below,
     product_of,
     reduced_map,
     trace_of,
@@ -39,6 +41,7 @@ __all__ = [
     "unstable_if_reached",
 ]
 
+_LEAST_OTHER = 1e-6  # less is not told apart from zero
 NOT_CONSERVED = "the energy does not give the coordinate that is left out"
 
 
@@ -77,7 +80,7 @@ class MapClaim(NamedTuple):
         tuple of acb
             Nontrivial ones.
         """
-        if self.section is None or region.cycle.one_sided:
+        if not self._enclosed(region):
             return ()
         closing = region.closing
         conservative = closing.form is not None
@@ -85,6 +88,21 @@ class MapClaim(NamedTuple):
         free = len(region.subject.start) - len(closing.forced)
         found = apart(pairs or (), free, trivial=conservative)
         return tuple(sorted(found, key=lambda m: -float(abs(m).mid())))
+
+    def _enclosed(self, region: Region) -> bool:
+        """Whether the map has one derivative."""
+        return self.section is not None and not region.cycle.one_sided
+
+    def others_below(self, region: Region, known: Sequence[acb]) -> str:
+        """What no nontrivial multiplier but the known ones exceeds: a decimal, rounded up."""
+        from flint import acb
+
+        if not self._enclosed(region):
+            return ""
+        trivial = [acb(1)] if region.closing.form is not None else []
+        bound = others_below(self.section, [*known, *trivial])
+        # zeros that the check knows from their enclosures alone are a little apart from zero
+        return f"{max(2 * bound, _LEAST_OTHER):.1e}" if bound < inf else ""
 
 
 def claim_of_map(region: Region, number: Number, equations: Equations, now: Shooting) -> MapClaim:

@@ -127,6 +127,27 @@ def test_centres_outside_their_enclosures_are_refused(content: dict[str, Any]) -
         refused(changed, "multiplier")
 
 
+@of("global-stick", "symmetric", "rigid", "elastic", "kicked", "soft", "twice")
+def test_multipliers_that_are_not_stated_are_no_larger_than_is_stated(
+    content: dict[str, Any],
+) -> None:
+    assert content["multipliers"]
+    known = [complex(*(float(m[k]["mid"]) for k in ("re", "im"))) for m in content["multipliers"]]
+    zero = {"mid": "0", "rad": "1e-12"}
+    for place, number in enumerate(known):
+        assert abs(number) > 1e-3
+        for other in ([], [{"re": zero, "im": zero}]):
+            told = content["multipliers"][:place] + other + content["multipliers"][place + 1 :]
+            refused({**content, "multipliers": told}, "not stated|stated multiplier is none")
+    refused({**content, "multipliers": []}, "not stated")
+    largest = max(map(abs, known))
+    refused({**content, "multipliers": [], "other_multipliers": f"{0.999 * largest}"}, "not stated")
+    bound = f"{4 * len(known) * max(1, largest)}"
+    for told in ({"other_multipliers": ""}, {"multipliers": [], "other_multipliers": bound}):
+        weaker = {**content, **told}
+        check({**weaker, "sha256": checksum_of(weaker)})
+
+
 @of("global-stick", "rigid", "elastic", "kicked", "soft", "twice")
 def test_boxes_without_the_orbit_are_refused(content: dict[str, Any]) -> None:
     for place in range(len(content["box"])):
@@ -253,7 +274,7 @@ def test_claims_of_another_verdict_are_refused(content: dict[str, Any]) -> None:
             claims[name] = verdict
             if name == "existence":
                 claims |= {"admissibility": "undecided", "stability": "undecided"}
-                changed |= {"enclosures": {}, "multipliers": []}
+                changed |= {"enclosures": {}, "multipliers": [], "other_multipliers": ""}
             if claims["admissibility"] != "proved":
                 changed["margins"] = []
             changed["reasons"] = {n: "so" for n, told in claims.items() if told != "proved"}
@@ -309,7 +330,7 @@ def test_a_box_with_a_root_is_not_empty(content: dict[str, Any]) -> None:
     changed["claims"] = {
         "existence": "refuted", "admissibility": "undecided", "stability": "undecided",
     }  # fmt: skip
-    changed |= {"enclosures": {}, "multipliers": [], "margins": []}
+    changed |= {"enclosures": {}, "multipliers": [], "other_multipliers": "", "margins": []}
     changed["reasons"] = dict.fromkeys(changed["claims"], "so")
     if content["claims"]["existence"] == "proved":
         refused(changed, "existence is not refuted")

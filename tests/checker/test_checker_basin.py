@@ -1,11 +1,19 @@
 """The check of basins: true files pass, and false ones do not."""
 
 import json
+from math import prod
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
+from flint import arb_mat
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
+from nonsmooth.runtime.checker.basin import _begin_tiles, _check_ranks, _motions
+from nonsmooth.runtime.checker.grids import stated_grid
+from nonsmooth.runtime.core.box_grid import BoxGrid
+from nonsmooth.runtime.core.float_sets import ManySets, Rounded
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.checking.compare_declarations import compare
 
@@ -129,6 +137,18 @@ def test_tiles_that_are_not_attracted_are_not_stated_to_be(content, tmp_path):
     refused({**content, "verdicts": runs(verdicts)}, tmp_path, "a tile may lead elsewhere")
 
 
+@pytest.mark.parametrize("ends", [(-0.5, 1e300), (-0.5, 0.75), (0.0, 0.5), (0.5, -0.5)])
+def test_tiles_are_those_of_the_box_that_is_stated(content, tmp_path, ends):
+    box = {**content["box"], "v1": list(ends)}
+    refused({**content, "box": box}, tmp_path, "box")
+    tiles = content["tiles"]
+    place = content["states"].index("v1")
+    counts = [n - (k == place) for k, n in enumerate(tiles["counts"])]
+    verdicts = runs(flat(content["verdicts"])[: prod(counts)])
+    edited = {**content, "tiles": {**tiles, "counts": counts}, "verdicts": verdicts}
+    refused(edited, tmp_path, "tiles of another box")
+
+
 def test_another_core_is_refused(content, tmp_path):
     core = content["core"]
     wide = {**core, "sides": [["3.5"]]}
@@ -161,3 +181,71 @@ def test_another_declaration_is_refused(content, tmp_path):
     rows = declared["configurations"]["slip-slip"]["boundaries"]
     rows.pop(next(iter(rows)))
     refused({**content, "declaration": declared}, tmp_path, "")
+
+
+@pytest.mark.parametrize(
+    ("ranks", "moves", "told"),
+    [
+        ([0, 1, 2, 3], [0, -1, -1, -1], None),
+        ([0, 1, 1, 2], [0, -1, -2, -1], None),
+        ([0, 1, 2, 2], [0, -1, -1, -1], "rank 2"),  # to a box of the same rank
+        ([0, 1, 1, 1], [0, 0, -2, -3], "rank 1"),  # a box that leads to itself
+        ([0, 1, -1, 2], [0, -1, -1, -1], "rank 2"),  # to a box without a rank
+        ([0, -1, 1, 2], [0, -1, -1, -1], "rank 1"),
+        ([0, 2, 1, 3], [0, -1, -1, -1], "rank 1"),  # to a larger rank
+    ],
+)
+def test_boxes_lead_to_boxes_of_smaller_ranks(ranks, moves, told):
+    """Of four boxes next to each other the first is the core, and each moves by so many."""
+    grid, moves = BoxGrid((0,), (0,), (4,)), np.array(moves)
+
+    def lead(starts, configuration, facts, known):
+        low, high = (x[:, :1] for x in starts.hull)
+        moved = moves[np.floor(low[:, 0] + 0.5).astype(int), None]
+        return known(np.arange(len(low)), low + moved + 0.25, high + moved - 0.25).all()
+
+    same = Rounded.of(arb_mat([[1, 0], [0, 1]]))
+    motions = SimpleNamespace(
+        system=SimpleNamespace(states=["x"]), section=SimpleNamespace(configuration="free"),
+        free=[0], facts=(), lift=lambda facts, timed: same, lead=lead,
+    )  # fmt: skip
+    core = Rounded.of(arb_mat([[1, -0.5]]))
+    arguments = {"coordinates": ["x"]}, motions, core, grid, np.array(ranks)
+    if told is None:
+        _check_ranks(*arguments)
+    else:
+        with pytest.raises(Failure, match=told):
+            _check_ranks(*arguments)
+
+
+def test_tiles_lead_to_boxes_that_have_a_rank(content):
+    attracted = np.flatnonzero(np.array(flat(content["verdicts"])) == 2)[:4]
+    assert _begin_tiles(content)(attracted)
+    core = runs([-1 if rank else 0 for rank in flat(content["ranks"])])
+    assert not _begin_tiles({**content, "ranks": core})(attracted)
+
+
+def test_false_tiles_are_not_followed_for_ever(content):
+    """On average a set has a quarter of the portions that it may have."""
+    tiles, section = stated_grid(content["tiles"], 4), stated_grid(content["grid"], 1)
+    sums = section.sums(np.repeat(*zip(*content["ranks"], strict=True)) >= 0)
+    verdicts, followed = np.array(flat(content["verdicts"])), []
+    for verdict in (2, 1):
+        motions, chosen = _motions(content), np.flatnonzero(verdicts == verdict)[:12]
+        leaves, portions = motions.leaves, []
+
+        def counted(*arguments, leaves=leaves, portions=portions):
+            found = leaves(*arguments)
+            portions.append(found.portions)
+            return found
+
+        motions.leaves = counted
+        boxes = tiles.sets(chosen)
+        states = (np.insert(x, x.shape[1] - 1, 0.0, axis=1) for x in vars(boxes).values())
+        led = motions.lead(
+            ManySets(*states), "slip-slip", (), lambda _, *box: section.covered(sums, *box)
+        )
+        assert led == (verdict == 2)
+        followed.append(sum(portions))
+        assert followed[-1] < motions.most * (len(chosen) / 4 + 2)
+    assert followed[1] > followed[0]

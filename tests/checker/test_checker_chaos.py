@@ -13,6 +13,7 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
+from nonsmooth.runtime.checker.chaos import _placed
 from nonsmooth.runtime.checker.cones import check_cones
 from nonsmooth.runtime.checker.sets import StateSet
 from nonsmooth.runtime.cli.program import app
@@ -327,3 +328,11 @@ def test_what_is_proved_when_exponents_are_interrupted_is_kept(tmp_path, monkeyp
     assert told.exit_code == 130
     assert f"chaos is proved, no exponents, kept in {target}" in told.stderr
     assert ns.check_certificate(target).difference is None
+
+
+@pytest.mark.parametrize("stable", ["0.999", "-0.999", "1.001", "-1.001", "1.4", "2", "1 +/- 1e-9"])
+@pytest.mark.parametrize("unstable", ["0", "1.001", "-1.001", "1 +/- 1e-9"])
+def test_an_image_lies_beyond_a_set_or_strictly_between_its_stable_sides(unstable, stable):
+    beyond, between = unstable.endswith("1.001"), stable.endswith("0.999")
+    assert _placed([arb(unstable), arb("0.5"), arb(stable)], False) == (beyond or between)
+    assert _placed([arb(unstable), arb(stable)], True) == beyond

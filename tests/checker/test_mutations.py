@@ -117,7 +117,7 @@ NOTES = (
     r"events/\d+/text",
     r"tiles/\d+/looked_at",
     r"start",  # of a branch: from which of its tiles it was followed
-    r"(conditions|undecided|beyond|looked)\b.*",  # of the search for all orbits
+    r"(conditions|undecided)\b.*",  # of the search for all orbits
     r"orbits/\d+/unique.*",
     r"tried.*",  # of the search for chaos
     r"no_derivatives.*",
@@ -129,7 +129,6 @@ HINTS = (
     r"tiles/\d+/(centre|radii)/.*",  # another tube around the same orbits
     r"tiles/\d+/event/window/.*",
     r".*closing/(dropped|form|constants).*",  # any energy serves
-    r".*multipliers(/\d+)?",  # of several proved ones some may be told
     r".*margins(/\d+|/\d+/least)?",
 )
 # what is changed into another truth, which is proved
@@ -139,6 +138,7 @@ TRUE = (
     r"derivatives/(x10|v10|v20)",  # zero by both parameters: exchanged
     r"box/[^/]+/[01]",  # a smaller box
     r"enclosures/trace",  # left out where nothing is claimed of stability
+    r".*other_multipliers",  # a larger bound, or none
     r"parameters/a",  # where a wall stands that is only looked at
     r".*multipliers/\d+/(re|im)/rad",
 )

@@ -1,9 +1,14 @@
 """Grids of boxes: what they meet and cover, by looking at every box."""
 
+import random
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
 from nonsmooth.runtime.core.box_grid import BoxGrid
+from nonsmooth.runtime.core.divided_grid import DividedGrid
+from nonsmooth.runtime.core.errors import InputError
 
 GRID = BoxGrid((-2, -1), (-3, 2), (7, 5))
 
@@ -15,6 +20,50 @@ def test_a_grid_covers_its_box_with_sides_that_are_short_enough():
     assert (low.min(axis=0) <= [-1, 0.3]).all()
     assert (high.max(axis=0) >= [2, 0.9]).all()
     assert len(grid) == 12 * 11
+
+
+def test_a_grid_covers_its_box_or_is_refused():
+    """At all magnitudes of ends and sides, in exact arithmetic."""
+    numbers, refused = random.Random(5), 0
+    for _ in range(3000):
+        low = numbers.uniform(-1, 1) * 10.0 ** numbers.randint(-300, 300)
+        high = low + abs(low) * 10.0 ** numbers.randint(-12, 4)
+        side = (high - low) * 10.0 ** numbers.randint(-25, 2) or 1e-320
+        try:
+            grid = BoxGrid.around(*(np.array([x]) for x in (low, high, side)))
+        except InputError:
+            refused += 1
+            continue
+        least, most = (x[:, 0].tolist() for x in grid.bounds(np.array([0, len(grid) - 1])))
+        length, count = Fraction(most[0]) - Fraction(least[0]), len(grid)
+        assert least[0] <= low
+        assert most[1] >= high
+        assert length <= Fraction(side) < 2 * length
+        assert Fraction(most[1]) == Fraction(least[0]) + count * length
+        assert count == 1 or (count - 1) * length < Fraction(high) - Fraction(least[0])
+    assert 500 < refused < 2500
+
+
+@pytest.mark.parametrize("first", [2**53, -(2**53), 2**62, 2**80])
+def test_places_that_doubles_do_not_hold_are_no_grid(first):
+    with pytest.raises(InputError, match="far from 0"):
+        BoxGrid((0,), (first,), (1,))
+
+
+def test_boxes_are_halved_only_as_long_as_doubles_hold_their_places():
+    whole = BoxGrid((0,), (2**40,), (1,))
+    flags = [np.array([True])]
+    for levels in range(1, 20):
+        divided = (*flags, np.array([False, False]))
+        if levels > 11:  # 2^40 + 1 ends the box
+            with pytest.raises(InputError, match="far from 0"):
+                DividedGrid(whole, divided)
+        else:
+            grid = DividedGrid(whole, divided)
+            low, high = (x.item() for x in grid.bounds(np.array([len(grid) - 2])))
+            assert low == 2**40
+            assert high - low == 0.5**levels
+        flags.append(np.array([True, False]))
 
 
 @pytest.fixture

@@ -331,3 +331,30 @@ def test_a_ceiling_passes_over_powers_that_do_not_occur():
     function = QuasiPolynomial((0j, -0.1 + 1j), ((-2.0 + 0j, 0j, 0j), (1 + 0j, 0j)))
     assert function.ceiling(0.0) == pytest.approx(-1)
     assert function.ceiling(10.0) == pytest.approx(-2 + math.exp(-1))
+
+
+@pytest.mark.parametrize("frequency", [0.0, 2.0])
+@pytest.mark.parametrize("at", [1.0, 0.83, 7.3])
+def test_what_rises_beyond_its_errors_crosses_however_little(frequency, at):
+    """Two zeros next to each other: a parabola's, and those beside the top of a cosine."""
+    crossed = 0
+    for exponent in range(20, 56):
+        peak = 2.0**-exponent
+        if frequency:
+            turned = complex(math.cos(frequency * at), -math.sin(frequency * at))
+            function = QuasiPolynomial((0j, frequency * 1j), ((complex(peak - 1),), (turned,)))
+        else:
+            function = QuasiPolynomial(
+                (0j,), ((complex(peak - at * at), complex(2 * at), -1 + 0j),)
+            )
+        window = at + 0.5
+        error, top = function.jet(at)[3], float(exact(function, at))
+        found = first_crossing(function, window)
+        if top > 4 * error:
+            crossed += 1
+            assert not found.touched
+            assert abs(float(exact(function, found.time))) <= 2 * error
+            assert found.time <= at
+        elif top < -error:
+            assert found.time is None
+    assert crossed > 15

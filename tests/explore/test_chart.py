@@ -21,7 +21,7 @@ from nonsmooth.runtime.core.errors import InputError, MissingExtra
 from nonsmooth.runtime.explore.charting import problem as problems
 from nonsmooth.runtime.explore.charting.chart import Work, chart_problem, work_on
 from nonsmooth.runtime.explore.charting.classes import counts_of, parts_of
-from nonsmooth.runtime.explore.charting.grid import axis_of, chunk_shape, linear_axis
+from nonsmooth.runtime.explore.charting.grid import Grid, axis_of, chunk_shape, linear_axis
 from nonsmooth.runtime.explore.charting.lock import locked
 from nonsmooth.runtime.explore.charting.store import _seal
 from nonsmooth.runtime.model.kernels import load_orbit
@@ -550,6 +550,12 @@ def test_commands(finished: Path, tmp_path: Path) -> None:
         assert refused.exit_code == 2
         assert "error" in json.loads(refused.stdout)
     assert runner.invoke(app, ["chart", ORBIT, "V=1:2:3"]).exit_code == 2
+
+
+@pytest.mark.parametrize("count", [2**33, 2**32, 3 * 2**31])
+def test_points_and_chunks_are_counted_without_a_limit(count: int) -> None:
+    grid = Grid((linear_axis("V", 0, 1, count), linear_axis("eta", 0, 1, count)), (1, 2))
+    assert (grid.points, grid.chunks) == (count**2, count**2 // 2)
 
 
 def test_no_status_is_taken_twice() -> None:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.model.eigenvalue_clusters import precise_candidates, smallest_projectors
 from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.modes import NumericModes, numeric_modes
 from nonsmooth.runtime.model.time_functions import functions_at
@@ -215,3 +216,16 @@ def test_the_chain_that_was_refused() -> None:
     for factor in (1.0, 2.0, 7.0):
         field = oscillator(mass, factor * FREE / 16 + mass / 10, factor * FREE, [1, 0, 0])
         assert np.abs(summed(numeric_modes(field), 3.0) - exact(field, 3.0)).max() < 1e-12
+
+
+@pytest.mark.parametrize("rate", [1e-10, 1e-11, 1e-12, 1e-13])
+def test_what_decays_slowly_is_not_taken_for_a_constant(rate):
+    """Over the longest search its motion changes by more than rounding."""
+    matrix = np.array([[-rate, 1.0, 0.0], [0.0, -rate, 0.0], [0.0, 0.0, -1.0]])
+    values = np.linalg.eigvals(matrix)
+    groupings = [smallest_projectors(matrix, values, 1.0)]
+    groupings += precise_candidates(matrix, values.tolist(), 1.0)
+    for clusters in groupings:
+        centres = sorted((cluster.centre.real for cluster in clusters), key=abs)
+        assert centres[0] == pytest.approx(-rate, rel=1e-2)
+    assert len(groupings) > 2

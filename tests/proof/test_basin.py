@@ -1,5 +1,6 @@
 """Basins that are proved: exact motions go where the proof says, and nothing false is said."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
+from nonsmooth.runtime.proof.basin import certify_basin as certifying
 from nonsmooth.runtime.proof.basin.attracting_core import attracting_core
 from nonsmooth.runtime.proof.basin.basin_section import section_of
 from nonsmooth.runtime.proof.basin.starting_tiles import next_tiles
@@ -114,8 +116,28 @@ def test_more_tiles_are_added_to_those_that_were_looked_at(orbit, found):
     assert more.attracted[found.attracted].all()
     again = ns.certify_basin(orbit, box=BOX, side=0.125, tiles=20, resume=found)
     assert np.array_equal(again.attracted, more.attracted)
-    with pytest.raises(ns.InputError, match="another box or side"):
+    with pytest.raises(ns.InputError, match="another tiles"):
         ns.certify_basin(orbit, box=BOX, side=0.25, tiles=20, resume=more)
+    name, (low, high) = next(iter(BOX.items()))
+    shorter = {**BOX, name: (low, high - 0.01)}
+    with pytest.raises(ns.InputError, match="another box"):
+        ns.certify_basin(orbit, box=shorter, side=0.125, tiles=20, resume=more)
+
+
+def test_a_share_is_that_of_the_box_which_was_asked_for(found):
+    random = np.random.default_rng(8)
+    some = replace(
+        found,
+        tiles=BoxGrid((-1, 0, 1, -2), (3, -2, 0, 5), (4, 3, 2, 2)),
+        attracted=random.random(48) < 0.7,
+        box=dict(zip(found.states, [(1.7, 3.1), (-1.25, 0.5), (0.5, 4), (1.3, 1.4)], strict=True)),
+    )
+    low, high = (np.array(x) for x in zip(*some.box.values(), strict=True))
+    points = random.uniform(low, high, (200_000, 4))
+    _, number, inside = some.tiles.numbers_met(points, points)
+    assert inside.all()
+    assert some.share == pytest.approx(some.attracted[number].mean(), abs=0.005)
+    assert replace(some, attracted=np.ones(48, dtype=bool)).share == 1
 
 
 def test_several_processes_find_what_one_finds(orbit, found):
@@ -239,9 +261,15 @@ def test_an_orbit_beside_an_attractor_has_no_basin():
         ({"widest": float("nan")}, "widest = nan"),
         ({"box": {"x9": (0, 1)}}, "x9"),
         ({"box": {"x1": (1, 0)}}, "no interval"),
+        ({"side": 1e-300}, "sides 1e-300"),
+        ({"side": 1e-12}, "sides 1e-12"),
+        ({"side": 1e-3}, "sides 0.001"),
+        ({"side": 0.125, "box": {"v1": (-0.125, 1e300)}}, "take longer"),
+        ({"box": {"v1": (-1e308, 1e308)}}, "a side of a box"),
     ],
 )
-def test_wrong_numbers_are_refused(orbit, wrong, told):
+def test_wrong_numbers_are_refused_before_anything_is_proved(orbit, wrong, told, monkeypatch):
+    monkeypatch.setattr(certifying, "attracting_core", None)
     with pytest.raises(ns.InputError, match=told):
         ns.certify_basin(orbit, **wrong)
 

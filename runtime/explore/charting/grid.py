@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -228,7 +229,7 @@ class Grid:
     @property
     def points(self) -> int:
         """Number of points."""
-        return int(np.prod(self.shape, dtype=np.int64))
+        return prod(self.shape)
 
     @property
     def chunk_counts(self) -> tuple[int, ...]:
@@ -238,7 +239,7 @@ class Grid:
     @property
     def chunks(self) -> int:
         """Number of chunks."""
-        return int(np.prod(self.chunk_counts, dtype=np.int64))
+        return prod(self.chunk_counts)
 
     def place(self, number: int) -> tuple[int, ...]:
         """Place of a chunk along each axis.

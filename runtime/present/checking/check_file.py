@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -36,7 +36,7 @@ from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
 from nonsmooth.runtime.model.saved_system import same_system
-from nonsmooth.runtime.present.checking.compare_declarations import compare
+from nonsmooth.runtime.present.checking.compare_declarations import check_domains, compare
 from nonsmooth.runtime.present.files.basin_certificates import BASIN, basin_entries, basin_of
 from nonsmooth.runtime.present.files.box_certificates import BOX, box_entries, box_of
 from nonsmooth.runtime.present.files.censuses import CENSUS, census_entries, census_of
@@ -87,6 +87,7 @@ Proven = (
 )
 _HELD = "{} is the system as the file holds it: no declaration was run"
 _NOT_CALLED = "what the orbit and its unknowns are called was not compared"
+_NOT_TOLD = "why is not proved again"
 _NOT_COUNTED = "that there are no other orbits was NOT proved again"
 
 
@@ -103,8 +104,8 @@ class Check(Shown):
     certificate : Certificate, BoxCertificate, CertifiedBranch, CertifiedCascade, Census,
         ChaosCertificate, BasinCertificate, GraphCertificate, tuple, or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
-        Reasons why a claim is undecided, which parameters were chosen, and of a census all but
-        its orbits are as the file says.
+        Its reasons why something is undecided are left out: nothing proves them. Which
+        parameters were chosen, and of a census all but its orbits, are as the file says.
     claims : dict of str to {"proved", "refuted", "undecided"}
         What was proved again. Of a census "listed" says whether each of its orbits was;
         "no others" is undecided.
@@ -214,6 +215,8 @@ def check_certificate(
     except InputError as problem:
         raise InputError(f"{os.fspath(path)}: {problem}") from None
     try:
+        for told in _told(content):
+            check_domains(told)  # before anything is proved of such values
         with flint_precision(64):  # the one precision of the process is kept
             kind.check(content, *((workers, progress) if kind.divides else ()))
         found = kind.of(entries)
@@ -229,7 +232,26 @@ def check_certificate(
     except WRONG_SHAPE as problem:
         return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
     note = _note(content, found, compared, held=declared is None)
-    return Check(None, note, found, kind.claims(found), compared)
+    return Check(None, note, _without_reasons(found), kind.claims(found), compared)
+
+
+def _without_reasons(found: Any) -> Any:
+    """A record in which no text says why something is not proved: nothing proves such texts."""
+    if type(found) is tuple:
+        parts = tuple(map(_without_reasons, found))
+        return parts if any(x is not y for x, y in zip(parts, found, strict=True)) else found
+    if not is_dataclass(found) or isinstance(found, type):
+        return found
+    changed: dict[str, Any] = {}
+    for name in (entry.name for entry in fields(found)):
+        own = getattr(found, name)
+        if name in ("reasons", "no_derivatives"):
+            changed[name] = dict.fromkeys(own, _NOT_TOLD)
+        elif name in ("reason", "end") and isinstance(own, str):
+            changed[name] = own and _NOT_TOLD
+        elif (new := _without_reasons(own)) is not own:
+            changed[name] = new
+    return replace(found, **changed) if changed else found
 
 
 def _agrees(told: Any, content: Any) -> bool:

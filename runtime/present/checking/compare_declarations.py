@@ -18,6 +18,7 @@ from nonsmooth.runtime.core.json_codec import decode, given_value
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
 from nonsmooth.runtime.model.completion import complete, system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.parameters import value_of
 from nonsmooth.runtime.model.saved_system import SavedSystem, system_in
 from nonsmooth.runtime.present.checking.named_orbits import NamedOrbit, named_in, phases_called
 from nonsmooth.runtime.proof.certificate import GUARD
@@ -33,7 +34,7 @@ from nonsmooth.runtime.proof.sets.images import PassedTransition
 from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration, visited_declaration
 from nonsmooth.runtime.proof.statement import rational
 
-__all__ = ["compare"]
+__all__ = ["check_domains", "compare"]
 
 Content = Mapping[str, Any]
 
@@ -58,6 +59,25 @@ def compare(content: Content) -> bool:
         If a declaration is another one.
     """
     return _COMPARISONS[content["format"]](content)
+
+
+def check_domains(content: Content) -> None:
+    """Refuse values of parameters that are outside of the domains of the system.
+
+    Parameters
+    ----------
+    content : dict
+        What names a system in a file.
+
+    Raises
+    ------
+    InputError
+        The message names the value and the domain.
+    """
+    kernels, given = _named_system(content), _given_values(content["parameters"])
+    for table in kernels.parameters:
+        if table.name in given:
+            value_of(table, given[table.name])
 
 
 def _certificate(content: Content) -> bool:
@@ -136,10 +156,15 @@ def _census(content: Content) -> bool:
     return True
 
 
+def _named_system(content: Content) -> SystemKernels:
+    """The built-in system that a file names, or the one that it holds."""
+    tables = content["tables"]
+    return system_in(content["system"], None if tables is None else decode(SavedSystem, tables))
+
+
 def _system_of(content: Content) -> tuple[SystemKernels, EnclosedSystem]:
     """The system of a file of sets, at its parameters and the working precision."""
-    tables = content["tables"]
-    kernels = system_in(content["system"], None if tables is None else decode(SavedSystem, tables))
+    kernels = _named_system(content)
     given = system_parameters(kernels, _given_values(content["parameters"]))
     return kernels, enclosed_system(kernels, given)(content["bits"])
 

@@ -57,6 +57,7 @@ class BasinEntries:
     ranks: Runs
     tiles: GridEntries | None
     states: tuple[str, ...]
+    box: Mapping[str, tuple[float, float]]
     verdicts: Runs
     widest: float
     most: int
@@ -123,6 +124,7 @@ def basin_entries(found: BasinCertificate) -> BasinEntries:
         ranks=runs(found.ranks),
         tiles=None if found.tiles is None else grid_entries(found.tiles),
         states=found.states,
+        box=dict(found.box),
         verdicts=runs(found.looked.astype(int) + found.attracted),
         declaration=dict(found.declaration),
         **{key: getattr(found, key) for key in (*texts, *numbers)},

@@ -59,9 +59,7 @@ class CensusEntries:
     decided: bool
     statement: str
     orbits: tuple[CountedEntries, ...]
-    beyond: int
     undecided: tuple[OpenEntries, ...]
-    looked: int
     bits: int
 
 
@@ -82,6 +80,8 @@ def census_entries(census: Census) -> CensusEntries:
         Ready to be written.
     """
     content = entries_of(census)
+    for name in ("beyond", "looked"):  # of the search, which nobody can prove again
+        content.pop(name, None)
     for told, orbit in zip(content["orbits"], census.orbits, strict=True):
         if orbit.certificate is not None:
             told["certificate"] = CERTIFICATE.content(certificate_entries(orbit.certificate))
@@ -115,9 +115,7 @@ def census_of(entries: CensusEntries) -> Census:
         box=entries.box,
         conditions=entries.conditions,
         orbits=tuple(map(_counted, entries.orbits)),
-        beyond=entries.beyond,
         undecided=tuple(Open(box.bounds, box.reason) for box in entries.undecided),
-        looked=entries.looked,
         bits=entries.bits,
     )
     follows = ("count", "admissible", "decided", "statement")

@@ -49,6 +49,7 @@ class CertificateEntries(OrbitProofEntries):
     reasons: Mapping[str, str]
     enclosures: Enclosures
     multipliers: tuple[MultiplierBalls, ...]
+    other_multipliers: str
     margins: tuple[Mapping[str, Any], ...]
     box: tuple[Unknown, ...]
     declaration: Mapping[str, Any]
@@ -105,6 +106,7 @@ def certificate_of(entries: CertificateEntries) -> Certificate:
         reasons=entries.reasons,
         enclosures=enclosed(entries.enclosures, bits),
         multipliers=tuple((m.re.stated(bits), m.im.stated(bits)) for m in entries.multipliers),
+        other_multipliers=entries.other_multipliers,
         margins=entries.margins,
         box=entries.box,
         bits=bits,

@@ -60,6 +60,8 @@ class BasinCertificate(Kept):
     tiles : BoxGrid or None
         Of all states, where they are not those of the section: as `states` names them.
     states : tuple of str
+    box : dict of str to (lower, upper)
+        The box of starts that the tiles cover, which may reach beyond it.
     looked, attracted : array of bool
         Of each tile: whether it was looked at, and whether all motions from it are proved to
         tend to the orbit, those that start on no boundary.
@@ -94,6 +96,7 @@ class BasinCertificate(Kept):
     ranks: NDArray[np.int_] = field(repr=False)
     tiles: BoxGrid | None
     states: tuple[str, ...]
+    box: Mapping[str, tuple[float, float]]
     looked: NDArray[np.bool_] = field(repr=False)
     attracted: NDArray[np.bool_] = field(repr=False)
     widest: float
@@ -114,7 +117,19 @@ class BasinCertificate(Kept):
     @property
     def share(self) -> float:
         """Which part of the box of starts is proved to be attracted, by its volume."""
-        return float(self.attracted.mean()) if self.attracted.size else 0.0
+        if self.tiles is None or self.attracted.all():
+            return float(self.tiles is not None)
+        tiles, weights = self.tiles, []
+        for name, first, count, side in zip(
+            self.states, tiles.first, tiles.counts, tiles.sides, strict=True
+        ):
+            lower, upper = self.box[name]
+            edges = np.clip((np.arange(count + 1) + first) * side, lower, upper)
+            weights.append(np.diff(edges) / (upper - lower))
+        shares = self.attracted.reshape(tiles.counts)
+        for own in reversed(weights):
+            shares = shares @ own
+        return float(shares)
 
     @property
     def section_share(self) -> float:
@@ -172,6 +187,7 @@ class BasinCertificate(Kept):
                 "attracted": int(self.attracted.sum()),
                 "sides": [] if self.tiles is None else self.tiles.sides.tolist(),
                 "states": list(self.states),
+                "box": {name: list(ends) for name, ends in self.box.items()},
                 "bounds": _bounds(self.tiles, self.attracted, self.states),
             },
         }

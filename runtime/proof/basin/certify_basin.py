@@ -194,15 +194,22 @@ class _BasinQuestion:
         self.progress = progress
         with flint_precision(BITS):
             self.system = at(BITS)
-        lengths = limits[:, 1] - limits[:, 0]
-        self.side = float(lengths.max() / _TILES if side is None else side)
+        low, high = limits.T / _TILES
+        self.side = float((high - low).max() if side is None else side)
+        self.tiles: BoxGrid | None = None
+        if not self.system.structure.forcing:
+            sides = np.full(len(limits), self.side)
+            self.tiles = BoxGrid.around(limits[:, 0], limits[:, 1], sides, _MOST_TILES)
         self.wide_given = widest is not None
         self.widest = 2 * self.side if widest is None else widest
 
     @property
-    def _tiles(self) -> BoxGrid:
-        low, high = self.limits.T
-        return BoxGrid.around(low, high, np.full(len(low), self.side))
+    def _box(self) -> dict[str, tuple[float, float]]:
+        """The box of starts, where there are tiles of it."""
+        if self.tiles is None:
+            return {}
+        ends = zip(self.system.structure.states, self.limits.tolist(), strict=True)
+        return {name: (low, high) for name, (low, high) in ends}
 
     def _section_grid(self, met: MetSection, core: AttractingCore) -> BoxGrid:
         """Boxes that are small against the core: those next to it have to lead into it."""
@@ -224,14 +231,7 @@ class _BasinQuestion:
             mapped = branching_map(self.system, met.section, self.widest, self.most)
             ranks = _ranks(mapped, core.h_set, grid, self.progress)
         empty = self.undecided(met, "")
-        if met.section.phase is None:
-            tiles: BoxGrid | None = self._tiles
-        else:
-            tiles = None
-        if tiles is not None and len(tiles) > _MOST_TILES:
-            raise InputError(
-                f"{len(tiles)} tiles of the side {self.side:g} are too many: take a longer one"
-            )
+        tiles = self.tiles
         size = 0 if tiles is None else len(tiles)
         return replace(
             empty,
@@ -243,7 +243,8 @@ class _BasinQuestion:
             grid=grid,
             ranks=ranks,
             tiles=tiles,
-            states=() if tiles is None else self.system.structure.states,
+            states=tuple(self._box),
+            box=self._box,
             looked=np.zeros(size, dtype=bool),
             attracted=np.zeros(size, dtype=bool),
             declaration=listed_declaration(self.orbit.system, self.system),
@@ -320,6 +321,7 @@ class _BasinQuestion:
             ranks=np.zeros(0, dtype=int),
             tiles=None,
             states=(),
+            box={},
             looked=none,
             attracted=none,
             widest=self.widest,
@@ -331,13 +333,13 @@ class _BasinQuestion:
     def check_same(self, known: BasinCertificate, met: MetSection) -> None:
         """Refuse a state of another question."""
         asked = self.undecided(met, "")
-        if known.tiles is not None:
-            check_same_question("basin", {"box or side": self._tiles}, {"box or side": known.tiles})
         names = ["system", "orbit", "parameters", "configuration", "phase", "source", "boundary"]
+        own = {} if known.tiles is None else {"box": self._box, "tiles": self.tiles}
+        names += own
         names += [] if known.phase else ["widest"]
         check_same_question(
             "basin",
-            {name: getattr(asked, name) for name in names},
+            {name: getattr(asked, name) for name in names} | own,
             {name: getattr(known, name) for name in names},
         )
 

@@ -68,13 +68,13 @@ class Census(Kept):
         What else the orbits were asked for.
     orbits : tuple of Counted
         Each proved to exist, and to be another one than the others; by their dwell times.
-    beyond : int
+    beyond : int or None
         Solutions with the searched dwell times in the box, and eliminated ones that are not
-        positive, or not in it: they are no orbits.
+        positive, or not in it: they are no orbits. A file does not hold how many.
     undecided : tuple of Open
         Boxes of which nothing is known.
-    looked : int
-        Boxes that were looked at.
+    looked : int or None
+        Boxes that were looked at. A file does not hold how many.
     bits : int
         Of the certificates.
     """
@@ -88,10 +88,10 @@ class Census(Kept):
     box: tuple[str, ...]
     conditions: tuple[str, ...]
     orbits: tuple[Counted, ...]
-    beyond: int
     undecided: tuple[Open, ...]
-    looked: int
     bits: int
+    beyond: int | None = None
+    looked: int | None = None
 
     @property
     def count(self) -> int:
@@ -138,6 +138,7 @@ class Census(Kept):
         dict
             The census, ready for `json.dumps`.
         """
+        searched = (("beyond", self.beyond), ("looked", self.looked))
         return {
             **orbit_json(self),
             "box": list(self.box),
@@ -154,12 +155,11 @@ class Census(Kept):
                 }
                 for orbit in self.orbits
             ],
-            "beyond": self.beyond,
             "undecided": [
                 {"bounds": _json(box.bounds), "reason": box.reason} for box in self.undecided
             ],
-            "looked": self.looked,
             "bits": self.bits,
+            **{name: number for name, number in searched if number is not None},
         }
 
 

@@ -160,9 +160,9 @@ def certify_graph(
         if sampled is None:
             raise InputError("the motion comes to no section often enough")
         widest = _WIDEST * _extents(motion)
-        empty = _certificate(
-            kernels, enclosed, sampled, _grid(enclosed, sampled, boxes, region or {}), widest
-        )
+        grid = _grid(enclosed, sampled, boxes, region or {})
+        grid.check_levels(levels)
+        empty = _certificate(kernels, enclosed, sampled, grid, widest)
         known = replace(empty, most=parts, longest=transitions)
         if resume is not None:
             _check_same(known, resume)
@@ -268,10 +268,7 @@ def _grid(
         if not (np.isfinite([a, b]).all() and a < b):
             raise InputError(f"{name} has no interval from {a:g} to {b:g}")
     count = boxes or _DEFAULT_BOXES.get(len(names), _FEW_BOXES)
-    grid = BoxGrid.around(low, high, (high - low) / count)
-    if len(grid) > _MOST_BOXES:
-        raise InputError(f"{len(grid)} boxes are more than {_MOST_BOXES}")
-    return grid
+    return BoxGrid.around(low, high, high / count - low / count, _MOST_BOXES)
 
 
 def _certificate(
