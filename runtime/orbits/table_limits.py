@@ -145,9 +145,12 @@ def _rises(
     of_boundary = np.array([shape.row for shape in cycle.structure.boundaries[configuration]])
     row = np.take_along_axis(here.rows, of_boundary[boundaries][:, None, None], axis=1)[:, 0]
     field, normal = here.fields[:, configuration], row[:, :-1]
-    velocity = (field[:, :, :-1] * starts[:, None, :]).sum(axis=-1) + field[:, :, -1]
+    terms, constants = field[:, :, :-1] * starts[:, None, :], field[:, :, -1]
+    velocity = terms.sum(axis=-1) + constants
+    # forces may cancel, as where a contact has just broken loose: their terms tell the rounding
+    velocities = np.abs(terms).sum(axis=-1) + np.abs(constants)
     size = (np.abs(normal) * np.abs(starts)).sum(axis=-1) + np.abs(row[:, -1])
-    size += (np.abs(normal) * np.abs(velocity)).sum(axis=-1) * times
+    size += (np.abs(normal) * velocities).sum(axis=-1) * times
     value = (normal * starts).sum(axis=-1) + row[:, -1]
     rate = (normal * velocity).sum(axis=-1)
     return np.asarray((np.abs(value) <= _ZERO * size) & (rate * times > _CLOSE * size))

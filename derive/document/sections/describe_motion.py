@@ -61,8 +61,11 @@ def motion_of(configuration: Configuration, naming: Naming, letters: MatrixLette
     if isinstance(dynamics, FirstOrder):
         return _first_order(naming, matrix, offset)
     x, size = naming.letter, dynamics.mass.rows
-    if size == 1 and not dynamics.held:
-        return [_single(naming, dynamics)]
+    if size == 1:
+        held = bool(dynamics.held)
+        return [
+            _accelerations(naming, dynamics, matrix, offset) if held else _single(naming, dynamics)
+        ]
     if letters:
         left = f"{letters['mass', dynamics.mass]} {x}''"
         if not dynamics.damping.is_zero_matrix:
