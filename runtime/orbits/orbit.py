@@ -446,7 +446,7 @@ class Orbit(Shown):
         return text
 
 
-def check_converged(orbit: Orbit, doing: str) -> None:
+def check_converged(orbit: object, doing: str) -> None:
     """Refuse what is no orbit, or one that has not converged.
 
     Parameters

@@ -62,10 +62,8 @@ def motion_of(configuration: Configuration, naming: Naming, letters: MatrixLette
         return _first_order(naming, matrix, offset)
     x, size = naming.letter, dynamics.mass.rows
     if size == 1:
-        held = bool(dynamics.held)
-        return [
-            _accelerations(naming, dynamics, matrix, offset) if held else _single(naming, dynamics)
-        ]
+        rate = _accelerations(naming, dynamics, matrix, offset)
+        return [rate if dynamics.held else _single(naming, dynamics)]
     if letters:
         left = f"{letters['mass', dynamics.mass]} {x}''"
         if not dynamics.damping.is_zero_matrix:
