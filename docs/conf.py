@@ -41,6 +41,7 @@ extensions = [
     "sphinx_design",
     "benchmark_tables",
     "docstring_references",
+    "failing_commands",
     "mathjax_files",
     "notebook_download",
     "typer_commands",

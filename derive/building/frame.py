@@ -18,6 +18,7 @@ from nonsmooth.derive.building.elements import Direction, RigidStop
 from nonsmooth.derive.building.remembering import remembered
 from nonsmooth.derive.declaration.algebra import affine_terms, cancel, frozen, inverse
 from nonsmooth.derive.declaration.parameter import Parameter, exact, is_positive
+from nonsmooth.derive.declaration.system import TIME
 from nonsmooth.derive.errors import DeclarationError
 
 __all__ = ["Frame", "along", "inferred_parameters", "velocity_name"]
@@ -82,12 +83,29 @@ class Frame:
             return sp.zeros(len(names), 1)
         if len(given) != len(names):
             raise DeclarationError(f"{what} has {len(given)} values for {len(names)} coordinates")
-        return sp.Matrix([self.expression(value) for value in given])
+        return self._constant(sp.Matrix([self.expression(value) for value in given]), what)
 
     def matrix(self, given: Any, what: str) -> sp.Matrix:
         """An n x n matrix; zero when not given."""
         size = len(self.positions)
-        return sp.zeros(size, size) if given is None else square(given, what, size, self.expression)
+        if given is None:
+            return sp.zeros(size, size)
+        return self._constant(square(given, what, size, self.expression), what)
+
+    def _constant(self, matrix: sp.Matrix, what: str) -> sp.Matrix:
+        """The matrix, unless it changes with the time or the state."""
+        names = {symbol.name for symbol in matrix.free_symbols}
+        if str(TIME) in names:
+            raise DeclarationError(
+                f"{what} depends on the time, which is not supported: coefficients are constant,"
+                ' and a force F cos(w t) on x is forcing=[Harmonic(w, cosine={"x": F})]'
+            )
+        if changing := sorted(names & {str(state) for state in self.states}):
+            raise DeclarationError(
+                f"{what} depends on the state {changing[0]}, which is not supported: forces are"
+                " linear piece by piece, by SoftStop, Slider, Friction or Regions in elements"
+            )
+        return matrix
 
     def row(self, direction: Direction, where: str) -> sp.Matrix:
         """Row of weights of a direction."""

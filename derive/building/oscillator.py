@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import chain, combinations
 from math import prod
+from reprlib import repr
 from typing import Any
 
 import sympy as sp
@@ -137,6 +138,10 @@ def _assembled(
         raise DeclarationError(
             f"simultaneous_impacts is {simultaneous_impacts!r}, not 'sequence' or 'moreau'"
         )
+    _check_list("forcing", forcing, (Harmonic,), 'F cos(w t) is Harmonic(w, cosine={"x": F})')
+    kinds = tuple(kind for kind in part_of.registry if kind is not object)
+    _check_list("elements", elements, kinds, ", ".join(kind.__name__ for kind in kinds))
+    _check_list("parameters", parameters, (Parameter,), 'Parameter("k", "stiffness")')
     coordinates, size = list(coordinates), len(coordinates)
     if size == 0:
         raise DeclarationError("an oscillator needs a coordinate")
@@ -176,6 +181,18 @@ def _assembled(
     )
     _check_independence(assembly)
     return assembly
+
+
+def _check_list(argument: str, given: Any, kinds: tuple[type, ...], written: str) -> None:
+    """Refuse what is no list of these kinds; `written` is how one of them is."""
+    if isinstance(given, kinds):
+        name = type(given).__name__
+        raise DeclarationError(f"{argument} is a {name}, not a list: {argument}=[{name}(...)]")
+    if not isinstance(given, list | tuple):
+        raise DeclarationError(f"{argument} is {repr(given)}, not a list: {written}")
+    for entry in given:
+        if not isinstance(entry, kinds):
+            raise DeclarationError(f"{argument} cannot hold {repr(entry)}: {written}")
 
 
 def _mass(matrix: sp.Matrix) -> sp.Matrix:

@@ -105,7 +105,9 @@ class System:
         names = [*map(str, self.states), *(p.name for p in self.parameters)]
         check_unique(names, "name")
         if str(TIME) in names:
-            raise DeclarationError(f"the name {str(TIME)!r} is kept for the time")
+            raise DeclarationError(
+                f"the name {str(TIME)!r} is kept for the time: choose another, such as 'tau'"
+            )
         check_unique([c.name for c in self.configurations], "configuration")
         for constraint in self.constraints:
             where = f"constraint {constraint} >= 0"

@@ -133,8 +133,12 @@ class _Names:
         return self.entries[expression]
 
     def coefficient(self, expression: sp.Expr) -> sp.Expr:
-        """A coefficient of a characteristic factor: named where it takes some work."""
-        simple = expression.count_ops() <= 2
+        """A coefficient of a characteristic factor: named where it is long, or may be rewritten.
+
+        Factors are told apart by their coefficients, which must outlast an expansion of what
+        they stand in: (1 + g)/g would become 1 + 1/g.
+        """
+        simple = expression.count_ops() <= 2 and sp.expand(expression) == expression
         return expression if simple else self.symbol("factor", expression)
 
     def _fresh(self, stem: str) -> str:

@@ -238,15 +238,24 @@ def _factors(coefficients: Sequence[sp.Expr]) -> tuple[sp.Tuple, ...]:
     """Irreducible factors of a monic polynomial; one of degree two stays whole, as a pair."""
     if len(coefficients) <= 2:
         return (sp.Tuple(*coefficients),)
+    found = _irreducible(coefficients)
+    factors = [sp.Tuple(*factor) for factor, times in found for _ in range(times)]
+    return tuple(sorted(factors, key=sp.default_sort_key))
+
+
+def _irreducible(coefficients: Sequence[sp.Expr]) -> list[tuple[list[sp.Expr], int]]:
+    """Irreducible factors of a monic polynomial, and how often each is one.
+
+    A polynomial is given by its coefficients from the constant up, without the leading one.
+    """
     s = sp.Dummy("s")
-    polynomial = s ** len(coefficients) + sum(c * s**k for k, c in enumerate(coefficients))
-    _, found = sp.factor_list(polynomial, s)
+    polynomial = s ** len(coefficients) + sum(_hidden(c) * s**k for k, c in enumerate(coefficients))
     factors = []
-    for factor, multiplicity in found:
+    for factor, multiplicity in sp.factor_list(polynomial, s)[1]:
         *rest, leading = reversed(sp.Poly(factor, s).all_coeffs())
         if rest:
-            factors += multiplicity * [sp.Tuple(*(_tidy(c / leading) for c in rest))]
-    return tuple(sorted(factors, key=sp.default_sort_key))
+            factors.append(([_tidy(_shown(c / leading)) for c in rest], multiplicity))
+    return factors
 
 
 def _modes(block: sp.Matrix, parameters: Sequence[Parameter], naming: Naming) -> _Sum | None:
@@ -315,19 +324,15 @@ def _eigenvalues(
     matrix: sp.Matrix, parameters: Sequence[Parameter], naming: Naming
 ) -> list[sp.Expr] | None:
     """Real, distinct eigenvalues in radicals; None where they are not shown to be."""
-    s = sp.Dummy("s")
     exact = _exact(matrix)
     # in the domain of its entries: of thirty masses a determinant of expressions has no end
-    polynomial = sum(
-        _shown(exact.domain.to_sympy(c)) * s**k for k, c in enumerate(reversed(exact.charpoly()))
-    )
-    _, factors = sp.factor_list(polynomial, s)
+    _, *descending = exact.charpoly()
+    coefficients = [_shown(exact.domain.to_sympy(c)) for c in reversed(descending)]
     found: list[sp.Expr] = []
-    for factor, multiplicity in factors:
-        *rest, leading = reversed(sp.Poly(factor, s).all_coeffs())
-        if multiplicity > 1 or len(rest) > 2:
+    for factor, multiplicity in _irreducible(coefficients):
+        if multiplicity > 1 or len(factor) > 2:
             return None
-        roots = _roots([_tidy(c / leading) for c in rest], parameters, naming)
+        roots = _roots(factor, parameters, naming)
         if roots is None or not all(_apart(a, b, parameters) for a in roots for b in found):
             return None
         found += roots

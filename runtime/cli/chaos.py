@@ -51,10 +51,11 @@ def chaos(
         ),
     ] = None,
     iterates: Annotated[
-        int, typer.Option("--iterates", metavar="N", help="The largest power of the map.")
+        int, typer.Option("--iterates", min=1, metavar="N", help="The largest power of the map.")
     ] = 8,
     attempts: Annotated[
-        int, typer.Option("--attempts", metavar="N", help="How many candidates to try to prove.")
+        int,
+        typer.Option("--attempts", min=1, metavar="N", help="How many candidates to try to prove."),
     ] = 12,
     parts: Annotated[
         int, typer.Option("--parts", metavar="N", help="Parts of one set, at most.")

@@ -18,9 +18,10 @@ from nonsmooth.runtime.cli.application import (
     split,
 )
 from nonsmooth.runtime.cli.keeping import Overwrite, check_new, kept_of, worked
-from nonsmooth.runtime.cli.options import AsJson, Plot, SaveResult, Start, SystemName
+from nonsmooth.runtime.cli.options import AsJson, Plot, SaveResult, Start, SystemName, Yes
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
 __all__ = ["fit"]
 
@@ -107,13 +108,14 @@ def fit(
     starts: Annotated[
         int,
         typer.Option(
-            "--starts", metavar="N", help="Searches: from the guess, and from random points."
+            "--starts", min=1, metavar="N", help="Searches: from the guess, and from random points."
         ),
     ] = 1,
     seed: Annotated[int, typer.Option("--seed", metavar="N", help="Of the random points.")] = 0,
     plot: Plot = None,
     save: SaveResult = None,
     overwrite: Overwrite = False,
+    yes: Yes = False,
     as_json: AsJson = False,
 ) -> int:
     """Find parameters, starts and clocks from measured series, event times or responses."""
@@ -138,6 +140,7 @@ def fit(
         Experiment(data=path, parameters=assignments("parameter", split([own])), name=path)
         for path, own in files
     ]
+    check_hours(f"{starts} starts", starts * SECONDS["fit"], yes=yes)
     with counted("fitting", starts) as progress:
         found, stopped = worked(
             lambda: find(

@@ -112,6 +112,7 @@ def simulate(
     )
     from nonsmooth.runtime.core.files import check_ending, check_target
     from nonsmooth.runtime.core.values import parse
+    from nonsmooth.runtime.model.engine_run import Status
     from nonsmooth.runtime.simulation.simulate import simulate as follow
 
     if save is not None:
@@ -172,7 +173,11 @@ def simulate(
             show_proof(proof)
 
     code = written.show(told, show, as_json=as_json)
-    return code or (ANSWERED if proof is None or proof.decided else UNANSWERED)
+    overflown = motion.status == Status.OVERFLOW
+    if overflown:
+        say(f"the motion ends at {motion.end:g}: {motion.message}")
+    answered = (proof is None or proof.decided) and not overflown
+    return code or (ANSWERED if answered else UNANSWERED)
 
 
 @app.command(
@@ -188,7 +193,7 @@ def find(
     system: SystemName,
     parameters: Physical = None,
     starts: Annotated[
-        int, typer.Option("--starts", metavar="N", help="Random starts to follow.")
+        int, typer.Option("--starts", min=1, metavar="N", help="Random starts to follow.")
     ] = 400,
     transitions: Annotated[
         int, typer.Option("--transitions", metavar="N", help="Length of the transients.")
@@ -380,11 +385,11 @@ def sweep(
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
     from nonsmooth.runtime.present.files.sweeps import load_sweep
 
-    for option, given in (("--state", state), ("--at", at)):
-        if not given:
-            raise InputError(f"{option} is missing")
+    missing = [option for option, given in (("--state", state), ("--at", at)) if not given]
     if not start:
-        raise missing_start(system)
+        raise missing_start(system, missing)
+    if missing:
+        raise InputError(f"{' and '.join(missing)} {'are' if missing[1:] else 'is'} missing")
     check_drawing(out)
     strobed = at == _FORCING
     if phase is not None and not strobed:

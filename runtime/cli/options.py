@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
@@ -237,13 +238,15 @@ AsJson = Annotated[
 ]
 
 
-def missing_start(system: str) -> InputError:
+def missing_start(system: str, others: Sequence[str] = ()) -> InputError:
     """Say that the start is missing, and what it may look like in a system.
 
     Parameters
     ----------
     system : str
         As for `simulate`.
+    others : sequence of str
+        Options that are missing too.
 
     Returns
     -------
@@ -256,4 +259,5 @@ def missing_start(system: str) -> InputError:
     forced = {state for pair in structure.forcing for state in pair}
     free = [name for place, name in enumerate(structure.states) if place not in forced]
     begin = ",".join(f"{name}=0" for name in free)
-    return InputError(f"the start is missing, such as --from {begin}")
+    missing = f"{', '.join(others)} and the start are" if others else "the start is"
+    return InputError(f"{missing} missing, such as --from {begin}")

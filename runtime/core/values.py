@@ -241,6 +241,12 @@ def parse_assignment(text: str) -> tuple[str, Value]:
     name, equals, value = (part.strip() for part in text.partition("="))
     if not (equals and value and name.isidentifier()):
         raise InputError(f"{text[:60]!r} is not of the form name=value, such as eta=0.98")
+    low, dots, high = value.partition("..")
+    if dots:
+        raise InputError(
+            f"{name}: {value[:60]!r} is no number; a range, where one is taken, is"
+            f" {low[:20]}:{high[:20].lstrip('.')}"
+        )
     try:
         return name, parse(value)
     except InputError as problem:

@@ -31,6 +31,7 @@ SECONDS = {
     "transition": 3e-7,  # of a motion, in the compiled engine
     "proved transition": 1e-3,
     "point": 2e-4,  # of a branch
+    "fit": 1e-3,  # of parameters to measurements, from one guess
     "tile": 1e-2,  # of a proven map
 }
 BYTES = 8  # of a number

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from nonsmooth.runtime.orbits.problem import Evaluation, OrbitProblem
     from nonsmooth.runtime.orbits.table_problem import TableEvaluation
 
-__all__ = ["DOUBLE", "GUARD", "PERIOD", "Orbit"]
+__all__ = ["DOUBLE", "GUARD", "PERIOD", "Orbit", "check_converged"]
 
 DOUBLE = 15  # decimal digits up to which doubles serve
 GUARD = 15  # decimal digits carried beyond those asked for
@@ -444,3 +444,27 @@ class Orbit(Shown):
     def _repr_latex_(self) -> str:
         text: str = registered("orbit_latex")(self)
         return text
+
+
+def check_converged(orbit: object, doing: str) -> None:
+    """Refuse what is no orbit, or one that has not converged.
+
+    Parameters
+    ----------
+    orbit : Orbit
+    doing : str
+        What was to be done with it: ``"certified"``.
+
+    Raises
+    ------
+    InputError
+        The message says where orbits are to be taken from, if there are any.
+    """
+    if not isinstance(orbit, Orbit):
+        name = type(orbit).__name__
+        places = {"orbit": f"the .orbit of a {name}", "orbits": f"one of the .orbits of a {name}"}
+        remedy = next((text for key, text in places.items() if hasattr(orbit, key)), None)
+        remedy = f"take {remedy}" if remedy else "take what solve gives"
+        raise InputError(f"a {name} cannot be {doing}, an Orbit can: {remedy}")
+    if not orbit.converged:
+        raise InputError(f"{orbit.name} cannot be {doing}: {orbit.message}")

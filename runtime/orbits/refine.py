@@ -17,7 +17,7 @@ import numpy as np
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball, middle
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import OrbitKernels
-from nonsmooth.runtime.orbits.orbit import GUARD, Orbit
+from nonsmooth.runtime.orbits.orbit import GUARD, Orbit, check_converged
 from nonsmooth.runtime.shooting.newton import MARGIN, climb, lost, precisions
 
 __all__ = ["MOST_DIGITS", "check_digits", "refine", "refine_kernels"]
@@ -61,8 +61,7 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
     True
     """
     check_digits(digits)
-    if not orbit.converged:
-        raise InputError(f"{orbit.name} cannot be refined: {orbit.message}")
+    check_converged(orbit, "refined")
     if arithmetic not in ("flint", "mpmath"):
         raise InputError(f"arithmetic is {arithmetic!r}, neither 'flint' nor 'mpmath'")
     return orbit.problem.refined(orbit, digits, arithmetic)

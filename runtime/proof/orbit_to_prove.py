@@ -15,7 +15,7 @@ from nonsmooth.runtime.model.completion import complete_system
 from nonsmooth.runtime.model.kernels import OrbitKernels, SystemKernels
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.proof.exact_closure import (
     ClosureConditions,
     exact_translations,
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
 __all__ = [
     "NotCovered",
     "Subject",
-    "check_converged",
     "closing_of",
     "guess_of",
     "physical_values",
@@ -102,7 +101,7 @@ def subject_of(orbit: Orbit) -> Subject:
     NotCovered
         If a parameter is an unknown of it.
     """
-    check_converged(orbit)
+    check_converged(orbit, "certified")
     return subject_near(orbit)
 
 
@@ -120,23 +119,6 @@ def system_of(orbit: Orbit) -> str:
         As the system is declared.
     """
     return orbit.system.name
-
-
-def check_converged(orbit: Orbit) -> None:
-    """Refuse what is no orbit.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        The orbit in floating point.
-
-    Raises
-    ------
-    InputError
-        If it has not converged.
-    """
-    if not orbit.converged:
-        raise InputError(f"{orbit.name} cannot be certified: {orbit.message}")
 
 
 def subject_near(orbit: Orbit) -> Subject:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -189,13 +190,31 @@ def _cycle(trajectory: Trajectory, length: int, part: int) -> Recurrence:
     )
     itinerary = tuple((name, "+".join(reached)) for name, reached in names)
     dwell = np.diff(trajectory.times[begin:])
-    for (name, boundary), time in zip(itinerary, dwell.tolist(), strict=True):
+    for place, time in enumerate(dwell.tolist()):
         if not time > 0:
-            raise InputError(
-                f"{trajectory.name}: the motion leaves {name} by {boundary} at once: no periodic"
-                " orbit is composed with a phase that takes no time"
-            )
+            raise InputError(f"{trajectory.name}: {_timeless(itinerary, place)}")
     starts = trajectory.states[begin:-1:part]
     return Recurrence(
         itinerary[:part], dwell.reshape(-1, part).mean(axis=0), np.asarray(starts.mean(axis=0))
+    )
+
+
+def _timeless(itinerary: Sequence[tuple[str, str]], place: int) -> str:
+    """What a motion does in a cycle that has a phase which takes no time."""
+    phase, after = itinerary[place], itinerary[(place + 1) % len(itinerary)]
+    before = itinerary[place - 1]
+    if before == phase:
+        return (
+            f"the motion chatters: in {phase[0]} it crosses {phase[1]} infinitely often in a"
+            " finite time, and an orbit has finitely many phases; observe or sweep it"
+        )
+    if before[0] == after[0]:
+        return (
+            f"the motion slides: {phase[0]} and {after[0]} send it back to each other at one"
+            f" instant, by {phase[1]} and {after[1]}; a motion held on a surface is declared with"
+            " Friction"
+        )
+    return (
+        f"the motion leaves {phase[0]} by {phase[1]} as soon as it enters: no periodic orbit is"
+        " composed with a phase that takes no time"
     )

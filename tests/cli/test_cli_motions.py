@@ -277,7 +277,6 @@ def test_seed_and_box_reach_the_search():
 @pytest.mark.parametrize(
     ("options", "part"),
     [
-        ("--starts 0", "n = 0"),
         ("--transitions 1", "transitions = 1"),
         ("--seed -1", "seed = -1"),
         ("--box x1=2:1", "box of x1: 2.0 to 1.0 is no interval"),
@@ -299,6 +298,8 @@ def test_seed_and_box_reach_the_search():
         ("--save /dev/null/f.json", "cannot write /dev/null/f.json"),
         ("--save .", "it is a folder"),
         ("V=2", "parameter V is given twice"),
+        ("z=16..30", "z: '16..30' is no number; a range, where one is taken, is 16:30"),
+        ("--starts -3", "invalid value for '--starts'"),
     ],
 )
 def test_wrong_searches_are_2(options, part, tmp_path, monkeypatch):
@@ -372,6 +373,7 @@ def test_a_diagram_may_go_downward():
         (("--at slip-stick", "--at slip"), "unknown configuration 'slip'"),
         (("--at slip-stick", ""), "--at is missing"),
         ((ZERO, ""), "the start is missing, such as --from x1=0,x2=0,v1=0,v2=0"),
+        (("--state x1 --at slip-stick", ""), "--state and --at are missing"),
         (("--transient 50", "--transient -1"), "transient = -1"),
         (("--samples 12", "--samples 0"), "samples = 0"),
         (("--samples 12", "--out d.gif"), "d.gif does not end in .png, .svg, .pdf"),

@@ -303,6 +303,11 @@ def test_domains_are_inferred() -> None:
     }
 
 
+def given(stiffness: Any = 1, **others: Any) -> Callable[[], System]:
+    """One coordinate x, and what is said of it."""
+    return lambda: oscillator("given", ["x"], [[1]], [[stiffness]], **others)
+
+
 def one(*elements: Any, **changes: Any) -> Callable[[], System]:
     parts: dict[str, Any] = {"coordinates": ["x1", "x2"], "mass": sp.eye(2), "stiffness": sp.eye(2)}
     return lambda: oscillator("wrong", elements=elements, **(parts | changes))
@@ -336,6 +341,16 @@ WRONG: dict[str, tuple[Callable[[], Any], str]] = {
     "alike": (one(Friction("x1", 1), Friction("x1", 1, name="b")), "'x1' and 'b' rub in one"),
     "chain": (lambda: chain_matrices([1, 1], [1]), "has 2 springs, not 1"),
     "ends": (lambda: chain_matrices([1], [1], fixed="top"), "fixed is 'top'"),
+    "bare forcing": (given(forcing=Harmonic(2, [1])), r"forcing is a Harmonic, not.*=\[Harmonic"),
+    "bare element": (given(elements=Friction("x", 1)), r"elements is a Friction.*=\[Friction"),
+    "force": (given(forcing=[sp.cos(sp.Symbol("t"))]), r"forcing cannot hold cos.*Harmonic\("),
+    "bare force": (given(forcing=sp.cos(2)), r"forcing is cos\(2\), not a list.*Harmonic\("),
+    "no element": (given(elements=[Harmonic(2)]), "elements cannot hold Harmonic.*: RigidStop"),
+    "no domain": (given(parameters=sp.Symbol("k")), r"parameters is k, not a list: Parameter\("),
+    "time": (given(1 + sp.cos(sp.Symbol("t"))), "stiffness depends on the time.*not supp.*Harm"),
+    "push": (given(load=[sp.sin(sp.Symbol("t"))]), "load depends on the time.*not supp.*Harmon"),
+    "cubic": (given(1 + sp.Symbol("x") ** 2), "stiffness depends on the state x.*not.*SoftStop"),
+    "clock": (lambda: oscillator("s", ["t"], [[1]], [[1]]), "'t' is kept for the time: choose"),
 }  # fmt: skip
 
 

@@ -108,6 +108,35 @@ def test_what_the_document_of_a_random_system_says_is_true(seed: int) -> None:
     assert check(describe_system(system), system, seed) >= 8
 
 
+def unanchored_system(seed: int) -> System:
+    """One or two masses that nothing holds, with ratios, roots and forcings of every kind."""
+    draw = random.Random(seed)
+    gamma, k, w = sp.symbols("gamma k w", positive=True)
+    size = draw.choice([1, 2, 2])
+    coordinates = [f"x{i + 1}" for i in range(size)]
+    mass = sp.diag(*draw.sample([1, gamma, 1 + gamma, (1 + gamma) / gamma, sp.sqrt(gamma)], size))
+    link = draw.choice([1, k, (1 + k) / k, sp.sqrt(k)]) if size == 2 else 0
+    stiffness = link * sp.Matrix([[1, -1], [-1, 1]])[:size, :size]
+    drag = draw.choice([None, sp.diag(draw.choice([k, sp.sqrt(k)]))]) if size == 1 else None
+    forcing = [
+        Harmonic(
+            draw.choice([2, w, w + k, sp.sqrt(2)]), cosine={"x1": 1}, sine={coordinates[-1]: k}
+        )
+        for _ in range(draw.choice([0, 1, 1, 2]))
+    ]
+    stop = RigidStop("x1", at=k, restitution=0, name="wall")
+    return oscillator(
+        f"unanchored-{seed}", coordinates, mass, stiffness, drag,
+        load={"x1": draw.choice([0, k])}, forcing=forcing, elements=[stop] if size == 1 else [],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", [1, 3, 17, 18, 19, 180])
+def test_what_the_document_of_masses_that_nothing_holds_says_is_true(seed: int) -> None:
+    system = unanchored_system(seed)
+    assert check(describe_system(system), system, seed) >= 4
+
+
 def law_of(name: str) -> CycleLaw:
     """The document of an itinerary of the gallery, and its orbit at the reference."""
     itinerary = all_declarations()[name]

@@ -129,6 +129,25 @@ def test_search_finds_a_word_and_a_name(site: Path, browser: Window) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(("command", "code"), [("list", 0), ("list no-such-system", 2)])
+def test_a_command_that_fails_makes_the_build_fail(tmp_path: Path, command: str, code: int) -> None:
+    head = "---\nfile_format: mystnb\nkernelspec:\n  name: python3\n---\n\n# A page\n\n"
+    (tmp_path / "index.md").write_text(
+        f"{head}```{{code-cell}} ipython3\n!nonsmooth {command}\n```\n"
+    )
+    (tmp_path / "conf.py").write_text(
+        f"import sys, os\nsys.path.insert(0, {str(CHECKOUT / 'docs' / '_extensions')!r})\n"
+        "extensions = ['myst_nb', 'failing_commands']\n"
+        "nb_execution_raise_on_error = True\n"
+        f"os.environ['PATH'] = {str(Path(sys.executable).parent)!r} + ':' + os.environ['PATH']\n"
+    )
+    words = [sys.executable, "-m", "sphinx", "-T", str(tmp_path), str(tmp_path / "site")]
+    told = subprocess.run(words, capture_output=True, text=True, timeout=100, check=False)
+    assert (told.returncode == 0) == (code == 0), told.stderr
+    assert ("unknown system 'no-such-system'" in told.stderr) == (code != 0)
+
+
+@pytest.mark.slow
 def test_every_public_name_has_a_page(site: Path) -> None:
     told = {file.stem for file in (site / "reference" / "api").glob("*.html")}
     assert told >= PUBLIC - WITHOUT_PAGE

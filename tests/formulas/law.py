@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -216,18 +216,21 @@ class Facts:
         frequency = a[s, c]
         right = a[others, c] - 1j * a[others, s]
         inner = 1j * frequency * np.eye(len(others)) - a[np.ix_(others, others)]
-        answer = np.linalg.solve(inner, right)
 
         def phase(t: float) -> float:
             return float(np.arctan2(moved(t)[s, 0], moved(t)[c, 0]))
 
         found[f"{name_of(letters.phase)}()"] = phase
-        for value, place in zip(answer, others, strict=True):
+
+        def response(t: float, which: int) -> float:
+            # in resonance there is none, and nothing says what it is
+            value = np.linalg.solve(inner, right)[which]
+            return float((value * np.exp(1j * phase(t))).real)
+
+        for which, place in enumerate(others):
             text = self.naming.notation.symbol(self.system.states[place])
             name = f"{text[:-1]},p}}" if "_{" in text else f"{text}_{{p}}"
-            found[f"{name_of(name)}()"] = lambda t, value=value: (
-                (value * np.exp(1j * phase(t))).real
-            )
+            found[f"{name_of(name)}()"] = partial(response, which=which)
         return found
 
     @cached_property

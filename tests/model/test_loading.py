@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import gc
+import linecache
 import math
 import os
 import subprocess
 import sys
 import traceback
+import tracemalloc
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -15,6 +18,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+import nonsmooth
 from nonsmooth.derive.codegen import python_file
 from nonsmooth.derive.codegen.emit import emit_package, emit_system
 from nonsmooth.derive.errors import DeclarationError
@@ -24,6 +28,7 @@ from nonsmooth.runtime.model.kernels import kernels_of, load_orbit, load_system
 from nonsmooth.runtime.model.loading import caching
 from nonsmooth.runtime.model.loading import load as loading
 from nonsmooth.runtime.model.loading.declared import Declared, declaration_in
+from nonsmooth.runtime.model.loading.modules import Modules, module_of_text
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.simulation.simulate import simulate
 from tests.user_systems import DAMPED, KICKED, declare
@@ -431,6 +436,22 @@ def test_a_file_may_import_its_neighbours(importing: list[Path]) -> None:
     assert sys.path == before
 
 
+def test_the_package_may_lie_below_the_folder_of_a_file(tmp_path: Path) -> None:
+    """It is imported once, though what a file imports from its folder is forgotten."""
+    (tmp_path / "lib").mkdir()
+    (tmp_path / "lib" / "nonsmooth").symlink_to(Path(nonsmooth.__file__).parent)
+    code = (
+        "import sys; from pathlib import Path\n"
+        "from nonsmooth.runtime.model.loading.declared import declaration_in\n"
+        "system = declaration_in(Path(sys.argv[1])).system\n"
+        "from nonsmooth.derive import System\n"
+        "assert type(system) is System"
+    )
+    environment = os.environ | {"PYTHONPATH": str(tmp_path / "lib")}
+    command = [sys.executable, "-c", code, str(declare(tmp_path))]
+    subprocess.run(command, env=environment, check=True, timeout=60)
+
+
 def test_a_traceback_through_emitted_code_shows_its_lines(tmp_path: Path) -> None:
     kernels = load_system(str(declare(tmp_path)))
     try:
@@ -486,6 +507,40 @@ def test_a_folder_in_one_that_all_may_use_is_the_users_own(
     monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path / "mine"))
     assert caching.cached("text", lambda: "ours") == "ours"
     assert caching.cached("text", lambda: "again") == "ours"
+
+
+def test_memory_does_not_grow_with_what_was_loaded() -> None:
+    """Of many systems the last are modules, the others some packed text that loads again."""
+    text = "VALUE = {0}\n" + "".join(f"def f{i}(x):\n    return x * {i}\n" for i in range(60))
+    known, lines = Modules(4), len(linecache.cache)
+
+    def held(count: int) -> int:
+        """Bytes that so many more of them take, the last four among them."""
+        gc.collect()
+        tracemalloc.start()
+        for number in range(len(known), len(known) + count):
+            known[str(number)] = module_of_text(text.replace("{0}", str(number)), f"<m{number}>")
+        gc.collect()
+        size, _ = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        return size
+
+    assert held(24) - held(8) < 16 * len(text) / 2
+    assert len(linecache.cache) <= lines + 4
+    assert [known[str(i)].VALUE for i in range(32)] == list(range(32))
+
+
+def test_what_is_packed_solves_and_tells_its_lines(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(loading, "_MODULES", Modules(1))
+    one, other = (read(declare(tmp_path, text, f"{k}.py")).system
+                  for k, text in (("one", KICKED), ("other", DAMPED)))  # fmt: skip
+    name = load_system(one).name
+    assert load_system(other).name != name
+    again = load_system(name)
+    assert again.name == name
+    assert linecache.getlines(f"<{name}>")
 
 
 def test_the_cache_is_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -399,6 +400,21 @@ def test_wrong_input() -> None:
             ns.certify(orbit, bits)  # type: ignore[arg-type]  # that is what is refused
     with pytest.raises(InputError, match="cannot be certified"):
         ns.certify(replace(orbit, status=1))
+
+
+def test_what_is_no_orbit_is_refused_by_where_orbits_are() -> None:
+    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+    found: Any = ns.find_orbits("dry-friction", data, n=2, transitions=60)
+    ask: tuple[Callable[[Any], object], ...] = (
+        ns.certify,
+        lambda orbit: ns.refine(orbit, 20),
+        lambda orbit: ns.continue_orbit(orbit, "V", (0.9, 1.1)),
+    )
+    for question in ask:
+        with pytest.raises(InputError, match=r"a Found cannot be .*\.orbits of a Found"):
+            question(found)
+        with pytest.raises(InputError, match=r"a str cannot be .*what solve gives"):
+            question("dry-friction/global-stick")
 
 
 def test_an_orbit_is_the_same_by_either_route() -> None:

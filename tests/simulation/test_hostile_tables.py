@@ -157,3 +157,6 @@ def test_the_oscillator_of_the_commands_page_ends_at_numbers_beyond_doubles(tmp_
                           env=dict(os.environ), check=False)  # fmt: skip
     assert time.monotonic() - began < 60
     assert "numbers are larger, or times shorter" in told.stdout, told.stderr
+    assert told.returncode == 1
+    (line,) = told.stderr.splitlines()
+    assert line.startswith("nonsmooth: the motion ends at ")

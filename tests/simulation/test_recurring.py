@@ -7,6 +7,7 @@ import pytest
 from scipy.linalg import expm
 
 import nonsmooth
+from nonsmooth.derive import Harmonic, Regions, RigidStop, Terms, oscillator
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from tests.handmade import DATA, pair, two_stops
 
@@ -31,6 +32,18 @@ def test_the_stick_orbit_from_a_motion() -> None:
     assert sorted(found.itinerary) == sorted(
         (configuration, boundary) for configuration, boundary, _ in known.kernels.table["phases"]
     )
+
+
+def test_what_takes_no_time_is_named() -> None:
+    """Impacts that accumulate are chatter; what two regions send back to each other slides."""
+    shaken = {"mass": [[1]], "stiffness": [[1]], "forcing": [Harmonic("1/2", cosine=[3])]}
+    stop = RigidStop("x", at=1, restitution="3/10", name="stop")
+    push = Regions("v", above=Terms(load=[-5]), below=Terms(load=[5]), name="push")
+    for element, said in ((stop, "chatters: in free.*infinitely"), (push, "slides: .*Friction")):
+        system = oscillator("timeless", ["x"], elements=[element], **shaken)
+        motion = nonsmooth.simulate(system, {}, {"x": 0, "v": 0.5}, transitions=400)
+        with pytest.raises(InputError, match=said):
+            nonsmooth.itinerary_of(motion)
 
 
 @pytest.mark.compiled

@@ -61,8 +61,9 @@ def motion_of(configuration: Configuration, naming: Naming, letters: MatrixLette
     if isinstance(dynamics, FirstOrder):
         return _first_order(naming, matrix, offset)
     x, size = naming.letter, dynamics.mass.rows
-    if size == 1 and not dynamics.held:
-        return [_single(naming, dynamics)]
+    if size == 1:
+        rate = _accelerations(naming, dynamics, matrix, offset)
+        return [rate if dynamics.held else _single(naming, dynamics)]
     if letters:
         left = f"{letters['mass', dynamics.mass]} {x}''"
         if not dynamics.damping.is_zero_matrix:

@@ -227,7 +227,8 @@ def _transfers(
         size = notation.latex(real**2 + imaginary**2 if imaginary != 0 else real)
         size = rf"\sqrt{{{size}}}" if imaginary != 0 else size
         left = rf"{letters.amplitude}_{{{number}}}"
-        lines.append(Line(left, "=", (rf"\frac{{1}}{{{size}}}",)))
+        whole = notation.latex(1 / real) if imaginary == 0 and real.is_number else None
+        lines.append(Line(left, "=", (whole or rf"\frac{{1}}{{{size}}}",)))
         if imaginary != 0:
             sign, text = notation.factor(imaginary)
             inside = rf"{notation.latex(real)} {'-' if sign < 0 else '+'} {text} \mathrm{{i}}"

@@ -144,7 +144,8 @@ def _definitions(
             Formula(tuple(k for f in shown for k in _displacement(naming, letters, f))),
         ]
     for product in several:
-        if len(product) == 2 and product[0] != product[1] and max(map(len, product)) <= 2:
+        # of a root that both have, whatever the parameters, there are no partial fractions
+        if len(product) == 2 and max(map(len, product)) <= 2 and _resultant(*product) != 0:
             blocks.append(Formula(_pair(naming, product, displacements.spectrum)))
     return blocks
 
@@ -304,7 +305,9 @@ def _shortened(
 ) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
     """A fraction without the factors that its denominator shares with all numerators."""
     whole = below
-    _, factors = sp.factor_list(sp.fraction(sp.together(below))[0])
+    numerator = sp.fraction(sp.together(below))[0]
+    plain = numerator.free_symbols and numerator.is_polynomial()
+    _, factors = sp.factor_list(numerator) if plain else (numerator, [])
     for factor, power in factors:
         for _ in range(power):
             divided = {n: sp.cancel(e / factor) for n, e in above.items()}

@@ -28,7 +28,7 @@ from nonsmooth.runtime.explore.continuation.stepping import (
     trace_both_ways,
 )
 from nonsmooth.runtime.model.saved_system import same_system
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.table_newton import SHORTEST
 
@@ -249,10 +249,7 @@ def _verdict(multipliers: np.ndarray, conservative: bool) -> str:
 def _checked(
     orbit: Any, parameter: str, interval: Any, step: float, points: int, stop: str | None
 ) -> tuple[float, float]:
-    if not isinstance(orbit, Orbit):
-        raise InputError(f"{type(orbit).__name__} is no orbit, such as nonsmooth.solve gives")
-    if orbit.status != CONVERGED:
-        raise InputError(f"{orbit.name} cannot be followed: {orbit.message}")
+    check_converged(orbit, "followed")
     limits = check_interval(orbit, parameter, interval)
     check_steps(step, points)
     if stop not in (None, "admissible"):

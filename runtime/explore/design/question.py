@@ -18,8 +18,7 @@ from nonsmooth.runtime.explore.design.optimum import Design
 from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, RADIUS
 from nonsmooth.runtime.explore.design.worst_over import branch_interval
 from nonsmooth.runtime.model.saved_system import same_system
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.shooting import newton
+from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 
 __all__ = ["DesignQuestion", "design_question"]
 
@@ -167,10 +166,7 @@ def _aim_of(
 
 
 def _bounds_of(orbit: Any, over: Any) -> tuple[tuple[str, ...], np.ndarray]:
-    if not isinstance(orbit, Orbit):
-        raise InputError(f"{type(orbit).__name__} is no orbit, such as nonsmooth.solve gives")
-    if orbit.status != newton.CONVERGED:
-        raise InputError(f"{orbit.name} cannot be designed: {orbit.message}")
+    check_converged(orbit, "designed")
     if not isinstance(over, Mapping) or not over:
         raise InputError('over gives the bounds of parameters, such as {"V": (0.6, 1.3)}')
     opened = {table.name for table in orbit.system.parameters} - {*orbit.given, *orbit.unknowns}

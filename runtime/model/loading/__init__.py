@@ -6,7 +6,7 @@
 `caching`     what was derived and compiled, kept in the user's cache folder between processes
 `background`  compiled kernels of declarations, made by another process beside the work
 `growing`     systems whose configurations are made when they are first visited
-`modules`     emitted text as a module
+`modules`     emitted text as a module, and the modules that a process knows
 `compiling`   an extension from emitted C files, by the compiler of this Python
 `extensions`  compiled kernels in files: found in a folder, loaded
 `folder`      the folder of a user's kernels: written by `nonsmooth generate`, and by nothing else

@@ -198,7 +198,10 @@ def _importing_from(folder: Path, module: ModuleType) -> Iterator[None]:
     finally:
         sys.path.remove(place)
         # another folder may have modules of the same names, and these may be edited
+        # and the package itself, whose checkout may lie in the folder, is there once
         for name in set(sys.modules) - before - {module.__name__}:
+            if name.partition(".")[0] == __name__.partition(".")[0]:
+                continue
             file = getattr(sys.modules[name], "__file__", None)
             if file is not None and _beside(Path(file), folder):
                 del sys.modules[name]

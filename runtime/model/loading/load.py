@@ -13,6 +13,7 @@ from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
 from typing import Any
+from weakref import WeakKeyDictionary
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.loading.background import KernelLibrary
@@ -31,7 +32,7 @@ from nonsmooth.runtime.model.loading.growing import (
     growth_for,
     growth_of,
 )
-from nonsmooth.runtime.model.loading.modules import module_of_text
+from nonsmooth.runtime.model.loading.modules import Modules, module_of_text
 
 __all__ = [
     "Loaded",
@@ -50,6 +51,7 @@ __all__ = [
 _KEY = re.compile(r"[0-9a-f]{16}")
 _ADDRESS = re.compile(rf"(?P<name>[\w-]+)@(?P<key>{_KEY.pattern})")
 _PROVENANCE = "PROVENANCE.json"
+_MOST_MODULES = 128  # of 15 kB each; more are kept as packed text
 _REMEDY = "run `nonsmooth generate` again"
 
 
@@ -129,7 +131,7 @@ def load_grown(loaded: Loaded, visits: Iterable[Visit] = ()) -> Loaded:
     return _joined(loaded.name.rpartition("@")[0], growth, visits)
 
 
-_MODULES: dict[str, ModuleType] = {}  # of declarations, by their hash
+_MODULES = Modules(_MOST_MODULES)  # of declarations, by their hash
 
 
 def library_of(module: ModuleType) -> KernelLibrary | None:
@@ -148,8 +150,8 @@ def library_of(module: ModuleType) -> KernelLibrary | None:
     return _LIBRARIES.get(module)
 
 
-_LIBRARIES: dict[ModuleType, KernelLibrary] = {}
-_MANY_POINTS: dict[ModuleType, KernelLibrary] = {}
+_LIBRARIES: WeakKeyDictionary[ModuleType, KernelLibrary] = WeakKeyDictionary()
+_MANY_POINTS: WeakKeyDictionary[ModuleType, KernelLibrary] = WeakKeyDictionary()
 _HELD: dict[str, KernelLibrary] = {}  # those of many points that were found, by their key
 
 
@@ -269,8 +271,10 @@ def load_named(name: str) -> Loaded | None:
                 " hand over the System itself first, or declare it in a FILE.py"
             )
         _MODULES[key] = module_of_text(text, f"<{name}>")
-        _libraries(key, _MODULES[key])
-    return Loaded(name, _MODULES[key])
+    module = _MODULES[key]
+    if not hasattr(module, "SAVED"):
+        _libraries(key, module)
+    return Loaded(name, module)
 
 
 def located(name: str) -> Path | None:

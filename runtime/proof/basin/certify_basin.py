@@ -19,7 +19,7 @@ from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.explore.finding.find import start_box
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.proof.basin.attracting_core import AttractingCore, attracting_core
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 from nonsmooth.runtime.proof.basin.basin_section import MetSection, section_of
@@ -31,7 +31,6 @@ from nonsmooth.runtime.proof.basin.starting_tiles import (
 )
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
-from nonsmooth.runtime.proof.orbit_to_prove import check_converged
 from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
 from nonsmooth.runtime.proof.sets.images import PassedTransition
 from nonsmooth.runtime.proof.sets.told_question import ToldQuestion
@@ -143,7 +142,7 @@ def certify_basin(
         if length is not None and not (np.isfinite(length) and length > 0):
             raise InputError(f"{name} = {length!r} is not a positive number")
     check_workers(workers)
-    check_converged(orbit)
+    check_converged(orbit, "certified")
     point = orbit.problem.physical(orbit)
     if point.chosen:
         raise InputError(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.core.values import Value, as_value
-from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
 from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.proof.admissibility_conditions import Plan, plan_of
@@ -37,7 +37,6 @@ from nonsmooth.runtime.proof.orbit_equations import (
 from nonsmooth.runtime.proof.orbit_to_prove import (
     NotCovered,
     Subject,
-    check_converged,
     closing_of,
     guess_of,
     subject_near,
@@ -213,9 +212,7 @@ def checked_box(orbit: Orbit, box: Mapping[str, tuple[object, object]]) -> dict[
         For an orbit that has not converged, names that were not given for it, ends that are
         not rational or in the wrong order, or a box without the orbit's own parameters.
     """
-    if not isinstance(orbit, Orbit):
-        raise InputError(f"{orbit!r} is no orbit, such as solve gives")
-    check_converged(orbit)
+    check_converged(orbit, "certified")
     given = given_of(orbit)
     found: dict[str, Interval] = {}
     if not isinstance(box, Mapping) or not box:
