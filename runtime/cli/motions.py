@@ -112,6 +112,8 @@ def simulate(
     )
     from nonsmooth.runtime.core.files import check_ending, check_target
     from nonsmooth.runtime.core.values import parse
+    from nonsmooth.runtime.model.structure import structure_of
+    from nonsmooth.runtime.simulation.derivatives import check_numbers
     from nonsmooth.runtime.simulation.simulate import simulate as follow
 
     if save is not None:
@@ -123,30 +125,33 @@ def simulate(
     if start is None:
         raise missing_start(system)
     end = math.inf if until is None else float(parse(until))
+    observed_since = float(parse(since or "0"))
     values, state = assignments("parameter", parameters or []), assignments("state", split(start))
+    exact = {name: value.exact for name, value in state.items()}
+    for name, fraction in exact.items():
+        if prove and fraction is None:
+            raise InputError(f"state {name} = {state[name]} is not rational: no proof")
+    by = None if derivatives in (None, "all") else split([derivatives])
+    if by is not None:
+        check_numbers(by, structure_of(system).states, tuple(values))
     if transitions is not None and until is None:
         each = SECONDS["proved transition" if prove else "transition"]
         check_hours(f"{transitions} transitions", transitions * each, yes=yes)
     motion = follow(system, values, state, configuration, until=end, transitions=transitions)
-    written = Written()
-    written.save(motion.save, save)
     observed = proof = changes = None
     if derivatives is not None:
-        by = None if derivatives == "all" else split([derivatives])
         changes = motion.derivatives(by)
     if observe:
         from nonsmooth.runtime.simulation.observables import observe as observe_motion
 
-        observed = observe_motion(motion, float(parse(since or "0")))
+        observed = observe_motion(motion, observed_since)
     if prove:
         from nonsmooth.runtime.proof.motion.validate import validate
 
-        exact = {name: value.exact for name, value in state.items()}
-        for name, fraction in exact.items():
-            if fraction is None:
-                raise InputError(f"state {name} = {state[name]} is not rational: no proof")
         begin = motion.configurations[0]
         proof = validate(system, values, exact, begin, motion.transitions)
+    written = Written()
+    written.save(motion.save, save)
     if plot is not None:
         from nonsmooth.runtime.present.pictures.scenes import trajectory_figure
 

@@ -442,3 +442,20 @@ def test_simulate_writes_derivatives() -> None:
     assert len(told(*SIMULATE.split(), "--derivatives", "all")["derivatives"]["by"]) == 9
     assert "v1 behind it" in run(*SIMULATE.split(), "--derivatives", "r")[1]
     refused(f"{SIMULATE} --derivatives rr", "unknown parameter or start 'rr'")
+
+
+@pytest.mark.parametrize(
+    ("options", "part"),
+    [
+        ("--derivatives WRONG", "WRONG"),
+        ("--derivatives k1,x10,foo", "foo"),
+        ("--observe --since soon", "soon"),
+        ("--prove --from x1=0,x2=sqrt(2),v1=1,v2=0", "x2"),
+    ],
+)
+def test_what_is_refused_has_written_nothing(options, part, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    start = "" if "--from" in options else "--from x1=0,x2=0.5,v1=1,v2=0"
+    command = f"simulate rigid-stop {STOP} {start} --transitions 6 {options}"
+    refused(f"{command} --save o.npz --plot o.png", part)
+    assert not list(tmp_path.iterdir())
