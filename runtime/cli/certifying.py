@@ -91,7 +91,7 @@ def certify(
         typer.Option(
             "--tiles",
             metavar="N",
-            help=f"Of a box at most so many are looked at, {_TILES} by default; of a branch"
+            help=f"Of a box at most so many are looked at in all, {_TILES} by default; of a branch"
             f" {_BRANCH_TILES}.",
         ),
     ] = None,
@@ -161,7 +161,8 @@ def certify(
         typer.Option(
             "--seconds",
             min=0,
-            help="With --doublings: after so long nothing more is begun; --resume goes on.",
+            help="With --branch or --doublings: after so long nothing more is begun;"
+            " --resume goes on.",
         ),
     ] = None,
     workers: Annotated[
@@ -201,8 +202,8 @@ def certify(
         raise InputError(
             "--all, --events, --branch and --doublings are questions of their own: ask one of them"
         )
-    if seconds is not None and doublings is None:
-        raise InputError("--seconds is for --doublings")
+    if seconds is not None and doublings is None and not branch:
+        raise InputError("--seconds is for --branch and --doublings")
     if derivatives and (every or events or branch or is_box(parameters)):
         raise InputError("--derivatives are for one orbit, at one point")
     if beyond and not branch:
@@ -219,7 +220,7 @@ def certify(
             raise InputError("--digits and --bits are not for --branch: --events takes them")
         looked_at = _BRANCH_TILES if tiles is None else tiles
         check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
-        told, code = certify_whole_branch(proof, looked_at, beyond=beyond)
+        told, code = certify_whole_branch(proof, looked_at, seconds, beyond=beyond)
         return _judged(told, require, code)
     if doublings is not None:
         if digits is not None or bits is not None:
