@@ -309,9 +309,10 @@ def find(
 @app.command(
     epilog="Examples:\n\n"
     "nonsmooth sweep dry-friction V=0.2:1.2:200 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
-    " --state x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --out diagram.png --save sweep.json\n\n"
-    "nonsmooth sweep impact_oscillator.py w=2:3:100 sigma=1/5 r=4/5 --state v --at forcing-phase"
-    " --phase pi/2 --from x=0,v=0 --transient 200 --out strobe.png"
+    " --quantity x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --plot diagram.png"
+    " --save sweep.json\n\n"
+    "nonsmooth sweep impact_oscillator.py w=2:3:100 sigma=1/5 r=4/5 --quantity v --at forcing-phase"
+    " --phase pi/2 --from x=0,v=0 --transient 200 --plot strobe.png"
 )
 @answering
 def sweep(
@@ -324,8 +325,9 @@ def sweep(
             show_default=False,
         ),
     ] = None,
-    state: Annotated[
-        str | None, typer.Option("--state", metavar="NAME", help="What is drawn.")
+    quantity: Annotated[
+        str | None,
+        typer.Option("--quantity", metavar="NAME", help="What is drawn: a state."),
     ] = None,
     at: Annotated[
         str | None,
@@ -358,9 +360,7 @@ def sweep(
     restart: Annotated[
         bool, typer.Option("--restart", help="Start every value anew instead of following.")
     ] = False,
-    out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
-    ] = None,
+    plot: Plot = None,
     save: SaveResult = None,
     resume: Resume = None,
     overwrite: Overwrite = False,
@@ -378,12 +378,12 @@ def sweep(
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
     from nonsmooth.runtime.present.files.sweeps import load_sweep
 
-    for option, given in (("--state", state), ("--at", at)):
+    for option, given in (("--quantity", quantity), ("--at", at)):
         if not given:
             raise InputError(f"{option} is missing")
     if not start:
         raise missing_start(system)
-    check_drawing(out)
+    check_drawing(plot)
     strobed = at == _FORCING
     if phase is not None and not strobed:
         raise InputError(f"--phase is for --at {_FORCING}")
@@ -408,7 +408,7 @@ def sweep(
                 name,
                 linspace(low, high, count),
                 begin,
-                state=str(state),
+                state=str(quantity),
                 configuration=None if strobed else at,
                 phase=float(parse(phase or "0")) if strobed else None,
                 transient=transient,
@@ -420,10 +420,10 @@ def sweep(
         )
     written = Written()
     written.save(diagram.save, save)
-    if out is not None:
+    if plot is not None:
         from nonsmooth.runtime.present.pictures.maps import draw_sweep
 
-        written.draw(lambda: draw_sweep(diagram), out)
+        written.draw(lambda: draw_sweep(diagram), plot)
     code = written.show(lambda: sweep_json(diagram), lambda: show_sweep(diagram), as_json=as_json)
     if stopped:
         return kept_of(f"{diagram.done} of {count} values are done", written.kept(save))

@@ -105,8 +105,8 @@ def test_a_map_is_kept_drawn_and_gone_on_with(tmp_path: Path) -> None:
 
 def test_a_sweep_goes_on_to_the_same_diagram(tmp_path: Path) -> None:
     question = (
-        f"sweep dry-friction V=0.5:1.2:500 {FRICTION} --state x1 --at slip-stick {REST}"
-        " --transient 200 --out d.png"
+        f"sweep dry-friction V=0.5:1.2:500 {FRICTION} --quantity x1 --at slip-stick {REST}"
+        " --transient 200 --plot d.png"
     )
     ended = interrupted(f"{question} --save part.json", r"[1-9]\d*/500", tmp_path)
     assert ended.code == 130
@@ -226,7 +226,7 @@ def test_what_is_written_at_once_leaves_nothing(tmp_path: Path) -> None:
         "certify dry-friction/global-stick --all tau=0:3 tau1=0:3",
         "continue dry-friction/global-stick V=0.99:1.01",
         f"find dry-friction V=0.6773 {FRICTION}",
-        f"sweep dry-friction V=0.5:1.2:5 {FRICTION} --state x1 --at slip-stick {REST}",
+        f"sweep dry-friction V=0.5:1.2:5 {FRICTION} --quantity x1 --at slip-stick {REST}",
         "design dry-friction/symmetric V=0.6:1.3 --minimise period",
     ],
 )

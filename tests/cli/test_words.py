@@ -1,0 +1,68 @@
+"""One word for a thing: options of one name mean one thing, in all commands."""
+
+from __future__ import annotations
+
+import json
+from collections import defaultdict
+from typing import Any
+
+import pytest
+import typer
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from tests.cli.test_cli import run
+
+ORBIT = "dry-friction/global-stick"
+
+
+def options() -> dict[str, dict[str, Any]]:
+    """Options by name, and the commands that have them."""
+    found: dict[str, dict[str, Any]] = defaultdict(dict)
+    group: Any = typer.main.get_command(app)
+    for name, command in group.commands.items():
+        for option in command.params:
+            if option.opts[0].startswith("--"):
+                found[option.opts[0]][name] = option
+    return found
+
+
+def test_no_option_has_another_name() -> None:
+    for name, commands in options().items():
+        for command, option in commands.items():
+            assert (option.opts, option.secondary_opts) == ([name], []), command
+
+
+def test_pictures_of_answers_are_plotted_and_products_come_out() -> None:
+    """Only `plot` has a picture as its product."""
+    made = {name: option.help.lower() for name, option in options()["--out"].items()}
+    assert [name for name, told in made.items() if "svg" in told] == ["plot"]
+    assert not made.keys() & options()["--plot"].keys()
+
+
+@pytest.mark.parametrize("name", ["--from", "--guess", "--given"])
+def test_numbers_are_given_by_name(name: str) -> None:
+    """Whatever begins somewhere, a motion or a branch, takes NAME=VALUE."""
+    assert {option.metavar for option in options()[name].values()} == {"NAME=VALUE,..."}
+
+
+def test_a_branch_is_entered_where_it_is_told() -> None:
+    for value in ("0.85", "1.2"):
+        code, out, err = run(
+            *f"continue {ORBIT} V=0.8:1.3 --from V={value} --step 0.2 --points 1 --json".split()
+        )
+        assert code == 0, err
+        assert float(value) in json.loads(out)["values"]
+    code, _, err = run(*f"continue {ORBIT} V=0.8:1.3 --from eta=1".split())
+    assert code == 2
+    assert "--from is for parameters with a range, which eta has not" in err
+
+
+def test_a_branch_ends_where_it_is_no_motion_in_python_as_on_the_command_line() -> None:
+    orbit = ns.solve("dry-friction/symmetric")
+    whole = ns.continue_orbit(orbit, "V", (0.5, 0.8), step=0.1)
+    part = ns.continue_orbit(orbit, "V", (0.5, 0.8), step=0.1, admissible=True)
+    assert len(part) < len(whole)
+    asked = "continue dry-friction/symmetric V=0.5:0.8 --step 0.1 --admissible --json"
+    _, out, _ = run(*asked.split())
+    assert f'"{part.ends[0]}"' in out
