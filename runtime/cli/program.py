@@ -386,6 +386,7 @@ def _report(
     """Solve, refine, save and report."""
     from nonsmooth.runtime.core.files import check_target
     from nonsmooth.runtime.core.values import decimal_string
+    from nonsmooth.runtime.model.kernels import is_saved
     from nonsmooth.runtime.orbits.refine import MOST_DIGITS, refine
     from nonsmooth.runtime.orbits.solve import solve as find_orbit
     from nonsmooth.runtime.present.report import derivatives_json, orbit_json
@@ -414,7 +415,8 @@ def _report(
     def show() -> None:
         from nonsmooth.runtime.cli.display import show_report
 
-        show_report(orbit, told, assigned, trace_first=trace_first)
+        absent = f"from {name}" if is_saved(name) else "default"
+        show_report(orbit, told, assigned, absent=absent, trace_first=trace_first)
 
     code = written.show_one(lambda: told, show, save, as_json=as_json)
     return code or _judged(told, require or [])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import defaultdict
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -12,6 +13,7 @@ import typer
 import nonsmooth as ns
 from nonsmooth.runtime.cli.program import app
 from tests.cli.test_cli import run
+from tests.places import GALLERY
 
 ORBIT = "dry-friction/global-stick"
 
@@ -66,3 +68,16 @@ def test_a_branch_ends_where_it_is_no_motion_in_python_as_on_the_command_line() 
     asked = "continue dry-friction/symmetric V=0.5:0.8 --step 0.1 --admissible --json"
     _, out, _ = run(*asked.split())
     assert f'"{part.ends[0]}"' in out
+
+
+def test_values_of_a_file_are_no_defaults_and_unknowns_have_their_names(tmp_path: Path) -> None:
+    file = tmp_path / "orbit.json"
+    forced = f"{GALLERY / 'two_stops.py'}:symmetric"
+    for name, words in ((ORBIT, ["eta=1.01"]), (forced, [])):
+        _, shown, _ = run("solve", name, *words, "--save", str(file))
+        assert "default" in shown
+        _, again, err = run("solve", str(file))
+        assert "default" not in again, err
+        assert again.count(f"from {file}") == len(ns.load(file).given)
+        rows = {line.split()[0] for line in again.splitlines() if line.strip()}
+        assert rows >= {*ns.load(file).problem.unknown_names}
