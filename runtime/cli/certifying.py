@@ -25,7 +25,7 @@ from nonsmooth.runtime.cli.certifying_branches import certify_flips, certify_who
 from nonsmooth.runtime.cli.certifying_events import certify_events
 from nonsmooth.runtime.cli.counting import Every, count_orbits
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new, say
-from nonsmooth.runtime.cli.long_proofs import LongProof
+from nonsmooth.runtime.cli.long_proofs import LongProof, question_in
 from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess, SaveResult, Yes
 from nonsmooth.runtime.cli.ranges import is_box
 from nonsmooth.runtime.cli.written import Written
@@ -97,7 +97,12 @@ def certify(
     ] = None,
     resume: Annotated[
         Path | None,
-        typer.Option("--resume", metavar="FILE", help="Go on with a saved box, branch or events."),
+        typer.Option(
+            "--resume",
+            metavar="FILE",
+            help="Go on with a saved box or branch, which needs no more, or with events or"
+            " doublings of the orbit that is named.",
+        ),
     ] = None,
     plot: Annotated[
         Path | None,
@@ -196,6 +201,8 @@ def certify(
         return _check(check, orbit, require, workers, as_json=as_json)
     if workers != 1:
         raise InputError("--workers goes with --check")
+    if orbit is None and resume is not None:
+        orbit, parameters, branch = question_in(resume)
     if orbit is None:
         raise InputError("an orbit is missing, or --check FILE")
     if every + events + branch + (doublings is not None) > 1:

@@ -29,6 +29,7 @@ from nonsmooth.runtime.cli.options import (
     Start,
     SystemName,
     Yes,
+    known_systems,
     missing_start,
 )
 from nonsmooth.runtime.cli.written import Written
@@ -37,6 +38,8 @@ from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from nonsmooth.runtime.explore.finding.sweep import Sweep
 
 __all__ = ["find", "simulate", "sweep"]
 
@@ -316,7 +319,15 @@ def find(
 )
 @answering
 def sweep(
-    system: SystemName,
+    system: Annotated[
+        str | None,
+        typer.Argument(
+            autocompletion=known_systems,
+            metavar="[SYSTEM]",
+            help="A system that `nonsmooth list` shows, or your own; --resume FILE needs none.",
+            show_default=False,
+        ),
+    ] = None,
     parameters: Annotated[
         list[str] | None,
         typer.Argument(
@@ -368,55 +379,33 @@ def sweep(
     as_json: AsJson = False,
 ) -> int:
     """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
-    from numpy import linspace
-
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.cli.display_motions import show_sweep
     from nonsmooth.runtime.cli.report_motions import sweep_json
-    from nonsmooth.runtime.core.values import parse
-    from nonsmooth.runtime.explore.finding.sweep import check_sweep
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
     from nonsmooth.runtime.present.files.sweeps import load_sweep
 
-    for option, given in (("--quantity", quantity), ("--at", at)):
-        if not given:
-            raise InputError(f"{option} is missing")
-    if not start:
-        raise missing_start(system)
     check_drawing(plot)
-    strobed = at == _FORCING
-    if phase is not None and not strobed:
-        raise InputError(f"--phase is for --at {_FORCING}")
     save = resume if save is None else save
     check_new(save, overwrite, resume, resumes=True)
     known = None if resume is None else load_sweep(resume)
-    swept = [text for text in parameters or [] if ":" in text]
-    if len(swept) != 1:
-        raise InputError(f"one parameter has to be a range A:B:N, not {len(swept)}")
-    fixed = [text for text in parameters or [] if text not in swept]
-    ((name, (low, high, count)),) = ranges("parameter", swept, counts=True).items()
-    values, begin = assignments("parameter", fixed), assignments("state", split(start))
-    check_sweep(count, samples)
-    length = transient + samples
+    if system is None:
+        if known is None:
+            raise InputError("a system is missing, or --resume FILE")
+        if quantity or at or phase or start:
+            raise InputError("--resume FILE alone holds the question: name the system, or nothing")
+        asked, options = _kept_question(known)
+    else:
+        asked, options = _question(
+            system, parameters or [], quantity, at, phase, start, transient, samples, not restart
+        )
+    name, values = asked[2:4]
+    count, length = len(values), options["transient"] + options["samples"]
     what = f"{count} values, followed over {length} transitions or periods each,"
     check_hours(what, count * length * SECONDS["transition"], yes=yes)
     with counted(f"sweeping {name}", count) as progress:
         diagram, stopped = worked(
-            lambda: follow(
-                system,
-                values,
-                name,
-                linspace(low, high, count),
-                begin,
-                state=str(quantity),
-                configuration=None if strobed else at,
-                phase=float(parse(phase or "0")) if strobed else None,
-                transient=transient,
-                samples=samples,
-                follow=not restart,
-                resume=known,
-                progress=progress,
-            )
+            lambda: follow(*asked, **options, resume=known, progress=progress)
         )
     written = Written()
     written.save(diagram.save, save)
@@ -428,6 +417,60 @@ def sweep(
     if stopped:
         return kept_of(f"{diagram.done} of {count} values are done", written.kept(save))
     return code
+
+
+def _question(
+    system: str,
+    parameters: list[str],
+    quantity: str | None,
+    at: str | None,
+    phase: str | None,
+    start: list[str] | None,
+    transient: int,
+    samples: int,
+    follow: bool,
+) -> tuple[tuple[Any, ...], dict[str, Any]]:
+    """Arguments and options of a sweep, as they were given."""
+    from numpy import linspace
+
+    from nonsmooth.runtime.core.values import parse
+    from nonsmooth.runtime.explore.finding.sweep import check_sweep
+
+    for option, given in (("--quantity", quantity), ("--at", at)):
+        if not given:
+            raise InputError(f"{option} is missing")
+    if not start:
+        raise missing_start(system)
+    strobed = at == _FORCING
+    if phase is not None and not strobed:
+        raise InputError(f"--phase is for --at {_FORCING}")
+    swept = [text for text in parameters if ":" in text]
+    if len(swept) != 1:
+        raise InputError(f"one parameter has to be a range A:B:N, not {len(swept)}")
+    fixed = [text for text in parameters if text not in swept]
+    ((name, (low, high, count)),) = ranges("parameter", swept, counts=True).items()
+    values, begin = assignments("parameter", fixed), assignments("state", split(start))
+    check_sweep(count, samples)
+    options = {
+        "state": str(quantity),
+        "configuration": None if strobed else at,
+        "phase": float(parse(phase or "0")) if strobed else None,
+        "transient": transient,
+        "samples": samples,
+        "follow": follow,
+    }
+    return (system, values, name, linspace(low, high, count), begin), options
+
+
+def _kept_question(known: Sweep) -> tuple[tuple[Any, ...], dict[str, Any]]:
+    """Arguments and options of a sweep that was interrupted."""
+    from nonsmooth.runtime.model.structure import structure_of
+
+    begin = dict(zip(structure_of(known.system).states, known.start.tolist(), strict=True))
+    names = ("state", "configuration", "phase", "transient", "follow")
+    options = {name: getattr(known, name) for name in names}
+    asked = (known.system, known.parameters, known.parameter, known.values, begin)
+    return asked, {**options, "samples": known.samples.shape[1]}
 
 
 def _agreed(question: str) -> bool:
