@@ -84,10 +84,11 @@ BASES: Mapping[str, Sequence[Sequence[str]]] = {
                  ["mine.py", "k=1", "r=1/2", "--from", "x=0,v=1", "--transitions", "5", "--prove"]],
     "find": [["dry-friction", "V=1", *POINT, "--starts", "4", "--transitions", "300"],
              ["mine.py", "k=1", "r=1/2", "--starts", "4", "--box", "x=-1:1", "--save", "out.json"]],
-    "sweep": [["dry-friction", "V=0.9:1.1:3", *POINT, *FROM, "--state", "x1", "--at", "stick-stick",
-               "--transient", "20", "--samples", "6", "--save", "out.json"],
-              ["dry-friction", "V=0.9:1:2", *POINT, *FROM, "--state", "x1", "--at", "stick-stick",
-               "--transient", "20", "--samples", "6", "--resume", "sweep.json"]],
+    "sweep": [["dry-friction", "V=0.9:1.1:3", *POINT, *FROM, "--quantity", "x1",
+               "--at", "stick-stick", "--transient", "20", "--samples", "6", "--save", "out.json"],
+              ["dry-friction", "V=0.9:1:2", *POINT, *FROM, "--quantity", "x1",
+               "--at", "stick-stick", "--transient", "20", "--samples", "6",
+               "--resume", "sweep.json"]],
 }  # fmt: skip
 _RARE = {"reproduce": 1, "regenerate": 1, "equations": 2, "list": 3}  # of the others 6
 

@@ -70,7 +70,7 @@ def response_and_basins(folder: Path) -> None:
     axes = figure.add_subplot()
     branch = ns.continue_orbit(striking.orbit, "Omega", (16, 30))
     branch.plot("amplitude_x", axes=axes)
-    below = ns.continue_orbit(quiet.orbit, "Omega", (16, 30), stop="admissible")
+    below = ns.continue_orbit(quiet.orbit, "Omega", (16, 30), admissible=True)
     below.plot("amplitude_x", axes=axes)
     axes.set_title("a machine that strikes a rubber stop: frequency response")
     save_figure(figure, folder / "response.svg")

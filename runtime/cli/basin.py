@@ -57,7 +57,7 @@ def basin(
         float | None, typer.Option("--side", metavar="H", help="The longest side of a tile.")
     ] = None,
     tiles: Annotated[
-        int, typer.Option("--tiles", metavar="N", help="How many tiles are looked at.")
+        int, typer.Option("--tiles", metavar="N", help="At most so many are looked at in all.")
     ] = 20_000,
     parts: Annotated[
         int, typer.Option("--parts", metavar="N", help="Parts of one tile, at most.")
@@ -68,7 +68,7 @@ def basin(
     ] = None,
     resume: Annotated[
         Path | None,
-        typer.Option("--resume", metavar="FILE", help="Go on with a saved basin: more tiles."),
+        typer.Option("--resume", metavar="FILE", help="Go on with a saved basin, up to --tiles."),
     ] = None,
     save: SaveResult = None,
     plot: Plot = None,

@@ -25,7 +25,7 @@ from nonsmooth.runtime.cli.certifying_branches import certify_flips, certify_who
 from nonsmooth.runtime.cli.certifying_events import certify_events
 from nonsmooth.runtime.cli.counting import Every, count_orbits
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new, say
-from nonsmooth.runtime.cli.long_proofs import LongProof
+from nonsmooth.runtime.cli.long_proofs import LongProof, question_in
 from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess, SaveResult, Yes
 from nonsmooth.runtime.cli.ranges import is_box
 from nonsmooth.runtime.cli.written import Written
@@ -91,13 +91,18 @@ def certify(
         typer.Option(
             "--tiles",
             metavar="N",
-            help=f"Of a box at most so many are looked at, {_TILES} by default; of a branch"
+            help=f"Of a box at most so many are looked at in all, {_TILES} by default; of a branch"
             f" {_BRANCH_TILES}.",
         ),
     ] = None,
     resume: Annotated[
         Path | None,
-        typer.Option("--resume", metavar="FILE", help="Go on with a saved box, branch or events."),
+        typer.Option(
+            "--resume",
+            metavar="FILE",
+            help="Go on with a saved box or branch, which needs no more, or with events or"
+            " doublings of the orbit that is named.",
+        ),
     ] = None,
     plot: Annotated[
         Path | None,
@@ -161,7 +166,8 @@ def certify(
         typer.Option(
             "--seconds",
             min=0,
-            help="With --doublings: after so long nothing more is begun; --resume goes on.",
+            help="With --branch or --doublings: after so long nothing more is begun;"
+            " --resume goes on.",
         ),
     ] = None,
     workers: Annotated[
@@ -195,14 +201,16 @@ def certify(
         return _check(check, orbit, require, workers, as_json=as_json)
     if workers != 1:
         raise InputError("--workers goes with --check")
+    if orbit is None and resume is not None:
+        orbit, parameters, branch = question_in(resume)
     if orbit is None:
         raise InputError("an orbit is missing, or --check FILE")
     if every + events + branch + (doublings is not None) > 1:
         raise InputError(
             "--all, --events, --branch and --doublings are questions of their own: ask one of them"
         )
-    if seconds is not None and doublings is None:
-        raise InputError("--seconds is for --doublings")
+    if seconds is not None and doublings is None and not branch:
+        raise InputError("--seconds is for --branch and --doublings")
     if derivatives and (every or events or branch or is_box(parameters)):
         raise InputError("--derivatives are for one orbit, at one point")
     if beyond and not branch:
@@ -219,7 +227,7 @@ def certify(
             raise InputError("--digits and --bits are not for --branch: --events takes them")
         looked_at = _BRANCH_TILES if tiles is None else tiles
         check_hours(f"{looked_at} tiles", looked_at * SECONDS["tile"], yes=yes)
-        told, code = certify_whole_branch(proof, looked_at, beyond=beyond)
+        told, code = certify_whole_branch(proof, looked_at, seconds, beyond=beyond)
         return _judged(told, require, code)
     if doublings is not None:
         if digits is not None or bits is not None:

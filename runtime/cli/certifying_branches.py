@@ -13,7 +13,7 @@ __all__ = ["certify_flips", "certify_whole_branch"]
 
 
 def certify_whole_branch(
-    proof: LongProof, tiles: int, *, beyond: bool
+    proof: LongProof, tiles: int, seconds: float | None, *, beyond: bool
 ) -> tuple[Mapping[str, str], int]:
     """Follow the orbit over a range, prove all of it, show it and keep it.
 
@@ -25,6 +25,8 @@ def certify_whole_branch(
         Which orbit, its files, and how it is shown.
     tiles : int
         The most tiles that are proved.
+    seconds : float or None
+        The time after which nothing more is begun.
     beyond : bool
         Whether to prove what begins where it meets a border.
 
@@ -53,6 +55,7 @@ def certify_whole_branch(
                 interval=interval,
                 tiles=tiles,
                 beyond=beyond,
+                seconds=math.inf if seconds is None else seconds,
                 resume=known,
                 progress=progress,
                 keep=proof.keep,

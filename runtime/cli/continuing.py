@@ -71,12 +71,12 @@ def follow(
             show_default=False,
         ),
     ] = None,
-    at: Annotated[
-        str | None,
+    start: Annotated[
+        list[str] | None,
         typer.Option(
-            "--at",
-            metavar="VALUE",
-            help="Where the branch is entered; the reference point's value, or the middle.",
+            "--from",
+            metavar="NAME=VALUE,...",
+            help="Where the ranges are entered; at the reference point or in the middle.",
         ),
     ] = None,
     step: Annotated[
@@ -143,21 +143,25 @@ def follow(
     fixed = assignments("parameter", [text for text in parameters or [] if text not in followed])
     if name in fixed:
         raise InputError(f"parameter {name} is given twice")
-    if at is not None:
-        fixed |= assignments("parameter", [f"{name}={at}"])
+    entered = assignments("parameter", split(start))
+    if unknown := [each for each in entered if each not in (name, *dict(others))]:
+        raise InputError(f"--from is for parameters with a range, which {unknown[0]} has not")
+    fixed |= entered
     check_hours(f"{points} points", 2 * points * SECONDS["point"], yes=yes)
     begin = solve(orbit, fixed)
     spans = {name: (low, high), **{other: span[:2] for other, span in others}}
     middles = {
         each: sum(span) / 2
         for each, span in spans.items()
-        if each in begin.given and not span[0] <= float(begin.given[each]) <= span[1]
+        if each in begin.given
+        and each not in entered
+        and not span[0] <= float(begin.given[each]) <= span[1]
     }
-    if middles and at is None:
+    if middles:
         begin = solve(orbit, {**fixed, **middles})
     if not switch:  # beyond an event the unknowns may be others
         _check_quantities(begin, name, [*split(quantity), *([over] if over else [])])
-    options = {"step": step, "points": points, "stop": "admissible" if admissible else None}
+    options = {"step": step, "points": points, "admissible": admissible}
     interval = low, high
     branch, stopped = _branch(begin, name, interval, {**options, "resume": known})
     for text in switch or ():

@@ -40,6 +40,7 @@ def show_report(
     found: Mapping[str, Any],
     assigned: Mapping[str, Value],
     *,
+    absent: str,
     trace_first: bool,
 ) -> None:
     """Show an orbit.
@@ -51,6 +52,8 @@ def show_report(
         The orbit as JSON.
     assigned : mapping of str to Value
         Parameters as the user gave them.
+    absent : str
+        Where those are from that the user left out: ``"default"``.
     trace_first : bool
         Show the trace criterion before the orbit.
     """
@@ -59,7 +62,7 @@ def show_report(
     console.print(Text(f"{shown_name(found['orbit'])}, {found['digits']} digits", style="bold"))
     console.print(Text(" -> ".join([*_configurations(orbit), "..."])))
     parameters = _table()
-    for name, text, source in _sources(orbit, found, assigned):
+    for name, text, source in _sources(orbit, found, assigned, absent):
         parameters.add_row(name, text, Text(source, style="dim"))
     unknowns = _table()
     shown = {**_unknowns(orbit, found), "period": found["period"], "residual": found["residual"]}
@@ -273,12 +276,10 @@ def shared(what: str, counts: str = "tiles") -> Iterator[Callable[[float, int], 
 
 
 def _unknowns(orbit: Orbit, found: Mapping[str, Any]) -> dict[str, str]:
-    """Unknowns of an orbit; in place of a forcing's cosine and sine its phase at the start."""
+    """Unknowns of an orbit, and the phase of each forcing at the start."""
     entries = dict(found["unknowns"])
-    start, names = orbit.states[0], list(entries)[-orbit.states.shape[1] :]
+    start = orbit.states[0]
     for number, (cosine, sine) in enumerate(orbit.problem.forcing, 1):
-        for place in (cosine, sine):
-            entries.pop(names[place], None)
         context = orbit.arithmetic.mp
         phase = context.atan2(start[sine], start[cosine])
         label = "forcing phase" if number == 1 else f"forcing phase {number}"
@@ -292,7 +293,7 @@ def _configurations(orbit: Orbit) -> list[str]:
 
 
 def _sources(
-    orbit: Orbit, found: Mapping[str, Any], assigned: Mapping[str, Value]
+    orbit: Orbit, found: Mapping[str, Any], assigned: Mapping[str, Value], absent: str
 ) -> Iterator[tuple[str, str, str]]:
     """Give name and text of each given parameter, and where it is from."""
     for name, value in assigned.items():
@@ -306,7 +307,7 @@ def _sources(
         elif name in orbit.problem.unknown_names:
             yield name, str(value), "in place of an unknown"
         else:
-            yield name, str(value), "given" if name == PERIOD else "default"
+            yield name, str(value), "given" if name == PERIOD else absent
 
 
 def _table() -> Table:

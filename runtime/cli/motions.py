@@ -29,6 +29,7 @@ from nonsmooth.runtime.cli.options import (
     Start,
     SystemName,
     Yes,
+    known_systems,
     missing_start,
 )
 from nonsmooth.runtime.cli.written import Written
@@ -37,6 +38,8 @@ from nonsmooth.runtime.core.workload import SECONDS, check_hours
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from nonsmooth.runtime.explore.finding.sweep import Sweep
 
 __all__ = ["find", "simulate", "sweep"]
 
@@ -113,6 +116,8 @@ def simulate(
     from nonsmooth.runtime.core.files import check_ending, check_target
     from nonsmooth.runtime.core.values import parse
     from nonsmooth.runtime.model.engine_run import Status
+    from nonsmooth.runtime.model.structure import structure_of
+    from nonsmooth.runtime.simulation.derivatives import check_numbers
     from nonsmooth.runtime.simulation.simulate import simulate as follow
 
     if save is not None:
@@ -124,30 +129,33 @@ def simulate(
     if start is None:
         raise missing_start(system)
     end = math.inf if until is None else float(parse(until))
+    observed_since = float(parse(since or "0"))
     values, state = assignments("parameter", parameters or []), assignments("state", split(start))
+    exact = {name: value.exact for name, value in state.items()}
+    for name, fraction in exact.items():
+        if prove and fraction is None:
+            raise InputError(f"state {name} = {state[name]} is not rational: no proof")
+    by = None if derivatives in (None, "all") else split([derivatives])
+    if by is not None:
+        check_numbers(by, structure_of(system).states, tuple(values))
     if transitions is not None and until is None:
         each = SECONDS["proved transition" if prove else "transition"]
         check_hours(f"{transitions} transitions", transitions * each, yes=yes)
     motion = follow(system, values, state, configuration, until=end, transitions=transitions)
-    written = Written()
-    written.save(motion.save, save)
     observed = proof = changes = None
     if derivatives is not None:
-        by = None if derivatives == "all" else split([derivatives])
         changes = motion.derivatives(by)
     if observe:
         from nonsmooth.runtime.simulation.observables import observe as observe_motion
 
-        observed = observe_motion(motion, float(parse(since or "0")))
+        observed = observe_motion(motion, observed_since)
     if prove:
         from nonsmooth.runtime.proof.motion.validate import validate
 
-        exact = {name: value.exact for name, value in state.items()}
-        for name, fraction in exact.items():
-            if fraction is None:
-                raise InputError(f"state {name} = {state[name]} is not rational: no proof")
         begin = motion.configurations[0]
         proof = validate(system, values, exact, begin, motion.transitions)
+    written = Written()
+    written.save(motion.save, save)
     if plot is not None:
         from nonsmooth.runtime.present.pictures.scenes import trajectory_figure
 
@@ -316,13 +324,22 @@ def find(
 @app.command(
     epilog="Examples:\n\n"
     "nonsmooth sweep dry-friction V=0.2:1.2:200 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
-    " --state x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --out diagram.png --save sweep.json\n\n"
-    "nonsmooth sweep impact_oscillator.py w=2:3:100 sigma=1/5 r=4/5 --state v --at forcing-phase"
-    " --phase pi/2 --from x=0,v=0 --transient 200 --out strobe.png"
+    " --quantity x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --plot diagram.png"
+    " --save sweep.json\n\n"
+    "nonsmooth sweep impact_oscillator.py w=2:3:100 sigma=1/5 r=4/5 --quantity v --at forcing-phase"
+    " --phase pi/2 --from x=0,v=0 --transient 200 --plot strobe.png"
 )
 @answering
 def sweep(
-    system: SystemName,
+    system: Annotated[
+        str | None,
+        typer.Argument(
+            autocompletion=known_systems,
+            metavar="[SYSTEM]",
+            help="A system that `nonsmooth list` shows, or your own; --resume FILE needs none.",
+            show_default=False,
+        ),
+    ] = None,
     parameters: Annotated[
         list[str] | None,
         typer.Argument(
@@ -331,8 +348,9 @@ def sweep(
             show_default=False,
         ),
     ] = None,
-    state: Annotated[
-        str | None, typer.Option("--state", metavar="NAME", help="What is drawn.")
+    quantity: Annotated[
+        str | None,
+        typer.Option("--quantity", metavar="NAME", help="What is drawn: a state."),
     ] = None,
     at: Annotated[
         str | None,
@@ -365,9 +383,7 @@ def sweep(
     restart: Annotated[
         bool, typer.Option("--restart", help="Start every value anew instead of following.")
     ] = False,
-    out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE", help="Draw it: .png, .svg or .pdf.")
-    ] = None,
+    plot: Plot = None,
     save: SaveResult = None,
     resume: Resume = None,
     overwrite: Overwrite = False,
@@ -375,66 +391,99 @@ def sweep(
     as_json: AsJson = False,
 ) -> int:
     """Draw a bifurcation diagram by brute force: where motions settle over one parameter."""
-    from numpy import linspace
-
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.cli.display_motions import show_sweep
     from nonsmooth.runtime.cli.report_motions import sweep_json
-    from nonsmooth.runtime.core.values import parse
-    from nonsmooth.runtime.explore.finding.sweep import check_sweep
     from nonsmooth.runtime.explore.finding.sweep import sweep as follow
     from nonsmooth.runtime.present.files.sweeps import load_sweep
 
-    missing = [option for option, given in (("--state", state), ("--at", at)) if not given]
-    if not start:
-        raise missing_start(system, missing)
-    if missing:
-        raise InputError(f"{' and '.join(missing)} {'are' if missing[1:] else 'is'} missing")
-    check_drawing(out)
-    strobed = at == _FORCING
-    if phase is not None and not strobed:
-        raise InputError(f"--phase is for --at {_FORCING}")
+    check_drawing(plot)
     save = resume if save is None else save
     check_new(save, overwrite, resume, resumes=True)
     known = None if resume is None else load_sweep(resume)
-    swept = [text for text in parameters or [] if ":" in text]
-    if len(swept) != 1:
-        raise InputError(f"one parameter has to be a range A:B:N, not {len(swept)}")
-    fixed = [text for text in parameters or [] if text not in swept]
-    ((name, (low, high, count)),) = ranges("parameter", swept, counts=True).items()
-    values, begin = assignments("parameter", fixed), assignments("state", split(start))
-    check_sweep(count, samples)
-    length = transient + samples
+    if system is None:
+        if known is None:
+            raise InputError("a system is missing, or --resume FILE")
+        if quantity or at or phase or start:
+            raise InputError("--resume FILE alone holds the question: name the system, or nothing")
+        asked, options = _kept_question(known)
+    else:
+        asked, options = _question(
+            system, parameters or [], quantity, at, phase, start, transient, samples, not restart
+        )
+    name, values = asked[2:4]
+    count, length = len(values), options["transient"] + options["samples"]
     what = f"{count} values, followed over {length} transitions or periods each,"
     check_hours(what, count * length * SECONDS["transition"], yes=yes)
     with counted(f"sweeping {name}", count) as progress:
         diagram, stopped = worked(
-            lambda: follow(
-                system,
-                values,
-                name,
-                linspace(low, high, count),
-                begin,
-                state=str(state),
-                configuration=None if strobed else at,
-                phase=float(parse(phase or "0")) if strobed else None,
-                transient=transient,
-                samples=samples,
-                follow=not restart,
-                resume=known,
-                progress=progress,
-            )
+            lambda: follow(*asked, **options, resume=known, progress=progress)
         )
     written = Written()
     written.save(diagram.save, save)
-    if out is not None:
+    if plot is not None:
         from nonsmooth.runtime.present.pictures.maps import draw_sweep
 
-        written.draw(lambda: draw_sweep(diagram), out)
+        written.draw(lambda: draw_sweep(diagram), plot)
     code = written.show(lambda: sweep_json(diagram), lambda: show_sweep(diagram), as_json=as_json)
     if stopped:
         return kept_of(f"{diagram.done} of {count} values are done", written.kept(save))
     return code
+
+
+def _question(
+    system: str,
+    parameters: list[str],
+    quantity: str | None,
+    at: str | None,
+    phase: str | None,
+    start: list[str] | None,
+    transient: int,
+    samples: int,
+    follow: bool,
+) -> tuple[tuple[Any, ...], dict[str, Any]]:
+    """Arguments and options of a sweep, as they were given."""
+    from numpy import linspace
+
+    from nonsmooth.runtime.core.values import parse
+    from nonsmooth.runtime.explore.finding.sweep import check_sweep
+
+    given = (("--quantity", quantity), ("--at", at))
+    missing = [option for option, value in given if not value]
+    if not start:
+        raise missing_start(system, missing)
+    if missing:
+        raise InputError(f"{' and '.join(missing)} {'are' if missing[1:] else 'is'} missing")
+    strobed = at == _FORCING
+    if phase is not None and not strobed:
+        raise InputError(f"--phase is for --at {_FORCING}")
+    swept = [text for text in parameters if ":" in text]
+    if len(swept) != 1:
+        raise InputError(f"one parameter has to be a range A:B:N, not {len(swept)}")
+    fixed = [text for text in parameters if text not in swept]
+    ((name, (low, high, count)),) = ranges("parameter", swept, counts=True).items()
+    values, begin = assignments("parameter", fixed), assignments("state", split(start))
+    check_sweep(count, samples)
+    options = {
+        "state": str(quantity),
+        "configuration": None if strobed else at,
+        "phase": float(parse(phase or "0")) if strobed else None,
+        "transient": transient,
+        "samples": samples,
+        "follow": follow,
+    }
+    return (system, values, name, linspace(low, high, count), begin), options
+
+
+def _kept_question(known: Sweep) -> tuple[tuple[Any, ...], dict[str, Any]]:
+    """Arguments and options of a sweep that was interrupted."""
+    from nonsmooth.runtime.model.structure import structure_of
+
+    begin = dict(zip(structure_of(known.system).states, known.start.tolist(), strict=True))
+    names = ("state", "configuration", "phase", "transient", "follow")
+    options = {name: getattr(known, name) for name in names}
+    asked = (known.system, known.parameters, known.parameter, known.values, begin)
+    return asked, {**options, "samples": known.samples.shape[1]}
 
 
 def _agreed(question: str) -> bool:

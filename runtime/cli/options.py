@@ -143,7 +143,7 @@ Assignments = Annotated[
     typer.Argument(
         metavar="NAME=VALUE",
         help="Parameters: eta=0.98, chi=1/3, V=pi/3. Absent ones take their defaults"
-        " (docs/parameters.md).",
+        " (docs/parameters.md); those of an orbit in a file are in the file.",
         show_default=False,
     ),
 ]

@@ -80,6 +80,8 @@ def main(command: str | None = None) -> None:
     """
     if not sys.warnoptions:
         warnings.simplefilter("ignore")  # overflows and the like: answers say what they are
+    os.environ["MPLBACKEND"] = "agg"  # pictures are files: what the user names is for windows
+    _open_streams()
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
@@ -88,6 +90,18 @@ def main(command: str | None = None) -> None:
         group(prog_name="nonsmooth")
     else:
         group.commands[command](prog_name=Path(sys.argv[0]).name)
+
+
+def _open_streams() -> None:
+    """Let standard streams that are closed read and write nothing, here and in other processes.
+
+    Else the next file that is opened would take the number of such a stream.
+    """
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            stream = open(os.devnull, mode, encoding="utf-8")  # noqa: SIM115 - as long as this runs
+            os.set_inheritable(stream.fileno(), True)
+            setattr(sys, name, stream)
 
 
 @app.command(
@@ -372,6 +386,7 @@ def _report(
     """Solve, refine, save and report."""
     from nonsmooth.runtime.core.files import check_target
     from nonsmooth.runtime.core.values import decimal_string
+    from nonsmooth.runtime.model.kernels import is_saved
     from nonsmooth.runtime.orbits.refine import MOST_DIGITS, refine
     from nonsmooth.runtime.orbits.solve import solve as find_orbit
     from nonsmooth.runtime.present.report import derivatives_json, orbit_json
@@ -400,7 +415,8 @@ def _report(
     def show() -> None:
         from nonsmooth.runtime.cli.display import show_report
 
-        show_report(orbit, told, assigned, trace_first=trace_first)
+        absent = f"from {name}" if is_saved(name) else "default"
+        show_report(orbit, told, assigned, absent=absent, trace_first=trace_first)
 
     code = written.show_one(lambda: told, show, save, as_json=as_json)
     return code or _judged(told, require or [])

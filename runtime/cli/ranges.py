@@ -149,7 +149,7 @@ def followed_over(
     InputError
         If there is not exactly one range.
     """
-    from nonsmooth.runtime.cli.display import steps
+    from nonsmooth.runtime.cli.display import counted, steps
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
 
     box, fixed = box_and_values(parameters)
@@ -157,8 +157,8 @@ def followed_over(
         option, written = example.split()
         raise InputError(f"{option} takes one range, as in {written}")
     ((parameter, interval),) = box.items()
-    with steps(f"solving {name}") as begin:
+    with steps(f"solving {name}"):
         orbit = solved_in(name, fixed, box, near)
-        begin(f"following {name}")
-        lower, upper = map(float, interval)
-        return continue_orbit(orbit, parameter, (lower, upper)), interval
+    ends = float(interval[0]), float(interval[1])
+    with counted(f"following {name}: points") as progress:
+        return continue_orbit(orbit, parameter, ends, progress=progress), interval

@@ -34,6 +34,7 @@ __all__ = [
 
 _BEGINNING = 400  # characters of a file in which its format is looked for first
 _MOST = 500_000_000  # bytes; a larger file is not read
+_DENSE, _FEW = 16, 1 << 18  # bytes of text to a list or a mapping, where they are not few
 # what entries of the wrong shape raise where they are read
 WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
 _HEAD = ("format", "version", "package", "sha256")
@@ -273,7 +274,9 @@ def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
 
 
 def parsed(found: bytes) -> Any:
-    """Give what JSON text holds.
+    """Give what JSON text holds, in memory that the length of the text bounds.
+
+    A list takes some seventy bytes of memory, and two of text: text of little else is refused.
 
     Parameters
     ----------
@@ -287,8 +290,10 @@ def parsed(found: bytes) -> Any:
     Raises
     ------
     InputError
-        If it is no JSON, or names an entry twice.
+        If it is no JSON, is of lists that hold nearly nothing, or names an entry twice.
     """
+    if found.count(b"[") + found.count(b"{") > max(_FEW, len(found) // _DENSE):
+        raise InputError("its lists hold too little for their number: no file of this package")
     try:
         return json.loads(found.decode("utf-8"), object_pairs_hook=_once)
     except (ValueError, RecursionError) as problem:

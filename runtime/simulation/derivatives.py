@@ -10,7 +10,7 @@ number of parameters.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -19,6 +19,7 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
 from nonsmooth.runtime.model.engine_run import Status
+from nonsmooth.runtime.model.naming import start_names
 from nonsmooth.runtime.model.table_derivatives import TableDerivatives
 from nonsmooth.runtime.simulation.coming_apart import (
     DirectedMotion,
@@ -35,7 +36,7 @@ from nonsmooth.runtime.simulation.observable_derivatives import (
 from nonsmooth.runtime.simulation.one_sided import CUT, check_sides, check_times
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 
-__all__ = ["MotionDerivatives", "motion_derivatives"]
+__all__ = ["MotionDerivatives", "check_numbers", "motion_derivatives"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -300,9 +301,7 @@ def motion_derivatives(
         chosen = (*names, *free)
     else:
         chosen = (by,) if isinstance(by, str) else tuple(by)
-        for name in chosen:
-            if name not in names and name not in starts:
-                raise unknown_name("parameter or start", str(name), (*names, *starts))
+        check_numbers(chosen, trajectory.names, names)
     array = np.atleast_1d(np.asarray([] if times is None else times, dtype=float))
     if not ((array >= 0) & (array <= trajectory.end)).all():
         raise InputError(f"a time is not between 0 and the end of the motion, {trajectory.end!r}")
@@ -314,6 +313,26 @@ def motion_derivatives(
     found = MotionDerivatives(trajectory, chosen, array, one_sided, parts)
     found._linearisations  # noqa: B018 - what has no derivative is refused here
     return found
+
+
+def check_numbers(by: Iterable[str], states: Sequence[str], parameters: Sequence[str]) -> None:
+    """Refuse a name that is neither of a parameter nor of a state at the start.
+
+    Parameters
+    ----------
+    by : iterable of str
+    states : sequence of str
+    parameters : sequence of str
+
+    Raises
+    ------
+    InputError
+        For an unknown name.
+    """
+    known = (*parameters, *start_names(states, parameters))
+    for name in by:
+        if name not in known:
+            raise unknown_name("parameter or start", str(name), known)
 
 
 def _directional(found: MotionDerivatives, factors: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -48,6 +48,9 @@ def test_it_goes_on_with_what_was_kept(tmp_path: Path) -> None:
     part = run(*ASKED, "--tiles", "1", "--save", str(file))
     assert part.code == 1
     assert "not followed further" in part.out
+    late = run(*ASKED, "--seconds", "1e-6", "--json")
+    assert late.code == 1
+    assert json.loads(late.out)["tiles"] == json.loads(file.read_text())["tiles"]
     required = run(*ASKED, "--tiles", "1", "--require", "proved")
     assert required.code == 3
     whole = run(*ASKED, "--resume", str(file), "--json")

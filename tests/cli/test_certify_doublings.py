@@ -50,7 +50,7 @@ def test_a_time_ends_it_and_says_so(tmp_path: Path) -> None:
         (("certify", "dry-friction/symmetric", "--doublings", "1"), "--doublings takes one range"),
         ((*ASKED, "--events"), "ask one of them"),
         ((*ASKED, "--digits", "30"), "are not for --doublings"),
-        ((*ASKED[:2], "V=1.08", "--seconds", "2"), "--seconds is for --doublings"),
+        ((*ASKED[:2], "V=1.08", "--seconds", "2"), "--seconds is for --branch and --doublings"),
         ((*ASKED[:4], "0"), "not a positive integer"),
         (("certify", "dry-friction/symmetric", "V=1.2:1.3", "--doublings", "1"), "has no flips"),
     ],

@@ -19,7 +19,7 @@ SIMULATE = f"simulate rigid-stop {STOP} --from x1=0,x2=0.5,v1=1,v2=0 --transitio
 FRICTION = f"simulate dry-friction {A} {ZERO} --transitions 12"
 FIND = f"find dry-friction {B} --starts 12 --transitions 400"
 SWEPT = "sweep dry-friction chi=0.5 eta=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
-SWEEP = f"{SWEPT} V=0.95:1.05:3 --state x1 --at slip-stick {ZERO} --transient 50 --samples 12"
+SWEEP = f"{SWEPT} V=0.95:1.05:3 --quantity x1 --at slip-stick {ZERO} --transient 50 --samples 12"
 PICTURES = [("png", b"\x89PNG"), ("svg", b"<?xml"), ("PDF", b"%PDF")]
 
 
@@ -207,11 +207,11 @@ def test_masses_and_stops():
 def test_unwritable_files(tmp_path, monkeypatch):
     refused(f"{SIMULATE} --save {tmp_path}", "it is a folder")
     monkeypatch.setattr("os.access", lambda path, mode: False)
-    for command in (f"{SIMULATE} --save m.npz", f"{FIND} --save f.json", f"{SWEEP} --out s.png"):
+    for command in (f"{SIMULATE} --save m.npz", f"{FIND} --save f.json", f"{SWEEP} --plot s.png"):
         refused(command, "permission denied")
 
 
-@pytest.mark.parametrize("command", [SIMULATE + " --plot", SWEEP + " --out"])
+@pytest.mark.parametrize("command", [SIMULATE + " --plot", SWEEP + " --plot"])
 def test_without_matplotlib_the_extra_is_named(command, tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     refused(f"{command} {tmp_path}/picture.png", 'pip install "nonsmooth[plot]"')
@@ -343,7 +343,7 @@ def test_json_of_sweep():
 def test_a_diagram(tmp_path, ending, start):
     pytest.importorskip("matplotlib")
     target = tmp_path / f"diagram.{ending}"
-    code, out, _ = run(*SWEEP.split(), "--out", str(target))
+    code, out, _ = run(*SWEEP.split(), "--plot", str(target))
     assert code == 0
     assert "9 points of x1 at each entry of slip-stick, V from 0.95 to 1.05" in out
     assert out.endswith(f"{target} written\n")
@@ -368,16 +368,16 @@ def test_a_diagram_may_go_downward():
         (("V=0.95:1.05:3", "W=0.95:1.05:3 V=1"), "unknown parameter 'W'"),
         (("V=0.95:1.05:3", "V=0.95:1.05:3 V=1"), "V is both given and swept"),
         (("eta=1", ""), "needs a value for: eta"),
-        (("--state x1", "--state q"), "unknown state 'q'"),
-        (("--state x1", ""), "--state is missing"),
+        (("--quantity x1", "--quantity q"), "unknown state 'q'"),
+        (("--quantity x1", ""), "--quantity is missing"),
         (("--at slip-stick", "--at slip"), "unknown configuration 'slip'"),
         (("--at slip-stick", ""), "--at is missing"),
         ((ZERO, ""), "the start is missing, such as --from x1=0,x2=0,v1=0,v2=0"),
         (("--state x1 --at slip-stick", ""), "--state and --at are missing"),
         (("--transient 50", "--transient -1"), "transient = -1"),
         (("--samples 12", "--samples 0"), "samples = 0"),
-        (("--samples 12", "--out d.gif"), "d.gif does not end in .png, .svg, .pdf"),
-        (("--samples 12", "--out /dev/null/d.png"), "cannot write /dev/null/d.png"),
+        (("--samples 12", "--plot d.gif"), "d.gif does not end in .png, .svg, .pdf"),
+        (("--samples 12", "--plot /dev/null/d.png"), "cannot write /dev/null/d.png"),
     ],
 )
 def test_wrong_sweeps_are_2(change, part, tmp_path, monkeypatch):
@@ -397,7 +397,7 @@ def test_wrong_sweeps_are_2(change, part, tmp_path, monkeypatch):
     [
         (f"{FRICTION} --plot", "scenes.trajectory_figure"),
         (f"{FIND} --basins x1=-1:1:2,v2=-1:1:2 --plot", "maps.draw_basins"),
-        (f"{SWEEP} --out", "maps.draw_sweep"),
+        (f"{SWEEP} --plot", "maps.draw_sweep"),
     ],
 )
 def test_a_picture_that_fails_loses_nothing(command, drawer, tmp_path, monkeypatch):
@@ -444,3 +444,20 @@ def test_simulate_writes_derivatives() -> None:
     assert len(told(*SIMULATE.split(), "--derivatives", "all")["derivatives"]["by"]) == 9
     assert "v1 behind it" in run(*SIMULATE.split(), "--derivatives", "r")[1]
     refused(f"{SIMULATE} --derivatives rr", "unknown parameter or start 'rr'")
+
+
+@pytest.mark.parametrize(
+    ("options", "part"),
+    [
+        ("--derivatives WRONG", "WRONG"),
+        ("--derivatives k1,x10,foo", "foo"),
+        ("--observe --since soon", "soon"),
+        ("--prove --from x1=0,x2=sqrt(2),v1=1,v2=0", "x2"),
+    ],
+)
+def test_what_is_refused_has_written_nothing(options, part, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    start = "" if "--from" in options else "--from x1=0,x2=0.5,v1=1,v2=0"
+    command = f"simulate rigid-stop {STOP} {start} --transitions 6 {options}"
+    refused(f"{command} --save o.npz --plot o.png", part)
+    assert not list(tmp_path.iterdir())

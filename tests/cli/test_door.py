@@ -252,3 +252,32 @@ def test_a_closed_pipe_is_quiet(words: str) -> None:
     finally:
         os.close(writing)
     assert (ended.returncode, ended.stderr) == (141, b"")
+
+
+_MAIN = (sys.executable, "-c", "from nonsmooth.runtime.cli.program import main; main()")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="closed by a shell")
+@pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-"])
+def test_a_closed_stream_is_one_that_nobody_reads(closed: str, tmp_path: Path) -> None:
+    """Exit codes, files and the other streams are what they are."""
+    file = tmp_path / "o.json"
+    wrong = closed.startswith("<")
+    words = ["list", "no"] if wrong else ["solve", ORBIT, "--save", str(file)]
+    command = ["sh", "-c", f'exec "$@" {closed}', "sh", *_MAIN, *words]
+    ended = subprocess.run(command, capture_output=True, check=False)
+    assert ended.returncode == (2 if wrong else 0)
+    assert bool(ended.stdout) == (closed == "2>&-")
+    assert not ended.stderr
+    assert wrong or ns.load(file).name == ORBIT
+
+
+def test_pictures_do_not_depend_on_the_users_windows(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    ns.solve(ORBIT).save(tmp_path / "o.json")
+    subprocess.run(
+        [*_MAIN, "plot", str(tmp_path / "o.json")],
+        env=os.environ | {"MPLBACKEND": "nope"},
+        check=True,
+    )
+    assert (tmp_path / "o.png").is_file()

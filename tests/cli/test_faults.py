@@ -67,8 +67,8 @@ WRITERS = {
     ("design", "--plot"): f"{DESIGN} --plot TARGET.png",
     ("fit", "--save"): f"{FIT} --save TARGET",
     ("fit", "--plot"): f"{FIT} --plot TARGET.png",
-    ("sweep", "--save"): f"sweep {SWEPT} --state x1 --at slip-stick {REST} --save TARGET",
-    ("sweep", "--out"): f"sweep {SWEPT} --state x1 --at slip-stick {REST} --out TARGET.png",
+    ("sweep", "--save"): f"sweep {SWEPT} --quantity x1 --at slip-stick {REST} --save TARGET",
+    ("sweep", "--plot"): f"sweep {SWEPT} --quantity x1 --at slip-stick {REST} --plot TARGET.png",
 }
 FOLDERS = ("reproduce", "regenerate", "chart", "generate")
 FAULTED = (

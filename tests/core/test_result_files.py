@@ -7,6 +7,7 @@ import json
 import math
 import random
 import re
+import tracemalloc
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -378,3 +379,17 @@ def test_no_cut_or_changed_byte_is_read(kind: str, folder: Path) -> None:
         if not same:
             with pytest.raises(InputError):
                 ns.load(path)
+
+
+@pytest.mark.parametrize("cell", ["[]", "{}", "[[]]", '{"a":0}', "[[[[[0]]]]]"])
+def test_text_of_brackets_takes_memory_like_any_other(cell: str, tmp_path: Path) -> None:
+    path = tmp_path / "nested.json"
+    path.write_text("[" + ",".join([cell] * 500_000) + "]")
+    size = path.stat().st_size
+    tracemalloc.start()
+    try:
+        with pytest.raises(InputError, match=r"nested.json"):
+            ns.load(path)
+        assert tracemalloc.get_traced_memory()[1] < 16 * size
+    finally:
+        tracemalloc.stop()

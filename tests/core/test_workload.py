@@ -15,7 +15,7 @@ DATA = " ".join(f"{name}={value}" for name, value in FRICTION.items())
 REST = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
 REST_ROW = [0, 0, 0, 0]
 FROM = "--from x1=0,x2=0,v1=0,v2=0"
-SWEEP = f"sweep dry-friction {DATA} {FROM} --state x1 --at slip-stick"
+SWEEP = f"sweep dry-friction {DATA} {FROM} --quantity x1 --at slip-stick"
 
 
 @pytest.mark.parametrize(

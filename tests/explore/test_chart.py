@@ -187,6 +187,17 @@ def test_damaged_chunk_is_computed_anew(
     assert contents(store) == contents(finished)
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no pipes")
+def test_a_pipe_in_place_of_a_chunk_is_damage(finished: Path, store: Path) -> None:
+    file = store / "tau1" / "c" / "1" / "2"
+    file.unlink()
+    os.mkfifo(file)
+    with pytest.raises(ValueError, match=r"tau1/c/1/2 is no file"):
+        ns.load(store)["tau1"].load()
+    assert work(store) == Work(9, 1, 1, 0)
+    assert contents(store) == contents(finished)
+
+
 def test_a_chunk_of_fill_values_is_done_too(tmp_path: Path) -> None:
     """None is admissible, as in a chunk that was not computed; that it was is known."""
     plane = {"V": np.linspace(2.9, 3, 4), "eta": np.linspace(2.9, 3, 4)}

@@ -172,7 +172,7 @@ def test_border_collision_is_passed() -> None:
 
 def test_stops_where_it_is_no_motion() -> None:
     orbit = nonsmooth.solve("dry-friction/symmetric")
-    branch = nonsmooth.continue_orbit(orbit, "V", (0.5, 0.8), stop="admissible")
+    branch = nonsmooth.continue_orbit(orbit, "V", (0.5, 0.8), admissible=True)
     assert branch.ends[0].startswith("the orbit is no motion")
     assert np.count_nonzero(~branch.admissible) == 1
     (event,) = [e for e in branch.events if e.kind == "grazing"]
@@ -203,7 +203,7 @@ def test_resonance_ends_a_branch() -> None:
         (("V", 1), {}, "not two numbers"),
         (("V", (0.8, 1.3)), {"step": 0}, "step = 0"),
         (("V", (0.8, 1.3)), {"points": 0}, "points = 0"),
-        (("V", (0.8, 1.3)), {"stop": "now"}, "stop = 'now'"),
+        (("V", (0.8, 1.3)), {"admissible": "now"}, "admissible = 'now'"),
     ],
 )
 def test_wrong_input(arguments: tuple, options: dict, message: str) -> None:

@@ -20,6 +20,7 @@ from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.files.found import load_found
 from nonsmooth.runtime.simulation.recurrence import Candidate, canonical
 from nonsmooth.runtime.simulation.simulate import simulate
+from tests.places import GALLERY
 
 # the engine in Python takes minutes for these starts; test_cli_motions has a short one
 pytestmark = pytest.mark.compiled
@@ -107,6 +108,18 @@ def test_shares_sum_to_one_and_orbits_are_in_order(name):
     assert [names[i] for i, o in enumerate(result.orbits) if o.starts] == [
         f"orbit {i + 1}, period {o.period:.6g}" for i, o in enumerate(result.orbits) if o.starts
     ]
+
+
+def test_names_tell_orbits_of_one_period_apart():
+    """Those of a picture's legend: beyond their numbers."""
+    data = {"d": "0.5", "r": "0.8", "w": "1.5"}
+    result = find_orbits(str(GALLERY / "two_stops.py"), data, 12, transitions=400)
+    names = label_names(result)
+    told = [names[i].split(", ", 1)[1] for i, o in enumerate(result.orbits) if o.starts]
+    assert len(told) > 1
+    assert len({name.split(", ")[0] for name in told}) == 1
+    assert len(set(told)) == len(told)
+    assert any("mirror image of 1" in name for name in told)
 
 
 @pytest.mark.parametrize("name", ["A", "B"])

@@ -251,17 +251,6 @@ def test_who_interrupts_the_wait_ends_the_compilation(
     assert begun == ["again"]
 
 
-def test_what_killed_processes_left_long_ago_is_removed(cache: Path) -> None:
-    cache.mkdir()
-    old, new = cache / f"old{PARTIAL}", cache / f"new{PARTIAL}"
-    for folder in (old, new):
-        folder.mkdir()
-        (folder / "kernels.c").write_text("")
-    os.utime(old, (1, 1))
-    background._sweep(cache)
-    assert list(cache.iterdir()) == [new]
-
-
 def test_libraries_of_one_key_are_told_apart_by_their_content(cache: Path) -> None:
     for content in (b"one", b"two"):
         caching.store_library("key", "_kernels.abi3.so", content)

@@ -243,7 +243,7 @@ def test_a_declaration_is_derived_once(
     assert derivations == ["kicked"] * 2
 
 
-@pytest.mark.parametrize("damage", ["cut", "changed", "binary", "empty", "folder"])
+@pytest.mark.parametrize("damage", ["cut", "changed", "binary", "empty", "folder", "pipe"])
 def test_a_damaged_cache_is_derived_anew(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -255,9 +255,9 @@ def test_a_damaged_cache_is_derived_anew(
     expected = load_system(str(path)).table
     (entry,) = cache.iterdir()
     content = entry.read_bytes()
-    if damage == "folder":
+    if damage in ("folder", "pipe"):
         entry.unlink()
-        entry.mkdir()
+        (Path.mkdir if damage == "folder" else os.mkfifo)(entry)
     else:
         damaged = {
             "cut": content[: len(content) // 2],
@@ -269,7 +269,7 @@ def test_a_damaged_cache_is_derived_anew(
     forget(monkeypatch)
     assert load_system(str(path)).table == expected
     assert derivations == ["kicked"] * 2
-    if damage != "folder":
+    if damage not in ("folder", "pipe"):
         assert entry.read_bytes() == content
 
 
@@ -392,22 +392,28 @@ def test_names_that_stand_for_nothing(tmp_path: Path) -> None:
             load_orbit(wrong)  # type: ignore[arg-type]  # that is what is refused
 
 
-@pytest.mark.parametrize("damage", ["cut", "missing", "record cut", "record foreign"])
+@pytest.mark.parametrize(
+    "damage", ["cut", "missing", "pipe", "record cut", "record foreign", "record pipe"]
+)
 def test_a_damaged_folder_is_refused(tmp_path: Path, damage: str) -> None:
     folder = write_emitted(tmp_path / "kernels", declare(tmp_path))
     load_system(str(folder))
     emitted, record = folder / "kicked.py", folder / "PROVENANCE.json"
     if damage == "cut":
         emitted.write_text(emitted.read_text()[:-20])
-    elif damage == "missing":
-        emitted.unlink()
+    elif damage in ("missing", "pipe", "record pipe"):
+        lost = record if damage == "record pipe" else emitted
+        lost.unlink()
+        if damage != "missing":
+            os.mkfifo(lost)
     elif damage == "record cut":
         record.write_text(record.read_text()[:-20])
     else:
         record.write_text('{"systems": "kicked"}')
     message = {
         "cut": r"kicked\.py is not the file that PROVENANCE\.json records: run `nonsmooth gen",
-        "missing": r"kicked\.py is missing: run `nonsmooth generate` again",
+        "missing": r"kicked\.py cannot be read: no such file or directory: run `nonsmooth gen",
+        "pipe": r"kicked\.py cannot be read: it is a device or a pipe, not a file: run `nons",
     }.get(damage, "its PROVENANCE.json is missing, cut or foreign")
     with pytest.raises(InputError, match=message):
         load_system(str(folder))
@@ -559,6 +565,23 @@ def test_the_cache_is_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     kept = [key for key in keys if caching.stored(key) or caching.stored_library(key)]
     assert kept == [keys[0], *keys[2:]]
     assert foreign.is_file()
+
+
+def test_what_killed_processes_left_counts_and_goes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("NONSMOOTH_CACHE", str(tmp_path))
+    monkeypatch.setattr(caching, "MOST_BYTES", 10_000)
+    file, folder = tmp_path / ".12ab.partial", tmp_path / "12ab-7.partial"
+    file.write_text(9000 * "#")
+    folder.mkdir(mode=0o700)
+    (folder / "kernels.c").write_text(900 * "#")
+    caching.cached(f"{1:064x}", lambda: 700 * "#")
+    assert caching.stored(f"{1:064x}") is None  # there is no room for it
+    for left in (file, folder):
+        os.utime(left, (0, 0))
+    caching.cached(f"{2:064x}", lambda: 700 * "#")
+    assert [path.name for path in tmp_path.iterdir()] == [f"{2:064x}.py"]
 
 
 def test_two_processes_remove_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

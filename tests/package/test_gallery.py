@@ -21,7 +21,7 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.runtime.cli.program import app
-from tests.places import GALLERY
+from tests.places import CHECKOUT, GALLERY
 
 FORCED = {"x": "-x", "v": "-v", "c1": "-c1", "s1": "-s1"}  # half a period of the forcing later
 ORBITS = [
@@ -137,6 +137,13 @@ def struck(place: int, restitution: float) -> Callable[[np.ndarray], np.ndarray]
 
 
 # --- all ----------------------------------------------------------------------------------
+
+
+def test_the_number_of_oscillators_is_that_of_the_gallery() -> None:
+    rows = (GALLERY / "README.md").read_text(encoding="utf-8").count("| [![")
+    told = ["fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty"][rows - 15]
+    for page in (CHECKOUT / "README.md", CHECKOUT / "docs" / "tutorial.md"):
+        assert f"{told} oscillators" in page.read_text(encoding="utf-8"), page
 
 
 def test_the_index_names_every_file() -> None:

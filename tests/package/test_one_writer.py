@@ -14,6 +14,7 @@ WRITER = "runtime/core/files.py"
 # places that write what does not stay, or is no result
 ALLOWED = {
     ("runtime/cli/application.py", "main"): "nowhere: an answer that nobody reads any more",
+    ("runtime/cli/program.py", "_open_streams"): "nowhere: streams that are closed",
     ("runtime/core/processes.py", "ask"): "a pipe to another process",
     ("runtime/core/processes.py", "serve"): "a pipe to the process that asks",
     ("runtime/explore/charting/lock.py", "_acquire"): "a lock, which the system lets go of",

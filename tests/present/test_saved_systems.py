@@ -333,7 +333,7 @@ def test_a_change_of_the_declaration_is_told_where_it_is_named(folder: Path) -> 
     assert CliRunner().invoke(app, same).exit_code == 0
     source.write_text(PLAIN.replace("/ 10", "/ 11"))
     resumed = (
-        "sweep changed.py w=1.9:2.0:2 k=1 gap=0 r=0.8 --state x --at forcing-phase --phase 0"
+        "sweep changed.py w=1.9:2.0:2 k=1 gap=0 r=0.8 --quantity x --at forcing-phase --phase 0"
         " --from x=-1,v=0 --transient 20 --samples 4 --resume changed-sweep.json"
     )
     followed = "continue changed.py:one w=1.98:2.01 --resume changed-branch.json"

@@ -143,11 +143,19 @@ def test_a_branch_can_be_interrupted_and_resumed(
 
 
 def test_progress_rises_to_all_of_it(branch: Any) -> None:
-    shares: list[float] = []
-    ns.certify_branch(branch, progress=lambda share, count: shares.append(share))
+    """In between it is the part of the interval that the tiles so far cover."""
+    told: list[tuple[float, int]] = []
+    found = ns.certify_branch(branch, progress=lambda *now: told.append(now))
+    shares = [share for share, _ in told]
     assert shares == sorted(shares)
     assert shares[-1] == 1
-    assert 0 < shares[0] < 0.5
+    begun, count = found.tiles[: found.start][::-1], len(found.tiles)
+    assert [number for _, number in told] == [*range(1, count + 1)]
+    covered = Fraction(0)
+    for share, tile in zip(shares, (*begun, *found.tiles[found.start :]), strict=True):
+        assert tile.coordinate == "V"
+        covered += abs(tile.upper - tile.lower)
+        assert share == pytest.approx(float(covered / Fraction("0.7")), abs=0.01)
 
 
 def test_derivatives_along_the_branch_are_those_of_differences() -> None:

@@ -166,11 +166,11 @@ def test_a_cascade_can_be_interrupted_and_resumed(
 ) -> None:
     found.save(tmp_path / "part.json")
     part = ns.load(tmp_path / "part.json")
-    again = ns.certify_cascade(branch, tiles=3, resume=part)  # tiles to the doubled branch
+    again = ns.certify_cascade(branch, tiles=6, resume=part)  # of the doubled branch
     assert again.doublings[0].side == found.doublings[0].side
     assert len(again.branches[1].tiles) == 6
     assert again.ended == "complete"
-    more = ns.certify_cascade(branch, doublings=2, tiles=3, resume=part)
+    more = ns.certify_cascade(branch, doublings=2, tiles=6, resume=part)
     assert len(more.doublings) == 1
     assert more.claims == {"doublings": "undecided"}
     assert more.ended == "no flip"

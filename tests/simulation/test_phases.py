@@ -89,7 +89,7 @@ def test_a_start_off_the_circle_is_refused(tmp_path: object) -> None:
     for command in (
         ["simulate", impact, *values, "--from", "x=0,v=1,c1=2,s1=0", "--transitions", "5"],
         ["sweep", impact, "sigma=0.1:0.2:3", *values[1:], "--from", "x=0,v=1,c1=2,s1=0",
-         "--state", "v", "--at", "free"],
+         "--quantity", "v", "--at", "free"],
     ):  # fmt: skip
         found = CliRunner().invoke(app, command)
         assert found.exit_code == 2

@@ -265,10 +265,10 @@ def test_foreign_files_are_refused(content: bytes, path: Path) -> None:
 def test_pickles_are_not_read(tmp_path: Path) -> None:
     path = tmp_path / "motion.npz"
     friction().save(path)
-    _, arrays = parts(path)
+    header, arrays = parts(path)
     arrays["times"] = np.array([{"a": 1}], dtype=object)
-    np.savez(path, header=np.array("{}"), **arrays)
-    assert refusal(path) == "cut, damaged, or not an .npz file"
+    np.savez(path, header=np.array(json.dumps(header)), **arrays)
+    assert refusal(path) == "'times' is not an array of its shape and type"
 
 
 def test_an_archive_that_unpacks_to_too_much(
@@ -319,6 +319,28 @@ def test_an_array_whose_header_lies(tmp_path: Path) -> None:
     try:
         assert refusal(path) == "'times.npy' is not as long as its header says"
         assert tracemalloc.get_traced_memory()[1] < 10_000_000
+    finally:
+        tracemalloc.stop()
+
+
+@pytest.mark.parametrize("name", ["header", "times", "configurations", "boundaries", "states"])
+def test_a_small_archive_takes_little_memory(name: str, tmp_path: Path) -> None:
+    """Whichever part of it unpacks to a thousandfold."""
+    path = tmp_path / "motion.npz"
+    friction().save(path)
+    header, arrays = parts(path)
+    if name == "header":
+        arrays["header"] = np.array(json.dumps(header) + " " * 10_000_000)
+    else:
+        arrays["header"] = np.array(json.dumps(header))
+        shape, kind = arrays[name].shape, arrays[name].dtype.kind
+        blown = ((5_000_000, *shape[1:]), "f8") if kind == "f" else (shape, "U1000000")
+        arrays[name] = np.zeros(*blown)
+    np.savez_compressed(path, **arrays)
+    tracemalloc.start()
+    try:
+        assert "'" in refusal(path)
+        assert tracemalloc.get_traced_memory()[1] < 30 * path.stat().st_size + 2_000_000
     finally:
         tracemalloc.stop()
 

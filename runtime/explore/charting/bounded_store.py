@@ -120,15 +120,20 @@ class BoundedStore(LocalStore):
         return super().get_sync(key, **options)
 
     def _check(self, key: str) -> None:
-        """Refuse an object that is, or claims to be, larger than a chunk."""
+        """Refuse an object that is no file, or is or claims to be larger than a chunk."""
         name, _, place = key.partition("/")
         if name not in self.sizes or not place.startswith("c/"):
             return
-        try:
-            with open(self.root / key, "rb") as file:
-                size, header = os.fstat(file.fileno()).st_size, file.read(_HEADER)
-        except OSError:  # what is not there is not read either
+        path = self.root / key
+        if not path.exists():  # what is not there is not read either
             return
+        if not path.is_file():  # a pipe would be waited for
+            raise ValueError(f"{key} is no file")
+        try:
+            with path.open("rb") as file:
+                size, header = os.fstat(file.fileno()).st_size, file.read(_HEADER)
+        except OSError as problem:
+            raise ValueError(f"{key} cannot be read: {problem}") from None
         most = self.sizes[name]
         if size > most + _BESIDE or int.from_bytes(header[_SIZE], "little") > most:
             raise ValueError(f"{key} claims to be larger than a chunk")

@@ -508,13 +508,11 @@ def _passes(file: Path) -> bool | None:
     """Whether an object's CRC holds; None if there is no object."""
     from google_crc32c import value
 
-    try:
-        if file.stat().st_size > _MOST_OBJECT:
-            return False
-        content = file.read_bytes()
-    except FileNotFoundError:
+    if not file.exists():
         return None
-    except OSError:
+    try:
+        content = read_file(file, _MOST_OBJECT, "chart")
+    except InputError:
         return False
     if len(content) < _CRC:
         return False

@@ -29,7 +29,6 @@ from nonsmooth.runtime.explore.continuation.stepping import (
 )
 from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
-from nonsmooth.runtime.shooting.newton import CONVERGED
 from nonsmooth.runtime.shooting.table_newton import SHORTEST
 
 __all__ = ["STEP", "check_steps", "continue_orbit"]
@@ -46,7 +45,7 @@ def continue_orbit(
     *,
     step: float = STEP,
     points: int = MOST_POINTS,
-    stop: str | None = None,
+    admissible: bool = False,
     resume: Branch | None = None,
     progress: Callable[[int], object] | None = None,
 ) -> Branch:
@@ -69,7 +68,7 @@ def continue_orbit(
         unknowns in units of their size.
     points : int
         At most so many in each direction.
-    stop : "admissible", optional
+    admissible : bool, default False
         End also where the orbit ceases to be a motion of the real system.
     resume : Branch, optional
         An interrupted one of the same family: it goes on where it was left.
@@ -99,7 +98,7 @@ def continue_orbit(
     >>> branch.ends
     ('end of the interval', 'ta goes to zero')
     """
-    limits = _checked(orbit, parameter, interval, step, points, stop)
+    limits = _checked(orbit, parameter, interval, step, points, admissible)
     if resume is not None:
         _check_same(orbit, parameter, limits, resume)
         orbit = resume.orbit
@@ -115,7 +114,7 @@ def continue_orbit(
         parts = zip(curve.unevenness(before), curve.unevenness(z), strict=True)
         if any(first @ second < 0 for first, second in parts):
             return MET
-        if stop is not None and not curve.admissible(z[None])[0]:
+        if admissible and not curve.admissible(z[None])[0]:
             return "the orbit is no motion of the real system beyond"
         return None
 
@@ -247,13 +246,13 @@ def _verdict(multipliers: np.ndarray, conservative: bool) -> str:
 
 
 def _checked(
-    orbit: Any, parameter: str, interval: Any, step: float, points: int, stop: str | None
+    orbit: Any, parameter: str, interval: Any, step: float, points: int, admissible: bool
 ) -> tuple[float, float]:
     check_converged(orbit, "followed")
     limits = check_interval(orbit, parameter, interval)
     check_steps(step, points)
-    if stop not in (None, "admissible"):
-        raise InputError(f"stop = {stop!r} is neither 'admissible' nor None")
+    if not isinstance(admissible, bool):
+        raise InputError(f"admissible = {admissible!r} is neither True nor False")
     return limits
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -162,11 +163,27 @@ def label_names(found: Found) -> dict[int, str]:
     -------
     dict of int to str
     """
+    attracting = {i: entry for i, entry in enumerate(found.orbits) if entry.starts}
     names = {
-        i: f"orbit {i + 1}, period {o.period:.6g}" for i, o in enumerate(found.orbits) if o.starts
+        i: f"orbit {i + 1}, period {entry.period:.6g}{_apart(i, attracting)}"
+        for i, entry in attracting.items()
     }
     count = len(found.orbits)
     for i, entry in enumerate(found.equilibria):
         if entry.starts:
             names[count + i] = f"equilibrium {count + i + 1}, {entry.equilibrium.configuration}"
     return {**names, **{int(outcome): outcome.text for outcome in Outcome}}
+
+
+def _apart(place: int, attracting: Mapping[int, FoundOrbit]) -> str:
+    """What tells an orbit from others of its period: its mirror image, or where it begins."""
+    entry = attracting[place]
+    alike = [o.orbit for o in attracting.values() if f"{o.period:.6g}" == f"{entry.period:.6g}"]
+    if len(alike) == 1:
+        return ""
+    if entry.mirror not in (None, place):
+        return f", mirror image of {entry.mirror + 1}"
+    starts = np.array([orbit.states[0].astype(float) for orbit in alike])
+    state = int(np.ptp(starts, axis=0).argmax())
+    name = entry.orbit.tables.cycle.structure.states[state]
+    return f", from {name} = {float(entry.orbit.states[0, state]):.4g}"

@@ -18,6 +18,7 @@ from nonsmooth.runtime.simulation.starting import configurations_of, on_circles
 __all__ = ["Equilibrium", "equilibria", "forcing_turns", "responses"]
 
 _DEPENDENT = 1e-10  # relative singular value below which equations are dependent
+_ROUNDING = 4 * np.finfo(float).eps  # of a root: what is smaller than its error is zero
 _NEUTRAL = 1e-9  # real part, in units of the largest eigenvalue
 _MOST_TURNS = 24  # of the first forcing, until all meet again
 _WHOLE = 1e-9  # of a turn
@@ -169,7 +170,10 @@ def _root(affine: np.ndarray) -> np.ndarray | None:
     state = right.T @ (left.T @ -affine[:, -1] / values)
     missed = np.abs(matrix @ state + affine[:, -1])
     size = (np.abs(matrix) @ np.abs(state) + np.abs(affine[:, -1])).max()
-    return state / columns if (missed <= _DEPENDENT * size).all() else None
+    if not (missed <= _DEPENDENT * size).all():
+        return None
+    rounding = _ROUNDING * len(state) * np.linalg.norm(affine[:, -1]) / values[-1]
+    return np.where(np.abs(state) <= rounding, 0.0, state / columns)
 
 
 def _eigenvalues(matrix: np.ndarray, normals: np.ndarray) -> Any:

@@ -46,7 +46,6 @@ __all__ = ["KernelLibrary", "build", "lacking"]
 _WORTH_BUILDING = 0.1  # seconds that NumPy takes for all that was asked for
 _WORTH_WAITING = 2.0  # seconds that NumPy takes for what is asked for at once
 _LONGEST_BUILD = 900.0  # seconds
-_FORGOTTEN = 3600.0  # seconds after which what a killed process left is removed
 _CHILD = "from nonsmooth.runtime.model.loading.background import build; build()"
 _LOG = logging.getLogger(__name__)
 
@@ -259,7 +258,6 @@ def build() -> None:
     """Derive, compile and keep what standard input tells: the work of the other process."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # what is open is closed
     key, folder, many_points, system, orbits = pickle.load(sys.stdin.buffer)
-    _sweep(folder.parent)
     try:
         folder.mkdir(mode=0o700)
         files = system.many_points(orbits) if many_points else system.library(orbits)
@@ -271,11 +269,3 @@ def build() -> None:
         sys.exit(" ".join(f"{type(problem).__name__}: {problem}".split()))
     finally:
         shutil.rmtree(folder, ignore_errors=True)
-
-
-def _sweep(folder: Path) -> None:
-    """Remove what killed processes left in the cache folder long ago."""
-    with suppress(OSError):
-        for path in folder.glob(f"*{PARTIAL}"):
-            if time.time() - path.lstat().st_mtime > _FORGOTTEN:
-                shutil.rmtree(path, ignore_errors=True)

@@ -11,15 +11,17 @@ from __future__ import annotations
 import hashlib
 import os
 import re
+import shutil
 import stat
 import sys
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.files import write_file
+from nonsmooth.runtime.core.files import PARTIAL, read_file, write_file
 
 __all__ = [
     "MOST_BYTES",
@@ -32,6 +34,7 @@ __all__ = [
 ]
 
 MOST_BYTES = 256 << 20  # of the folder's entries together
+_FORGOTTEN = 3600.0  # seconds after which what a killed process left is removed
 _CHECKSUM = "# sha256 "
 # derived text and compiled kernels, by the hash of what they are made from
 _ENTRY = re.compile(r"[0-9a-f]{16,}(\.py|-[0-9a-f]{32}\..+)")
@@ -134,7 +137,7 @@ def stored(key: str) -> str | None:
     try:
         if _fault(path) is not None:
             return None
-        first, _, text = path.read_text(encoding="utf-8").partition("\n")
+        first, _, text = _content(path).decode("utf-8").partition("\n")
     except (OSError, ValueError):
         return None
     if first != _CHECKSUM + _checksum(text):
@@ -160,8 +163,8 @@ def stored_library(key: str) -> Path | None:
     for suffix in EXTENSION_SUFFIXES:
         for path in sorted(folder.glob(f"{key}-*{suffix}")):
             told = path.name.removeprefix(f"{key}-").removesuffix(suffix)
-            with suppress(OSError):
-                if _fault(path) is None and told == _digest(path.read_bytes()):
+            with suppress(OSError, InputError):
+                if _fault(path) is None and told == _digest(_content(path)):
                     _mark_used(path)
                     return path
     return None
@@ -219,20 +222,37 @@ def _mark_used(path: Path) -> None:
         os.utime(path)
 
 
+def _content(path: Path) -> bytes:
+    return read_file(path, MOST_BYTES, "derivation")
+
+
 def _keep_bound(folder: Path) -> None:
     """Remove what was not used for longest; another process may remove the same at this time."""
-    found = []
+    found, total = [], 0
     for name in os.listdir(folder):
         with suppress(OSError):
-            if _ENTRY.fullmatch(name):
+            if name.endswith(PARTIAL):
+                total += _unfinished(folder / name)
+            elif _ENTRY.fullmatch(name):
                 entry = (folder / name).lstat()
                 found.append((entry.st_mtime_ns, folder / name, entry.st_size))
-    total = 0
     for _, path, size in sorted(found, reverse=True):
         total += size
         if total > MOST_BYTES:
             with suppress(OSError):
                 path.unlink()
+
+
+def _unfinished(path: Path) -> int:
+    """Bytes of what a process is writing; what a killed one left long ago is removed."""
+    parts = [path, *path.rglob("*")]
+    if time.time() - path.lstat().st_mtime <= _FORGOTTEN:
+        return sum(part.lstat().st_size for part in parts)
+    if path.is_dir():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        path.unlink()
+    return 0
 
 
 def _checksum(text: str) -> str:

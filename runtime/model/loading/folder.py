@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from pathlib import Path
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.files import PARTIAL, check_folder, unwritable, write_files
+from nonsmooth.runtime.core.files import (
+    PARTIAL,
+    check_folder,
+    read_file,
+    unwritable,
+    write_files,
+)
+from nonsmooth.runtime.core.result_files import parsed
 from nonsmooth.runtime.model.loading.extensions import extension_in
 
 __all__ = ["COMMAND", "check_own_folder", "write_folder"]
 
 COMMAND = "nonsmooth generate"
 _PROVENANCE = "PROVENANCE.json"
+_LARGEST = 1 << 24  # bytes of it
 
 
 def check_own_folder(folder: Path) -> None:
@@ -94,7 +101,7 @@ def write_folder(
 def _recorded(folder: Path) -> list[str] | None:
     """Names of the files that a run wrote into a folder; None if no run did."""
     try:
-        record = json.loads((folder / _PROVENANCE).read_text(encoding="utf-8"))
+        record = parsed(read_file(folder / _PROVENANCE, _LARGEST, "record"))
         ours = str(record["command"]).startswith(COMMAND)
         return [*map(str, record["files"]), _PROVENANCE] if ours else None
     except (OSError, ValueError, KeyError, TypeError):

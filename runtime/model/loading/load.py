@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import math
 import os
 import re
@@ -16,6 +15,8 @@ from typing import Any
 from weakref import WeakKeyDictionary
 
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.files import read_file
+from nonsmooth.runtime.core.result_files import parsed
 from nonsmooth.runtime.model.loading.background import KernelLibrary
 from nonsmooth.runtime.model.loading.caching import cached, stored
 from nonsmooth.runtime.model.loading.declared import (
@@ -52,6 +53,7 @@ _KEY = re.compile(r"[0-9a-f]{16}")
 _ADDRESS = re.compile(rf"(?P<name>[\w-]+)@(?P<key>{_KEY.pattern})")
 _PROVENANCE = "PROVENANCE.json"
 _MOST_MODULES = 128  # of 15 kB each; more are kept as packed text
+_LARGEST = 1 << 28  # bytes of a file that is read
 _REMEDY = "run `nonsmooth generate` again"
 
 
@@ -389,9 +391,9 @@ def _folder(
     name, expected = _recorded(path)
     file = path / f"{name.replace('-', '_')}.py"
     try:
-        content = file.read_bytes()
-    except OSError:
-        raise InputError(f"{file} is missing: {_REMEDY}") from None
+        content = read_file(file, _LARGEST, "system")
+    except InputError as problem:
+        raise InputError(f"{file} {problem}: {_REMEDY}") from None
     if hashlib.sha256(content).hexdigest() != expected.get(file.name):
         raise InputError(f"{file} is not the file that {_PROVENANCE} records: {_REMEDY}")
     module = module_of_text(content.decode("utf-8"), str(file))
@@ -405,7 +407,7 @@ def _folder(
 def _recorded(folder: Path) -> tuple[str, dict[str, str]]:
     """Name of a folder's system, and the hashes of its files."""
     try:
-        record = json.loads((folder / _PROVENANCE).read_text(encoding="utf-8"))
+        record = parsed(read_file(folder / _PROVENANCE, _LARGEST, "record"))
         names = record["systems"]
         hashes = {str(name): str(entry["sha256"]) for name, entry in record["files"].items()}
         if not all(isinstance(name, str) for name in names):

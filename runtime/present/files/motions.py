@@ -24,7 +24,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import check_target, read_file, write_file
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, one_of
-from nonsmooth.runtime.core.result_files import FileFormat, naming
+from nonsmooth.runtime.core.result_files import FileFormat, naming, parsed
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.model.boundary_sets import mask_of, mask_type, members_of
 from nonsmooth.runtime.model.engine_run import Grazing, Run, Status
@@ -41,10 +41,10 @@ __all__ = ["ENDINGS", "load_trajectory", "save_trajectory"]
 ENDINGS = (".npz", ".csv")
 _TOLERANCE = 1e-8  # of motions by another derivation
 _PIECE = 1 << 20  # bytes that are unpacked at a time
-_HEADERS = {
-    (1, 0): np.lib.format.read_array_header_1_0,
-    (2, 0): np.lib.format.read_array_header_2_0,
-}
+# How many times as large as what is stored: of times, which differ; of text. Names repeat.
+_LOOSEST = {"times": 16, "header": 100}
+_LONGEST_NAME = 1 << 12  # characters, of boundaries that are reached together
+_SMALL = 1 << 16  # bytes that may be unpacked of any part
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -256,51 +256,65 @@ def _npz(content: Mapping[str, Any], table: _Table) -> bytes:
 
 
 def _from_npz(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
+    """What an archive holds, each part unpacked when those before it say how large it is."""
     names = ("header", *_Table.__dataclass_fields__)
     try:
         with zipfile.ZipFile(io.BytesIO(found)) as file:
             if sum(entry.file_size for entry in file.infolist()) > MOTION.most:
                 raise InputError("too large for a saved motion")
+            if sum(entry.compress_size for entry in file.infolist()) > len(found):
+                raise InputError("cut, damaged, or not an .npz file")
             if sorted(file.namelist()) != sorted(f"{name}.npy" for name in names):
                 raise InputError("not a saved motion, such as Trajectory.save writes")
-            arrays = {name: _array(file, f"{name}.npy") for name in names}
+            text = str(_array(file, "header", "U", ()))
+            entries = parsed(text.encode())
+            header = MOTION.check_entries(entries)
+            times = _array(file, "times", "f", (None,))
+            rows = (len(times),)
+            states = (*rows, len(header.states))
+            table = _Table(
+                times,
+                *(_array(file, name, "U", rows) for name in ("configurations", "boundaries")),
+                *(_array(file, name, "f", states) for name in ("states", "before")),
+            )
     except InputError:
         raise
     except Exception:  # what a damaged archive raises is not one kind
         raise InputError("cut, damaged, or not an .npz file") from None
-    try:
-        entries = json.loads(str(arrays.pop("header")))
-    except (ValueError, RecursionError):
-        raise InputError("cut, or its header is not JSON") from None
-    header = MOTION.check_entries(entries)
-    table = _Table(**arrays)
-    count, size = len(np.atleast_1d(table.times)), len(header.states)
-    shapes = {"times": (count,), "configurations": (count,), "boundaries": (count,)}
-    for name, array in arrays.items():
-        kind = "U" if name in ("configurations", "boundaries") else "f"
-        shape = shapes.get(name, (count, size))
-        if array.shape != shape or array.dtype.kind != kind or count == 0:
-            raise InputError(f"{name!r} is not an array {shape} of its type")
     return entries, header, table
 
 
-def _array(file: zipfile.ZipFile, name: str) -> np.ndarray:
-    """An array of an archive; no more is unpacked than the archive says, nor more than is there.
+def _array(
+    file: zipfile.ZipFile, name: str, kind: str, shape: tuple[int | None, ...]
+) -> np.ndarray:
+    """An array of an archive, of that kind and shape (None for any length that is not zero).
 
-    What is compressed is unpacked piece by piece: all at once it may be a thousand times as
-    large as what the archive says of it. NumPy makes the array that a header asks for before
-    it reads one number.
+    No more is unpacked than the archive says, nor than is there, nor a thousandfold of what is
+    stored. What is compressed is unpacked piece by piece: all at once it may be a thousand times
+    as large as what the archive says of it.
     """
-    with file.open(name) as entry:
-        content = b"".join(iter(lambda: entry.read(_PIECE), b""))
-    part = io.BytesIO(content)
-    read_header = _HEADERS[np.lib.format.read_magic(part)]
-    shape, _, dtype = read_header(part)
-    size = math.prod(shape) * dtype.itemsize
-    if not dtype.hasobject and size != len(content) - part.tell():
-        raise InputError(f"{name!r} is not as long as its header says")
-    part.seek(0)
-    return np.asarray(np.lib.format.read_array(part, allow_pickle=False))
+    told = file.getinfo(f"{name}.npy")
+    with file.open(told) as entry:
+        if np.lib.format.read_magic(entry) != (1, 0):
+            raise InputError(f"'{name}.npy' is of another format of arrays")
+        found, by_columns, dtype = np.lib.format.read_array_header_1_0(entry)
+        fits = len(found) == len(shape) and all(
+            n == wanted if wanted is not None else n for n, wanted in zip(found, shape, strict=True)
+        )
+        wide = name != "header" and kind == "U" and dtype.itemsize > 4 * _LONGEST_NAME
+        if not fits or dtype.kind != kind or wide:
+            raise InputError(f"{name!r} is not an array of its shape and type")
+        size = math.prod(found) * dtype.itemsize
+        if size != told.file_size - entry.tell():
+            raise InputError(f"'{name}.npy' is not as long as its header says")
+        if size > _SMALL + _LOOSEST.get(name, math.inf) * told.compress_size:
+            raise InputError(f"'{name}.npy' holds too little for its length")
+        content = bytearray()
+        while len(content) <= size and (piece := entry.read(_PIECE)):
+            content += piece
+    if len(content) != size:
+        raise InputError("cut, damaged, or not an .npz file")
+    return np.frombuffer(content, dtype).reshape(found, order="F" if by_columns else "C")
 
 
 def _trajectory(header: MotionHeader, table: _Table) -> Trajectory:

@@ -6,9 +6,11 @@ lines differ by their dashes too.
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +19,8 @@ from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_nam
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
+    from matplotlib.figure import Figure
 
 __all__ = [
     "LINES",
@@ -32,9 +36,11 @@ __all__ = [
     "given_axes",
     "line_style",
     "noun",
+    "part_tick_labels",
 ]
 
 LINES = (("#0072B2", "-"), ("#D55E00", (0, (5, 1.6))), ("#009E73", "-."), ("#CC79A7", ":"))
+_FEWEST = 2  # labels of an axis, however long they are
 _HEIGHT, _WIDTH = 0.07, 0.12  # of a label, in those of the data
 _CONFIGURATIONS = (
     *("#99DDFF", "#EEDD88", "#FFAABB", "#BBCC33", "#DDDDDD"),
@@ -277,9 +283,66 @@ def finish(axes: Axes, title: str) -> None:
     axes.spines[["top", "right"]].set_visible(False)
 
 
+def part_tick_labels(figure: Figure) -> None:
+    """Write the numbers of axes in full, and as few of them as do not touch each other.
+
+    Where they are tiny, or differ in late digits, matplotlib writes what they have in common
+    beside the axes, where a legend may be.
+
+    Parameters
+    ----------
+    figure : Figure
+    """
+    from matplotlib.ticker import FuncFormatter, MaxNLocator, ScalarFormatter
+
+    numbered = [
+        axis
+        for axes in figure.axes
+        for axis in (axes.xaxis, axes.yaxis)
+        if isinstance(axis.get_major_formatter(), ScalarFormatter) and axis.get_scale() == "linear"
+    ]
+    figure.draw_without_rendering()
+    for axis in numbered:
+        if axis.get_offset_text().get_text():
+            axis.set_major_formatter(FuncFormatter(partial(_in_full, axis)))
+    touching = numbered
+    while touching:
+        figure.draw_without_rendering()
+        touching = [
+            axis for axis in touching if _touch(axis) and len(axis.get_majorticklocs()) > _FEWEST
+        ]
+        for axis in touching:
+            count = len(axis.get_majorticklocs())
+            axis.set_major_locator(MaxNLocator(count // 2, steps=[1, 2, 2.5, 5, 10]))
+
+
+def _in_full(axis: Axis, number: float, _: int | None) -> str:
+    """A number with as many digits as tell it from those beside it."""
+    places = axis.get_majorticklocs()
+    step = np.diff(places).min(initial=np.inf)
+    if abs(number) < step / 100:
+        return "0"
+    digits = 2 + math.ceil(math.log10(max(1.0, np.abs(places).max() / step)))
+    return f"{number:.{digits}g}".replace("-", "\N{MINUS SIGN}")
+
+
+def _touch(axis: Axis) -> bool:
+    """Whether two labels of an axis that was drawn touch each other."""
+    ends = sorted(axis.get_view_interval())
+    shown = [
+        tick.label1.get_window_extent()
+        for tick in axis.get_major_ticks()
+        if tick.label1.get_visible()
+        and tick.label1.get_text()
+        and ends[0] <= tick.get_loc() <= ends[1]
+    ]
+    return any(first.overlaps(second) for first, second in itertools.pairwise(shown))
+
+
 def _columns(axes: Axes, labels: Sequence[str]) -> int:
     """As many columns of a legend as are about as wide as the Axes."""
-    room = axes.bbox.width / axes.figure.dpi
+    square = axes.get_aspect() == 1  # the layout makes it as narrow as it is low
+    room = (min(axes.bbox.size) if square else axes.bbox.width) / axes.figure.dpi
     inches = [0.45 + 0.066 * len(re.sub(r"[$\\{}_^]|mathrm", "", label)) for label in labels]
     for columns in range(len(labels), 1, -1):
         if sum(max(column) for column in np.array_split(inches, columns)) <= room:

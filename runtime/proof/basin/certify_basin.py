@@ -82,7 +82,7 @@ def certify_basin(
         Tiles are no longer than this: a power of 2 at most so large is taken. By default a 128th
         of the longest side of the box. Boxes of the section have sides that suit the core.
     tiles : int
-        How many tiles are looked at, beyond those that were looked at before.
+        At most so many are looked at, those of `resume` among them.
     widest : float, optional
         Sets that become wider are divided on the way; twice the side by default.
     most : int
@@ -252,17 +252,17 @@ class _BasinQuestion:
     def tiled(
         self,
         known: BasinCertificate,
-        more: int,
+        most: int,
         workers: int,
         keep: Callable[[BasinCertificate], object] | None,
     ) -> BasinCertificate:
-        """The same with more tiles."""
+        """The same with so many tiles, those that are known among them."""
         tiles = known.tiles
         if tiles is None:
             return known
         looked, attracted = known.looked.copy(), known.attracted.copy()
         under_way = looked.copy()
-        goal = min(more, int((~looked).sum()))
+        goal = max(0, min(most, looked.size) - int(looked.sum()))
         size = max(1, min(_BATCH, -(-goal // workers)))
 
         def batches() -> Iterator[NDArray[np.int_]]:

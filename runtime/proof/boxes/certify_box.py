@@ -68,11 +68,11 @@ def certify_box(
     box : mapping of str to (number or str, number or str)
         Lower and upper ends of parameters that were given for the orbit: rational numbers.
     tiles : int
-        At most so many are looked at.
+        At most so many are looked at, those of `resume` among them.
     resume : BoxCertificate, optional
         What was proved before of the same orbit and box.
     progress : function of a float and an int, optional
-        Is told which share of the box is decided and how many tiles were looked at.
+        Is told which share of the box is decided and how many tiles were looked at so far.
     keep : function of a BoxCertificate, optional
         Is given the state every ten seconds.
 
@@ -121,7 +121,7 @@ def certify_box(
     work = _Work(region, resume or empty)
     kept = time.monotonic()
     try:
-        for looked_at in range(1, tiles + 1):
+        for looked_at in range(_looked_at(work.state) + 1, tiles + 1):
             if not work.look():
                 break
             progress(work.decided, looked_at)
@@ -141,7 +141,7 @@ class _Work:
     """
 
     def __init__(self, region: Region, state: BoxCertificate) -> None:
-        self.region = region
+        self.region, self.state = region, state
         # tiles with verdicts whose orbits are known to be the same where they meet
         self.known = {tile.place for tile in state.tiles if tile.verdict != "undecided"}
         self.same: set[frozenset[Place]] = set()
@@ -154,6 +154,8 @@ class _Work:
         self._order = count()
         for tile in state.tiles:
             if tile.verdict == "undecided" and not tile.looked_at:
+                if tile.claims["existence"] == "proved":  # on a tile that was halved
+                    self.reached[tile.place] = tile
                 self._wait(tile)
             else:
                 self._finish(tile)
@@ -304,6 +306,11 @@ class _Work:
 
     def _wait(self, tile: Tile) -> None:
         heapq.heappush(self.waiting, (-tile.place.share, next(self._order), tile))
+
+
+def _looked_at(state: BoxCertificate) -> int:
+    """How many tiles were looked at: those that were halved, and those of the rest."""
+    return len(state.tiles) - 1 + sum(tile.looked_at for tile in state.tiles)
 
 
 def _unproved(place: Place, reason: str, *, looked_at: bool) -> Tile:

@@ -7,7 +7,6 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted
@@ -70,7 +69,7 @@ def certify_branch(
     interval : tuple of (number or str, number or str), optional
         Ends of the parameter, rational numbers; those of the branch by default.
     tiles : int
-        At most so many are proved.
+        At most so many are proved, those of `resume` among them.
     beyond : bool, default False
         Whether to prove which other itineraries begin where the branch meets a border, and on
         which side.
@@ -136,8 +135,9 @@ def certify_branch(
     work = _Following(curve, begin, resume or empty, branch, refusals)
     kept = begun = time.monotonic()
     try:
-        for count, _ in enumerate(islice(work.steps(), tiles), 1):
-            progress(work.share, count)
+        steps = work.steps()
+        while len(work.state.tiles) < tiles and next(steps, None) is not None:
+            progress(work.share, len(work.state.tiles))
             if keep is not None and time.monotonic() - kept > _EVERY:
                 keep(work.state)
                 kept = time.monotonic()
@@ -160,6 +160,7 @@ class _Following:
         self.curve, self.begin, self.state, self.branch = curve, begin, state, branch
         self.refusals = refusals
         self.share = 0.0
+        self.pieces = [0, 0]  # between two points of the branch, on each side: where it has come
 
     def steps(self) -> Any:
         """Tiles to both ends: first to the beginning, then to the end."""
@@ -253,17 +254,17 @@ class _Following:
 
     def _tell(self, side: int, step: BranchStep) -> None:
         """About how much of the branch is done, by the points that were computed of it."""
-        values = self.branch.parameter_values
-        low, high = self.curve.region.box[0]
-        own, at = self.branch.start, float(step.place.point[-1].mid())
-        mine = values[: own + 1][::-1] if side == 0 else values[own:]
-        turned = abs(mine[1:] - mine[:-1]).cumsum()
+        values, own = self.branch.parameter_values, self.branch.start
+        mine = values[own::-1] if side == 0 else values[own:]
+        at, lengths = float(step.place.point[-1].mid()), abs(mine[1:] - mine[:-1])
         total = abs(values[1:] - values[:-1]).sum() or 1.0
-        passed = 0 if side == 0 else abs(values[1 : own + 1] - values[:own]).sum()
-        near = abs(mine - at) <= float(high - low) / 50
-        places = [k for k in range(1, len(mine)) if near[k]]
-        if places:
-            self.share = max(self.share, min(1.0, float((passed + turned[places[0] - 1]) / total)))
+        passed = 0.0 if side == 0 else abs(values[1 : own + 1] - values[:own]).sum()
+        for piece in range(self.pieces[side], len(lengths)):
+            if min(mine[piece : piece + 2]) <= at <= max(mine[piece : piece + 2]):
+                self.pieces[side] = piece
+                done = passed + lengths[:piece].sum() + abs(at - mine[piece])
+                self.share = max(self.share, min(1.0, float(done / total)))
+                break
         if all(self.state.ends):
             self.share = 1.0
 

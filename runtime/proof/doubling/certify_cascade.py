@@ -48,7 +48,7 @@ def certify_cascade(
     interval : tuple of (number or str, number or str), optional
         Ends of the parameter, rational numbers; those of the branch by default.
     tiles : int
-        At most so many are proved of each doubled branch.
+        At most so many are proved of each doubled branch, those of `resume` among them.
     seconds : float
         Behind the first tile that ends after this time nothing is begun.
     resume : CertifiedCascade, optional

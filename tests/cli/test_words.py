@@ -1,0 +1,127 @@
+"""One word for a thing: options of one name mean one thing, in all commands."""
+
+from __future__ import annotations
+
+import json
+from collections import defaultdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import typer
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli.program import app
+from tests.cli.test_cli import run
+from tests.places import GALLERY
+
+ORBIT = "dry-friction/global-stick"
+
+
+def options() -> dict[str, dict[str, Any]]:
+    """Options by name, and the commands that have them."""
+    found: dict[str, dict[str, Any]] = defaultdict(dict)
+    group: Any = typer.main.get_command(app)
+    for name, command in group.commands.items():
+        for option in command.params:
+            if option.opts[0].startswith("--"):
+                found[option.opts[0]][name] = option
+    return found
+
+
+def test_no_option_has_another_name() -> None:
+    for name, commands in options().items():
+        for command, option in commands.items():
+            assert (option.opts, option.secondary_opts) == ([name], []), command
+
+
+def test_pictures_of_answers_are_plotted_and_products_come_out() -> None:
+    """Only `plot` has a picture as its product."""
+    made = {name: option.help.lower() for name, option in options()["--out"].items()}
+    assert [name for name, told in made.items() if "svg" in told] == ["plot"]
+    assert not made.keys() & options()["--plot"].keys()
+
+
+@pytest.mark.parametrize("name", ["--from", "--guess", "--given"])
+def test_numbers_are_given_by_name(name: str) -> None:
+    """Whatever begins somewhere, a motion or a branch, takes NAME=VALUE."""
+    assert {option.metavar for option in options()[name].values()} == {"NAME=VALUE,..."}
+
+
+def test_a_branch_is_entered_where_it_is_told() -> None:
+    for value in ("0.85", "1.2"):
+        code, out, err = run(
+            *f"continue {ORBIT} V=0.8:1.3 --from V={value} --step 0.2 --points 1 --json".split()
+        )
+        assert code == 0, err
+        assert float(value) in json.loads(out)["values"]
+    code, _, err = run(*f"continue {ORBIT} V=0.8:1.3 --from eta=1".split())
+    assert code == 2
+    assert "--from is for parameters with a range, which eta has not" in err
+
+
+def test_a_branch_ends_where_it_is_no_motion_in_python_as_on_the_command_line() -> None:
+    orbit = ns.solve("dry-friction/symmetric")
+    whole = ns.continue_orbit(orbit, "V", (0.5, 0.8), step=0.1)
+    part = ns.continue_orbit(orbit, "V", (0.5, 0.8), step=0.1, admissible=True)
+    assert len(part) < len(whole)
+    asked = "continue dry-friction/symmetric V=0.5:0.8 --step 0.1 --admissible --json"
+    _, out, _ = run(*asked.split())
+    assert f'"{part.ends[0]}"' in out
+
+
+def test_values_of_a_file_are_no_defaults_and_unknowns_have_their_names(tmp_path: Path) -> None:
+    file = tmp_path / "orbit.json"
+    forced = f"{GALLERY / 'two_stops.py'}:symmetric"
+    for name, words in ((ORBIT, ["eta=1.01"]), (forced, [])):
+        _, shown, _ = run("solve", name, *words, "--save", str(file))
+        assert "default" in shown
+        _, again, err = run("solve", str(file))
+        assert "default" not in again, err
+        assert again.count(f"from {file}") == len(ns.load(file).given)
+        rows = {line.split()[0] for line in again.splitlines() if line.strip()}
+        assert rows >= {*ns.load(file).problem.unknown_names}
+
+
+def test_what_was_interrupted_goes_on_by_its_file_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    question = f"{GALLERY / 'two_stops.py'} w=1.4:1.5:6 d=0.6 r=0.8 --quantity v --transient 20"
+    data, start = {"d": "0.6", "r": "0.8"}, {"x": 0, "v": 0}
+
+    def stop(done: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(ns.Interrupted) as stopped:
+        ns.sweep(
+            str(GALLERY / "two_stops.py"), data, "w", np.linspace(1.4, 1.5, 6), start,
+            state="v", phase=0.5, transient=20, samples=9, follow=True, progress=stop,
+        )  # fmt: skip
+    stopped.value.partial.save("part.json")
+    assert run("sweep", "--resume", "part.json")[0] == 0
+    whole = f"sweep {question} --at forcing-phase --phase 0.5 --from x=0,v=0 --samples 9"
+    assert run(*whole.split(), "--save", "whole.json")[0] == 0
+    part, all_of_it = (ns.load(name) for name in ("part.json", "whole.json"))
+    np.testing.assert_array_equal(part.samples, all_of_it.samples)
+    assert part.done == 6
+    code, _, err = run("sweep", "--resume", "part.json", "--quantity", "x")
+    assert (code, "holds the question" in err) == (2, True)
+    assert "a system is missing" in run("sweep")[2]
+
+
+@pytest.mark.parametrize("kind", ["box", "branch"])
+def test_a_proof_goes_on_by_its_file_alone(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    question = ["certify", "dry-friction/symmetric", "V=1:1.1", *["--branch"] * (kind == "branch")]
+    assert run(*question, "--tiles", "1", "--save", "part.json")[0] == 1
+    code, _, err = run("certify", "--resume", "part.json", "--tiles", "3")
+    assert code in (0, 1), err
+    assert run(*question, "--tiles", "3", "--save", "whole.json")[0] == code
+    part, whole = (ns.load(name).to_json()["tiles"] for name in ("part.json", "whole.json"))
+    assert part == whole
+    ns.solve(ORBIT).save("orbit.json")
+    assert "does not hold its question" in run("certify", "--resume", "orbit.json")[2]
