@@ -403,7 +403,7 @@ CHECKS = (
              ("tests/checker/test_false_files.py",)),
     Mutation("runtime/checker/stability.py", "_inside", "1 - last * last", "1", CHECKER),
     Mutation("runtime/checker/stability.py", "_inside", "abs(last) > 1", "False", CHECKER),
-    Mutation("runtime/checker/stability.py", "has_multipliers",
+    Mutation("runtime/checker/stability.py", "check_multipliers",
              "any(first.overlaps(second) for first, second in combinations(discs, 2))", "False",
              CENSUS),
     Mutation("runtime/checker/stability.py", "paired", "first.imag.contains(0)", "False", EVENTS),
@@ -424,9 +424,8 @@ CHECKS = (
     Mutation("runtime/checker/points.py", "check",
              'demand(inside(found[name], enclosure), f"{name} is not in its enclosure")', "None",
              CHECKER),
-    Mutation("runtime/checker/points.py", "check",
-             'demand(has_multipliers(orbit, multipliers), "a stated multiplier is none")', "None",
-             CHECKER),
+    Mutation("runtime/checker/stability.py", "check_multipliers",
+             'demand(inside, "a stated multiplier is none")', "None", CHECKER),
 )  # fmt: skip
 
 _SHOOTING = ("tests/shooting/test_derivatives.py",)

@@ -33,7 +33,7 @@ class NaturalUnits(NamedTuple):
     states: np.ndarray
 
     def at(self, places: np.ndarray) -> NaturalUnits:
-        """Those of some of the motions."""
+        """Those of the motions at some places (k,)."""
         return NaturalUnits(self.time[places], self.states[places])
 
     def fields(self, fields: np.ndarray) -> np.ndarray:
@@ -89,7 +89,19 @@ class _Blocks(NamedTuple):
 
 
 def natural_units(fields: np.ndarray, rates: np.ndarray) -> NaturalUnits:
-    """Natural units of motions with fields (n, N, N + 1) and rates (n,) of `fall_rates`."""
+    """Natural units of many motions y' = A y + b, each by itself.
+
+    Parameters
+    ----------
+    fields : array (n, N, N + 1)
+        A, then b.
+    rates : array (n,)
+        Of loads that cross gaps, from `fall_rates`; 0 where there is none.
+
+    Returns
+    -------
+    NaturalUnits
+    """
     count, _, columns = fields.shape
     whole = np.concatenate([fields, np.zeros((count, 1, columns))], axis=1)
     time, states = np.ones(count), np.ones((count, columns))
@@ -103,10 +115,22 @@ def natural_units(fields: np.ndarray, rates: np.ndarray) -> NaturalUnits:
 
 
 def fall_rates(fields: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """Inverses (n,) of the times in which loads cross the gaps in front of boundaries.
+    """Inverses of the times in which loads cross the gaps in front of boundaries.
 
-    The distance g(0) of a row (n, r, N + 1) at the state 0 is crossed by the second or third
-    power of the time; 0 where there is no load, or no gap. Powers of two.
+    A gap is a boundary's function at the state 0; a load crosses it with the second or third
+    power of the time.
+
+    Parameters
+    ----------
+    fields : array (n, N, N + 1)
+        A, then b.
+    rows : array (n, r, N + 1)
+        Of the boundaries.
+
+    Returns
+    -------
+    array (n,)
+        Powers of two; 0 where there is no load, or no gap.
     """
     sizes, gaps = np.abs(rows[..., :-1]), np.abs(rows[..., -1])
     matrices, moved = np.abs(fields[..., :-1]), np.abs(fields[..., -1])
@@ -128,7 +152,7 @@ def _kinds(whole: np.ndarray) -> np.ndarray:
     turned = np.swapaxes(whole, -1, -2)
     pairs = alone & np.swapaxes(alone, -1, -2) & (whole == -turned) & (whole != 0)
     kinds[pairs] = 3
-    return kinds.reshape(len(whole), -1)
+    return np.asarray(kinds.reshape(len(whole), -1))
 
 
 @lru_cache(maxsize=1024)

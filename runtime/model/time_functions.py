@@ -57,7 +57,16 @@ def chains(shapes: Sequence[ModeShape]) -> Iterator[tuple[int, int, bool]]:
 
 
 def function_orders(shapes: Sequence[ModeShape]) -> list[int]:
-    """The power of time that is each function's unit: k of t^k and of a difference of k + 1."""
+    """The power of time that is each function's unit: k of t^k and of a difference of k + 1.
+
+    Parameters
+    ----------
+    shapes : sequence of ModeShape
+
+    Returns
+    -------
+    list of int
+    """
     found: list[int] = []
     for first, end, chain in chains(shapes):
         poles = 0
