@@ -28,23 +28,27 @@ def balanced(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """
     scaled, units = matrices.copy(), np.ones(matrices.shape[:2])
     for _ in range(_SWEEPS):
-        changed = False
+        sizes = np.abs(scaled)
+        if (_factors(sizes.max(axis=1), sizes.max(axis=2)) == 1).all():
+            break
         for i in range(matrices.shape[-1]):
             column, row = np.abs(scaled[:, :, i]).max(axis=1), np.abs(scaled[:, i]).max(axis=1)
-            # a factor f turns them into f column and row / f: of like size for f^2 = row / column
-            told = (column > 0) & (row > 0) & np.isfinite(column) & np.isfinite(row)
-            exponent = np.frexp(np.where(told, row / np.where(told, column, 1.0), 1.0))[1]
-            factor = np.where(told, np.ldexp(1.0, exponent // 2), 1.0)
-            better = factor * column + row / factor < 0.95 * (column + row)
-            if better.any():
-                factor = np.where(better, factor, 1.0)
+            factor = _factors(column, row)
+            if (factor != 1).any():
                 units[:, i] *= factor
                 scaled[:, i] /= factor[:, None]
                 scaled[:, :, i] *= factor[:, None]
-                changed = True
-        if not changed:
-            break
     return scaled, units
+
+
+def _factors(columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Powers of two by which a unit grows, from the largest entries of its columns and rows."""
+    told = (columns > 0) & (rows > 0) & np.isfinite(columns) & np.isfinite(rows)
+    # a factor f turns them into f column and row / f: of like size for f^2 = row / column
+    exponents = np.frexp(np.where(told, rows / np.where(told, columns, 1.0), 1.0))[1]
+    factors = np.where(told, np.ldexp(1.0, exponents // 2), 1.0)
+    better = factors * columns + rows / factors < 0.95 * (columns + rows)
+    return np.asarray(np.where(better, factors, 1.0))
 
 
 def dependence(matrices: np.ndarray) -> np.ndarray:
