@@ -336,7 +336,8 @@ def sweep(
         typer.Argument(
             autocompletion=known_systems,
             metavar="[SYSTEM]",
-            help="A system that `nonsmooth list` shows, or your own; --resume FILE needs none.",
+            help="A system that `nonsmooth list` shows, or your own FILE.py; --resume FILE needs"
+            " none.",
             show_default=False,
         ),
     ] = None,

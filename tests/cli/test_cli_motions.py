@@ -373,7 +373,7 @@ def test_a_diagram_may_go_downward():
         (("--at slip-stick", "--at slip"), "unknown configuration 'slip'"),
         (("--at slip-stick", ""), "--at is missing"),
         ((ZERO, ""), "the start is missing, such as --from x1=0,x2=0,v1=0,v2=0"),
-        (("--state x1 --at slip-stick", ""), "--state and --at are missing"),
+        (("--quantity x1 --at slip-stick", ""), "--quantity and --at are missing"),
         (("--transient 50", "--transient -1"), "transient = -1"),
         (("--samples 12", "--samples 0"), "samples = 0"),
         (("--samples 12", "--plot d.gif"), "d.gif does not end in .png, .svg, .pdf"),
@@ -415,7 +415,7 @@ def test_a_picture_that_fails_loses_nothing(command, drawer, tmp_path, monkeypat
 
 
 def test_no_traceback_for_usage():
-    for command in ("simulate", "find", "sweep", "simulate rigid-stop --transitions many"):
+    for command in ("simulate", "find", "simulate rigid-stop --transitions many"):
         code, out, err = run(*command.split())
         assert (code, out) == (2, "")
         (line,) = err.splitlines()

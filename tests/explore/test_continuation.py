@@ -212,7 +212,7 @@ def test_wrong_input(arguments: tuple, options: dict, message: str) -> None:
 
 
 def test_no_orbit_to_follow() -> None:
-    with pytest.raises(nonsmooth.InputError, match="no orbit, such as"):
+    with pytest.raises(nonsmooth.InputError, match="an Orbit can: take what solve gives"):
         nonsmooth.continue_orbit("dry-friction/global-stick", "V", (0, 1))
     with pytest.raises(nonsmooth.InputError, match="the period is determined"):
         OrbitFamily(composed(), "period", 1.0)

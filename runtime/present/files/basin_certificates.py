@@ -152,6 +152,8 @@ def basin_of(entries: BasinEntries) -> BasinCertificate:
     system_in(entries.system, own.pop("tables"))
     grid = None if entries.grid is None else grid_of(entries.grid)
     tiles = None if entries.tiles is None else grid_of(entries.tiles)
+    if tuple(entries.box) != (() if tiles is None else entries.states):
+        raise InputError("'box' has other states than the tiles")
     core, verdicts = entries.core, listed(own.pop("verdicts"), _size(tiles))
     return BasinCertificate(
         **{

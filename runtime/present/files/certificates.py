@@ -9,6 +9,7 @@ from typing import Any
 
 from nonsmooth.runtime.core.json_codec import BlankValue
 from nonsmooth.runtime.core.result_files import FileFormat
+from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.saved_system import system_in
 from nonsmooth.runtime.present.files.claim_entries import (
     Ball,
@@ -94,6 +95,8 @@ def certificate_of(entries: CertificateEntries) -> Certificate:
         The certificate.
     """
     system_in(entries.system, entries.tables)
+    if entries.other_multipliers:
+        parse(entries.other_multipliers)
     bits, declaration = entries.bits, entries.declaration
     return Certificate(
         orbit=entries.orbit,
