@@ -82,6 +82,7 @@ def test_an_orbit_without_a_name_is_not_compared(content):
     assert not compare({**content, "orbit": "dry-friction, 4 phases"})
 
 
+@pytest.mark.slow
 def test_several_processes_prove_a_file_again(path, content, tmp_path):
     told = []
     check = ns.check_certificate(path, workers=2, progress=lambda *done: told.append(done))

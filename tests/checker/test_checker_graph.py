@@ -72,6 +72,7 @@ def test_a_true_file_is_proved_again_and_loaded(found, path):
     assert pictures[0] == pictures[1]
 
 
+@pytest.mark.slow
 def test_a_true_file_of_two_coordinates_is_proved_again(tmp_path):
     system = load_system(str(GALLERY / "impact_oscillator.py"))
     data, region = {"r": "0.65", "sigma": "0", "w": "2.3"}, {"x": (-2, 0), "v": (-2, 2)}

@@ -57,6 +57,7 @@ def test_wanted_values(capsys: pytest.CaptureFixture[str]) -> None:
     assert (code, error) == (1, "nonsmooth: period=2 not reached: within V<=1.3\n")
 
 
+@pytest.mark.slow
 def test_the_worst_along_a_branch(tmp_path: Path) -> None:
     damper = f"{GALLERY / 'impact_damper.py'}:struck-twice"
     question = (

@@ -89,6 +89,7 @@ def test_conditions_hold_all_along_the_branch() -> None:
     assert found.after["peak:x"] < found.before["peak:x"]
 
 
+@pytest.mark.slow
 def test_two_frequencies_are_as_bad_at_the_optimum() -> None:
     """A kink in one parameter: on either side of it another of the two is worse."""
     light = ns.solve(DAMPER, {"r": "0.3", "zeta": "0.05", "d": 7, "mu": "0.15"})

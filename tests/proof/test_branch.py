@@ -410,6 +410,7 @@ def test_a_tile_that_the_check_refuses_is_divided(
     assert ns.check_certificate(tmp_path / "branch.json").difference is None
 
 
+@pytest.mark.slow
 def test_what_the_check_does_not_join_is_not_stated(
     near_a_flip: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -52,7 +52,7 @@ def engine(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> s
 
 
 ENGINES = [pytest.param("c", marks=pytest.mark.compiled), "numpy"]
-SEEDS = [*range(10), *(pytest.param(k, marks=pytest.mark.slow) for k in range(10, 60))]
+SEEDS = [*range(8), *(pytest.param(k, marks=pytest.mark.slow) for k in range(8, 40))]
 
 
 @pytest.mark.parametrize("engine", ENGINES, indirect=True)
