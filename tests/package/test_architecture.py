@@ -127,7 +127,7 @@ def test_a_new_element_says_what_must_not_be_negative() -> None:
 
 
 def test_what_is_no_element_is_refused() -> None:
-    with pytest.raises(nonsmooth.derive.DeclarationError, match="no element of an oscillator"):
+    with pytest.raises(nonsmooth.derive.DeclarationError, match="elements cannot hold namespace"):
         nonsmooth.derive.oscillator(
             "none", ["x"], [[1]], [[1]], elements=[SimpleNamespace(name="stranger")]
         )

@@ -195,7 +195,7 @@ def test_command_as_json() -> None:
         (["V=0.8:1.2", "eta=1:2"], "one parameter has to be a range"),
         (["V=0.8:1.2", "V=1"], "parameter V is given twice"),
         (["V=0.8:1.2:5"], "is not NAME=A:B"),
-        (["V=0.8:0.9", "--at", "1"], "is not in 0.8 to 0.9"),
+        (["V=0.8:0.9", "--from", "V=1"], "is not in 0.8 to 0.9"),
         (["V=0.8:1.2", "--plot", "branch.txt"], "does not end in"),
     ],
 )

@@ -101,7 +101,7 @@ def stretching(
         going, where = going[together], ends.configurations[:, together]
         if not going.size:
             break
-    return _measured(growths[_TURNING:], lengths[_TURNING:], highest - lowest)
+    return _measured(growths[_TURNING:], lengths[_TURNING:], (highest - lowest) / scales)
 
 
 def _as_strong(states: np.ndarray, others: np.ndarray, forcing: Sequence[tuple[int, int]]) -> None:
@@ -115,13 +115,16 @@ def _as_strong(states: np.ndarray, others: np.ndarray, forcing: Sequence[tuple[i
 
 
 def _measured(growths: np.ndarray, lengths: np.ndarray, ranges: np.ndarray) -> Stretching:
-    """Exponents from growths and lengths (blocks, n); none where ranges (blocks, n, N) shrink."""
+    """Exponents from growths and lengths (blocks, n); none where ranges (blocks, n, N) shrink.
+
+    Ranges are in units of the scales; below the distance of neighbours they are rounding.
+    """
     whole, blocks = lengths.sum(axis=0), len(growths)
     whole = np.where(whole > 0, whole, np.nan)
     spread = growths.std(axis=0, ddof=1) * np.sqrt(blocks)
     parts = np.stack([part.max(axis=0) for part in np.array_split(ranges, _PARTS)])
     shrinks = (np.diff(parts, axis=0) < 0).all(axis=0)
-    shrinks &= parts[-1] < (1 - _ROUNDING) * parts[0]
+    shrinks &= (parts[-1] < (1 - _ROUNDING) * parts[0]) & (parts[0] > _APART)
     exponents = np.where(shrinks.any(axis=1), np.nan, growths.sum(axis=0) / whole)
     return Stretching(exponents, np.maximum(spread, 1.0) / whole)
 
