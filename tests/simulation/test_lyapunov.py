@@ -155,6 +155,10 @@ def test_neighbours_part_as_perturbations_of_one_motion_grow(data: dict) -> None
     values = {name: float(value) for name, value in motion.system.parameters.items()}
     many = simulate_many(kernels, values, motion.states[-1:], transitions=200, keep=129)
     found = stretching(kernels, values, many, scales_of(motion.system, many))
+    if np.isnan(found.exponents[0]):  # a motion that repeats to the last bit has no neighbours
+        assert one.value < 0
+        assert len(np.unique(many.last_states[0, :-1], axis=0)) < 32
+        return
     errors = 3 * (one.error + found.errors[0])
     assert found.exponents[0] == pytest.approx(one.value, abs=errors)
     assert errors < abs(one.value)
