@@ -26,7 +26,8 @@ from nonsmooth.derive import (
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 
-__all__ = ["FORCED", "forced", "kicked", "loop", "rooted", "struck", "struck_together", "unhashed"]
+__all__ = ["FORCED", "forced", "kicked", "loop", "prove_basin", "prove_chaos", "rooted", "struck",
+           "struck_together", "unhashed"]  # fmt: skip
 
 x, v = sp.symbols("x v", real=True)
 PARAMETERS = (
@@ -150,6 +151,19 @@ def struck_together(law: str | None = None, coupling: str = "0") -> Orbit:
     motion = ns.simulate(kernels, given, [0, 0, 0.1, 0.1, 1, 0], transitions=200)
     found = ns.itinerary_of(motion)
     return ns.solve(kernels, given, itinerary=found)
+
+
+def prove_chaos() -> ns.ChaosCertificate:
+    """A horseshoe of the oscillator with dry friction."""
+    data = {"us1": "0.75", "us2": "1.19", "ur1": "2.04", "ur2": "1.83"}
+    data |= {"chi": "0.34", "eta": "2.88", "V": "1.23"}
+    return ns.certify_chaos("dry-friction", data, [1.93, 7.18, 1.18, 1.18])
+
+
+def prove_basin() -> ns.BasinCertificate:
+    """Of ten tiles around the orbit that sticks."""
+    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+    return ns.certify_basin(ns.solve("dry-friction/global-stick", data), side=1.0, tiles=10)
 
 
 def unhashed(told: object) -> str:

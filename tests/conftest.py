@@ -1,17 +1,40 @@
-"""Common to all tests: one thread a process for linear algebra, whose threads would compete."""
+"""Common to all tests: threads, signals, and what processes share."""
 
 import os
+import shutil
+import signal
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from tests.places import CHECKOUT
+from tests.shared import FOLDER
 
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the workers' threads would compete
+# a shell that starts programs beside itself has them ignore it, and all that they start
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 GENERATED = CHECKOUT / "generated"
 SUFFIXES = (".c", ".h", ".md", ".py", ".json")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Make the folder of shared files in the first process; the others are told by it."""
+    if FOLDER not in os.environ:
+        os.environ[FOLDER] = folder = tempfile.mkdtemp()
+        config.add_cleanup(lambda: shutil.rmtree(os.environ.pop(FOLDER, folder)))
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """All tests of a file run in one process: what they share is made once."""
+    from xdist.scheduler import LoadFileScheduling
+
+    config.option.loadscopereorder = False
+    return LoadFileScheduling(config, log)
 
 
 @pytest.fixture

@@ -26,7 +26,8 @@ import nonsmooth as ns
 from nonsmooth.runtime.cli.display_checks import show_check
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
-from tests.certified import LOOP, forced, kicked, loop, rooted, struck_together
+from tests.certified import LOOP, forced, kicked, loop, prove_chaos, rooted, struck_together
+from tests.shared import shared_file
 
 SAMPLE = int(os.environ.get("NONSMOOTH_MUTATIONS", "40"))  # of each file; 0 for all of them
 STICK = "dry-friction/global-stick"
@@ -48,15 +49,6 @@ def _events(*branches: ns.Branch) -> Any:
     return Several()
 
 
-CHAOTIC = {
-    "chi": "0.34",
-    "eta": "2.88",
-    "V": "1.23",
-    "us1": "0.75",
-    "us2": "1.19",
-    "ur1": "2.04",
-    "ur2": "1.83",
-}
 FILES: dict[str, Callable[[], Any]] = {
     "derived": lambda: ns.certify(ns.solve(STICK)),
     "unstable": lambda: ns.certify(ns.solve("dry-friction/symmetric")),
@@ -105,7 +97,7 @@ FILES: dict[str, Callable[[], Any]] = {
     "census-conservative": lambda: ns.certify_all(
         "elastic-stop/one-contact", box={"tau": 10, "tau1": 10}
     ),
-    "chaos": lambda: ns.certify_chaos("dry-friction", CHAOTIC, [1.93, 7.18, 1.18, 1.18]),
+    "chaos": lambda: ns.load(shared_file("nonsmooth chaos certificate", prove_chaos)),
     "census-derived": lambda: ns.certify_all(STICK, box={"tau": 3, "tau1": 3}),
 }
 

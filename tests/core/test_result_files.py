@@ -38,7 +38,8 @@ from nonsmooth.runtime.core.json_codec import (
 )
 from nonsmooth.runtime.core.result_files import FileFormat, checksum_of, format_in
 from nonsmooth.runtime.core.values import Value, parse
-from tests.certified import LOOP, kicked, loop
+from tests.certified import LOOP, kicked, loop, prove_basin, prove_chaos
+from tests.shared import shared_file
 
 STICK = "dry-friction/global-stick"
 TWO_MASSES = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.8}
@@ -227,17 +228,6 @@ def doubled() -> Any:
     return ns.certify_cascade(branch, tiles=1)
 
 
-def chaotic() -> Any:
-    data = {"us1": "0.75", "us2": "1.19", "ur1": "2.04", "ur2": "1.83"}
-    data |= {"chi": "0.34", "eta": "2.88", "V": "1.23"}
-    return ns.certify_chaos("dry-friction", data, (1.93, 7.18, 1.18, 1.18))
-
-
-def basin() -> Any:
-    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-    return ns.certify_basin(ns.solve("dry-friction/global-stick", data), side=1.0, tiles=10)
-
-
 def graph() -> Any:
     data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
     return ns.certify_graph(
@@ -263,8 +253,8 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth event certificate": event,
     "nonsmooth certified branch": certified,
     "nonsmooth certified cascade": doubled,
-    "nonsmooth basin certificate": basin,
-    "nonsmooth chaos certificate": chaotic,
+    "nonsmooth basin certificate": prove_basin,
+    "nonsmooth chaos certificate": prove_chaos,
     "nonsmooth graph certificate": graph,
     "nonsmooth census": census,
 }
@@ -277,16 +267,14 @@ FREE = ("parameters", "reasons", "enclosures", "unique", "bounds")  # of names t
 OPEN = r".*(declaration|closing|margins|admissible)\b.*"
 
 
+def file_of(kind: str) -> Path:
+    """A file of a kind, not to be changed."""
+    return shared_file(kind, KINDS[kind])
+
+
 @cache
-def text_of(kind: str, folder: Path) -> str:
-    path = folder / "file.json"
-    KINDS[kind]().save(path)
-    return path.read_text()
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("files")
+def text_of(kind: str) -> str:
+    return file_of(kind).read_text()
 
 
 def signed(content: Any) -> Any:
@@ -330,9 +318,9 @@ def changes(content: Any, path: tuple[Any, ...]) -> Iterator[Any]:
 
 
 @pytest.mark.parametrize("kind", [k for k in EACH if k != "nonsmooth found orbits"])  # solved again
-def test_a_file_gives_the_same_bytes_again(kind: str, folder: Path, tmp_path: Path) -> None:
+def test_a_file_gives_the_same_bytes_again(kind: str, tmp_path: Path) -> None:
     one, other = tmp_path / "one.json", tmp_path / "other.json"
-    one.write_text(text_of(kind, folder))
+    one.write_text(text_of(kind))
     assert format_in(one) == kind
     back = ns.load(one)
     (back[0] if isinstance(back, tuple) else back).save(other)
@@ -340,8 +328,8 @@ def test_a_file_gives_the_same_bytes_again(kind: str, folder: Path, tmp_path: Pa
 
 
 @pytest.mark.parametrize("kind", EACH)
-def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, folder: Path) -> None:
-    path, content = folder / "file.json", json.loads(text_of(kind, folder))
+def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Path) -> None:
+    path, content = tmp_path / "file.json", json.loads(text_of(kind))
     rng = random.Random(kind)
     every = [
         p for p in paths_in(content)
@@ -364,8 +352,8 @@ def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, folder: Path)
 
 
 @pytest.mark.parametrize("kind", EACH)
-def test_no_cut_or_changed_byte_is_read(kind: str, folder: Path) -> None:
-    path, text = folder / "file.json", text_of(kind, folder)
+def test_no_cut_or_changed_byte_is_read(kind: str, tmp_path: Path) -> None:
+    path, text = tmp_path / "file.json", text_of(kind)
     rng = random.Random(13)
     for _ in range(40):
         place = rng.randrange(len(text) - 1)
