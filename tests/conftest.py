@@ -5,10 +5,12 @@ import shutil
 import signal
 import tempfile
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
+import typer.testing
 
 from tests.places import CHECKOUT
 from tests.shared import FOLDER
@@ -16,6 +18,8 @@ from tests.shared import FOLDER
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the workers' threads would compete
 # a shell that starts programs beside itself has them ignore it, and all that they start
 signal.signal(signal.SIGINT, signal.default_int_handler)
+# commands are made of functions once, as in a program, not for each question of a test
+typer.testing._get_command = cache(typer.testing._get_command)  # type: ignore[attr-defined]
 
 GENERATED = CHECKOUT / "generated"
 SUFFIXES = (".c", ".h", ".md", ".py", ".json")
