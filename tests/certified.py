@@ -162,7 +162,7 @@ def prove_chaos() -> ns.ChaosCertificate:
 
 def prove_basin() -> ns.BasinCertificate:
     """Of ten tiles around the orbit that sticks."""
-    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": 1}
     return ns.certify_basin(ns.solve("dry-friction/global-stick", data), side=1.0, tiles=10)
 
 
