@@ -15,36 +15,27 @@ from nonsmooth.runtime.checker.grids import stated_grid
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.float_sets import ManySets, Rounded
 from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.checking.compare_declarations import compare
+from tests.certified import prove_basin
 from tests.places import GALLERY
-
-DATA = {
-    "chi": "0.5",
-    "eta": "1",
-    "V": "1",
-    "us1": "1",
-    "us2": "1",
-    "ur1": "4.0195",
-    "ur2": "1.4831",
-}
-# its corner in x1 and x2 leads to the orbit, far from it motions slip for long
-BOX = {"x1": (2, 5), "x2": (6, 8), "v1": (-0.5, 0.5), "v2": (-0.5, 0.5)}
+from tests.shared import shared_file
 
 
 @pytest.fixture(scope="module")
-def path(tmp_path_factory):
-    orbit = ns.solve("dry-friction/global-stick", DATA)
-    path = tmp_path_factory.mktemp("basin") / "basin.json"
-    found = ns.certify_basin(orbit, box=BOX, side=0.25, tiles=60)
-    assert 0 < found.attracted.sum() < 60
-    found.save(path)
+def path():
+    path = shared_file("nonsmooth basin certificate", prove_basin)
+    assert 0 < ns.load(path).attracted.sum() < 60
     return path
 
 
 @pytest.fixture(scope="module")
 def near(tmp_path_factory):
     """A basin of one mass on a belt, which is proved again in a second."""
-    orbit = ns.solve(f"{GALLERY / 'mass_on_belt.py'}:stick-slip")
+    belt = load_system(str(GALLERY / "mass_on_belt.py"))
+    phases = (("stick", "belt-breaks-forward"), ("slip", "belt-reaches-belt"))
+    data = {"u": "1", "e": "0.3", "V": "0.5"}
+    orbit = ns.solve(belt, data, [1.2, 5.2, 0.7, 0.5], itinerary=phases)
     path = tmp_path_factory.mktemp("belt") / "basin.json"
     found = ns.certify_basin(orbit, box={"x": (0, 2), "v": (-0.5, 0.5)}, side=0.25)
     assert 0 < found.attracted.sum() < found.attracted.size
