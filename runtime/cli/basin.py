@@ -27,10 +27,9 @@ __all__ = ["basin"]
 @app.command(
     epilog="Examples:\n\n"
     "nonsmooth basin dry-friction/global-stick us1=1 us2=1 ur1=4.0195 ur2=1.4831"
-    " --box x1=3:5,x2=6:9,v1=0:1,v2=0:1 --side 0.125 --tiles 2000 --save basin.json"
-    " --plot basin.png\n\n"
-    "nonsmooth basin dry-friction/global-stick us1=1 us2=1 ur1=4.0195 ur2=1.4831"
-    " --box x1=2:3,x2=6:7,v1=-1:0,v2=-1:0 --side 0.25 --tiles 100 --workers 2"
+    " --box x1=2.5:2.75,x2=6.5:6.75,v1=-0.25:0,v2=-0.25:0 --side 0.125 --save basin.json\n\n"
+    "nonsmooth basin mass_on_belt.py:stick-slip --box x=0:2,v=-0.5:0.5 --side 0.25 --workers 2"
+    " --plot basin.png"
 )
 @answering
 def basin(

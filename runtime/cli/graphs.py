@@ -43,7 +43,7 @@ class Trapping(StrEnum):
     "nonsmooth graph dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
     " --from x1=5,x2=4,v1=0.5,v2=0.25 --region x2=2:14 --boxes 64 --levels 3 --save graph.json\n\n"
     "nonsmooth graph impact_oscillator.py r=0.65 sigma=0 w=2.3 --from x=-0.7,v=0.1"
-    " --region x=-2:0,v=-2:2 --boxes 64 --levels 2 --plot graph.png --require trapping"
+    " --region x=-2:0,v=-2:2 --boxes 32 --levels 1 --plot graph.png --require trapping"
 )
 @answering
 def graph(

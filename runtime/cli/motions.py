@@ -194,7 +194,7 @@ def simulate(
     "nonsmooth find dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
     " --starts 800 --box x1=-4:4,x2=-4:4 --save found.json\n\n"
     "nonsmooth find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
-    " --basins x1=-3:3:120,v2=-1:1:120 --plot basins.png"
+    " --basins x1=-3:3:60,v2=-1:1:60 --plot basins.png"
 )
 @answering
 def find(
@@ -326,7 +326,7 @@ def find(
     "nonsmooth sweep dry-friction V=0.2:1.2:200 chi=0.4 eta=4 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
     " --quantity x1 --at slip-stick --from x1=0,x2=0,v1=0,v2=0 --plot diagram.png"
     " --save sweep.json\n\n"
-    "nonsmooth sweep impact_oscillator.py w=2:3:100 sigma=1/5 r=4/5 --quantity v --at forcing-phase"
+    "nonsmooth sweep impact_oscillator.py w=2:3:50 sigma=1/5 r=4/5 --quantity v --at forcing-phase"
     " --phase pi/2 --from x=0,v=0 --transient 200 --plot strobe.png"
 )
 @answering

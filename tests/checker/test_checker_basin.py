@@ -15,29 +15,37 @@ from nonsmooth.runtime.checker.grids import stated_grid
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.float_sets import ManySets, Rounded
 from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.checking.compare_declarations import compare
-
-DATA = {
-    "chi": "0.5",
-    "eta": "1",
-    "V": "1",
-    "us1": "1",
-    "us2": "1",
-    "ur1": "4.0195",
-    "ur2": "1.4831",
-}
-# its corner in x1 and x2 leads to the orbit, far from it motions slip for long
-BOX = {"x1": (2, 5), "x2": (6, 8), "v1": (-0.5, 0.5), "v2": (-0.5, 0.5)}
+from tests.certified import prove_basin
+from tests.places import GALLERY
+from tests.shared import shared_file
 
 
 @pytest.fixture(scope="module")
-def path(tmp_path_factory):
-    orbit = ns.solve("dry-friction/global-stick", DATA)
-    path = tmp_path_factory.mktemp("basin") / "basin.json"
-    found = ns.certify_basin(orbit, box=BOX, side=0.25, tiles=200)
-    assert 0 < found.attracted.sum() < 200
+def path():
+    path = shared_file("nonsmooth basin certificate", prove_basin)
+    assert 0 < ns.load(path).attracted.sum() < 60
+    return path
+
+
+@pytest.fixture(scope="module")
+def near(tmp_path_factory):
+    """A basin of one mass on a belt, which is proved again in a second."""
+    belt = load_system(str(GALLERY / "mass_on_belt.py"))
+    phases = (("stick", "belt-breaks-forward"), ("slip", "belt-reaches-belt"))
+    data = {"u": "1", "e": "0.3", "V": "0.5"}
+    orbit = ns.solve(belt, data, [1.2, 5.2, 0.7, 0.5], itinerary=phases)
+    path = tmp_path_factory.mktemp("belt") / "basin.json"
+    found = ns.certify_basin(orbit, box={"x": (0, 2), "v": (-0.5, 0.5)}, side=0.25)
+    assert 0 < found.attracted.sum() < found.attracted.size
     found.save(path)
     return path
+
+
+@pytest.fixture
+def belt(near):
+    return json.loads(near.read_text())
 
 
 @pytest.fixture
@@ -83,14 +91,14 @@ def test_an_orbit_without_a_name_is_not_compared(content):
 
 
 @pytest.mark.slow
-def test_several_processes_prove_a_file_again(path, content, tmp_path):
+def test_several_processes_prove_a_file_again(near, belt, tmp_path):
     told = []
-    check = ns.check_certificate(path, workers=2, progress=lambda *done: told.append(done))
+    check = ns.check_certificate(near, workers=2, progress=lambda *done: told.append(done))
     assert check.difference is None
     assert told[-1] == (check.certificate.attracted.sum(),) * 2
     false = tmp_path / "false.json"
-    verdicts = runs([2] * len(flat(content["verdicts"])))
-    edited = {**content, "verdicts": verdicts}
+    verdicts = runs([2] * len(flat(belt["verdicts"])))
+    edited = {**belt, "verdicts": verdicts}
     false.write_text(json.dumps({**edited, "sha256": checksum_of(edited)}))
     assert "elsewhere" in ns.check_certificate(false, workers=2).difference
 
@@ -122,20 +130,19 @@ def test_a_box_that_leads_elsewhere_has_no_rank(content, tmp_path):
     refused(edited_ranks(content, too_near), tmp_path, "a box of the rank 1")
 
 
-def test_a_box_beside_the_core_is_not_in_it(content, tmp_path):
+def test_a_box_beside_the_core_is_not_in_it(belt, tmp_path):
     def wider(ranks):
         last = max(k for k, rank in enumerate(ranks) if rank == 0)
         ranks[last + 1] = 0
 
-    refused(edited_ranks(content, wider), tmp_path, "not in the core")
+    refused(edited_ranks(belt, wider), tmp_path, "not in the core")
 
 
-def test_tiles_that_are_not_attracted_are_not_stated_to_be(content, tmp_path):
-    verdicts = flat(content["verdicts"])
-    # the last tiles are those of the largest x1 and x2
+def test_tiles_that_are_not_attracted_are_not_stated_to_be(belt, tmp_path):
+    verdicts = flat(belt["verdicts"])
     last = max(k for k, verdict in enumerate(verdicts) if verdict == 1)
     verdicts[last] = 2
-    refused({**content, "verdicts": runs(verdicts)}, tmp_path, "a tile may lead elsewhere")
+    refused({**belt, "verdicts": runs(verdicts)}, tmp_path, "a tile may lead elsewhere")
 
 
 @pytest.mark.parametrize("ends", [(-0.5, 1e300), (-0.5, 0.75), (0.0, 0.5), (0.5, -0.5)])

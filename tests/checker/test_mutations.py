@@ -30,6 +30,7 @@ from tests.certified import LOOP, forced, kicked, loop, prove_chaos, rooted, str
 from tests.shared import shared_file
 
 SAMPLE = int(os.environ.get("NONSMOOTH_MUTATIONS", "40"))  # of each file; 0 for all of them
+LONG_TO_CHECK = ("chaos",)  # of these half as many
 STICK = "dry-friction/global-stick"
 
 
@@ -269,16 +270,16 @@ def said(content: Any, path: Path) -> tuple[str, Mapping[str, str], str | None] 
     return out.getvalue(), found.claims, found.note
 
 
-def sampled(content: Any, drawn: random.Random) -> list[Mutation]:
+def sampled(content: Any, drawn: random.Random, count: int) -> list[Mutation]:
     """So many mutations, as many of each kind of path as there are of others."""
     found = list(mutations(content))
-    if not SAMPLE or len(found) <= SAMPLE:
+    if not count or len(found) <= count:
         return found
     groups: dict[Any, list[Mutation]] = {}
     for mutation in found:
         shape = (mutation.what, *(x for x in mutation.path if isinstance(x, str)))
         groups.setdefault(shape, []).append(mutation)
-    return [drawn.choice(group) for group in drawn.sample(list(groups.values()), SAMPLE)]
+    return [drawn.choice(group) for group in drawn.sample(list(groups.values()), count)]
 
 
 @pytest.mark.parametrize("name", FILES)
@@ -290,8 +291,8 @@ def test_no_change_of_a_file_is_shown_as_proved(name: str, tmp_path: Path) -> No
     assert answer is not None
     true = "|".join((*TRUE, *LASTING.get(name, ())))
     allowed = re.compile("|".join((*NOTES, *HINTS, true)))
-    tried = 0
-    for mutation in sampled(content, drawn):
+    tried, count = 0, SAMPLE // 2 if name in LONG_TO_CHECK else SAMPLE
+    for mutation in sampled(content, drawn, count):
         changed = mutated(content, mutation, drawn)
         if changed is None:
             continue
@@ -302,4 +303,4 @@ def test_no_change_of_a_file_is_shown_as_proved(name: str, tmp_path: Path) -> No
             continue
         assert told == answer or re.fullmatch(true, where), f"{mutation} is shown"
         assert allowed.fullmatch(where) or name == "uncertain", f"{mutation} is accepted"
-    assert tried > 30 or name == "uncertain"
+    assert tried > 3 * count // 4 or name == "uncertain"

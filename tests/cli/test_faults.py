@@ -9,6 +9,7 @@ import shlex
 import stat
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +19,12 @@ import typer
 import nonsmooth as ns
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.present.paper import writing
+from nonsmooth.runtime.proof.basin import certify_basin
+from nonsmooth.runtime.proof.chaos import certify_chaos
+from tests.certified import prove_basin, prove_chaos
 from tests.cli.test_cli import run
 from tests.places import CHECKOUT
+from tests.shared import shared_file
 from tests.user_systems import declare
 
 ORBIT = "dry-friction/global-stick"
@@ -82,6 +87,11 @@ SLOW_IN_PYTHON = {
     *(("find", "--plot"), ("chaos", "--save"), ("chaos", "--plot")),
     *(("graph", "--save"), ("graph", "--plot")),
 }
+# what takes long to prove, and is proved once for many tests
+PROVED: dict[str, tuple[Any, Callable[[], Any]]] = {
+    "basin": (certify_basin, prove_basin),
+    "chaos": (certify_chaos, prove_chaos),
+}
 each = pytest.mark.parametrize(
     "writer",
     [pytest.param(w, marks=pytest.mark.compiled) if w in SLOW_IN_PYTHON else w for w in WRITERS],
@@ -122,7 +132,13 @@ def test_every_option_that_writes_is_here() -> None:
 
 
 @each
-def test_folders_above_are_made(writer: tuple[str, str], place: Path) -> None:
+def test_folders_above_are_made(
+    writer: tuple[str, str], place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if writer[0] in PROVED:
+        module, prove = PROVED[writer[0]]
+        proved = ns.load(shared_file(f"nonsmooth {writer[0]} certificate", prove))
+        monkeypatch.setattr(module, f"certify_{writer[0]}", lambda *_, **__: proved)
     target = place / "new" / "folder" / "target"
     code, _, err = run(*shlex.split(WRITERS[writer].replace("TARGET", str(target))))
     assert code in (0, 1), err  # one tile proves little

@@ -177,13 +177,13 @@ def test_a_design_goes_on_to_its_end(tmp_path: Path) -> None:
             "1 of 2 events are done, kept in events.json; go on with: ",
         ),
         (
-            "certify dry-friction/global-stick --all tau=0:200 tau1=0:200 --save census.json",
+            "certify dry-friction/global-stick --all tau=0:20 tau1=0:20 --save census.json",
             "searching",
             "census.json",
             "orbits found, kept in census.json; begin again with: ",
         ),
         (
-            "chart dry-friction/global-stick V=0.8:1.3:2000 eta=0.8:1.3:2000 --chunk 4000"
+            "chart dry-friction/global-stick V=0.8:1.3:200 eta=0.8:1.3:200 --chunk 400"
             " --out F.zarr",
             r"[1-9]\d*/\d+",
             "F.zarr",
