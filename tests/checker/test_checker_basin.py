@@ -15,7 +15,6 @@ from nonsmooth.runtime.checker.grids import stated_grid
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.float_sets import ManySets, Rounded
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.checking.compare_declarations import compare
 from tests.certified import prove_basin
 from tests.places import GALLERY
@@ -32,10 +31,7 @@ def path():
 @pytest.fixture(scope="module")
 def near(tmp_path_factory):
     """A basin of one mass on a belt, which is proved again in a second."""
-    belt = load_system(str(GALLERY / "mass_on_belt.py"))
-    phases = (("stick", "belt-breaks-forward"), ("slip", "belt-reaches-belt"))
-    data = {"u": "1", "e": "0.3", "V": "0.5"}
-    orbit = ns.solve(belt, data, [1.2, 5.2, 0.7, 0.5], itinerary=phases)
+    orbit = ns.solve(f"{GALLERY / 'mass_on_belt.py'}:stick-slip")
     path = tmp_path_factory.mktemp("belt") / "basin.json"
     found = ns.certify_basin(orbit, box={"x": (0, 2), "v": (-0.5, 0.5)}, side=0.25)
     assert 0 < found.attracted.sum() < found.attracted.size
@@ -62,6 +58,12 @@ def refused(content, tmp_path, told):
         difference = str(problem)
     assert difference is not None
     assert told in difference, difference
+
+
+def test_a_true_file_of_a_declared_orbit_is_proved_again(near):
+    check = ns.check_certificate(near)
+    assert check.difference is None
+    assert check.claims == {"basin": "proved"}
 
 
 def test_a_true_file_is_proved_again(path):

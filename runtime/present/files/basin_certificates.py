@@ -12,9 +12,9 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.result_files import FileFormat
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.kernels import known_system
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 from nonsmooth.runtime.present.files.chaos_certificates import HSetEntries
+from nonsmooth.runtime.present.files.claim_entries import system_of
 from nonsmooth.runtime.present.files.grid_entries import (
     GridEntries,
     Runs,
@@ -107,7 +107,7 @@ def basin_entries(found: BasinCertificate) -> BasinEntries:
     BasinEntries
         Ready to be written.
     """
-    name, _, saved = named(known_system(found.system, None))
+    name, _, saved = named(system_of(found))
     core, numbers = found.core, ("iterates", "itinerary", "most", "bits", "widest")
     texts = ("orbit", "claim", "reason", "configuration", "source", "boundary")
     return BasinEntries(

@@ -8,7 +8,7 @@ from typing import Any, Literal, TypeVar
 
 from nonsmooth.runtime.core.json_codec import Exact, decode, encode
 from nonsmooth.runtime.core.values import Value
-from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.model.kernels import SystemKernels, known_system
 from nonsmooth.runtime.model.saved_system import SavedSystem, named
 from nonsmooth.runtime.proof.certificate import Stated
 
@@ -22,6 +22,7 @@ __all__ = [
     "enclosed",
     "entries_of",
     "stated",
+    "system_of",
 ]
 
 Record = TypeVar("Record")
@@ -126,8 +127,23 @@ def entries_of(proof: Any) -> dict[str, Any]:
     dict
         Ready to be decoded.
     """
-    label = proof.orbit.removeprefix(f"{proof.system}:")
-    system = known_system(proof.system, None if label == proof.orbit else label)
-    name, orbit, saved = named(system, proof.orbit)
+    name, orbit, saved = named(system_of(proof), proof.orbit)
     entries: dict[str, Any] = replace(proof, system=name, orbit=orbit).to_json()
     return {**entries, "tables": None if saved is None else encode(saved)}
+
+
+def system_of(proof: Any) -> SystemKernels:
+    """The system of a proof of an orbit, as it was loaded for that orbit.
+
+    Parameters
+    ----------
+    proof : Certificate, BoxCertificate, EventCertificate, Census or BasinCertificate
+        What is proved.
+
+    Returns
+    -------
+    SystemKernels
+        That of a declared orbit may be derived with its symmetry, unlike the system alone.
+    """
+    label = proof.orbit.removeprefix(f"{proof.system}:")
+    return known_system(proof.system, None if label == proof.orbit else label)
