@@ -190,16 +190,14 @@ def test_rms_and_mean_through_impacts_are_those_of_the_motion() -> None:
 
 
 def test_errors_are_those_of_the_noise() -> None:
-    exact, missed = amplitudes()[1:5], 0.0
-    for seed in range(4):
+    exact, scores = amplitudes()[1:6], []
+    for seed in range(8):
         noise = 2e-3 * np.random.default_rng(seed).normal(size=len(exact))
-        data = {"w": SWEEP[1:5], "amplitude:x": exact + noise}
-        near = {"c": 0.101, "k": 1.01, "s": 2.9}
-        found = fitted(data, sigma=2e-3, parameters=near)
-        off = found.estimates - [0.1, 1, 3]
-        missed += off @ np.linalg.solve(found.covariance, off)
-    # 4 squares of 3 degrees of freedom: in 99 of 100 cases within those of 12
-    assert 3.07 < missed < 28.3
+        data = {"w": SWEEP[1:6], "amplitude:x": exact + noise}
+        found = fitted(data, "k", "s", sigma=2e-3, parameters={"k": 1.01, "s": 2.9})
+        scores += ((found.estimates - [1, 3]) / found.standard_errors).tolist()
+    # 16 scores of variance 1: their mean square is within 0.32 ... 2.1 in 99 of 100 cases
+    assert 0.32 < np.mean(np.square(scores)) < 2.1
 
 
 def test_the_unit_of_an_output_does_not_matter() -> None:
