@@ -20,8 +20,8 @@ IMPACT = f"{GALLERY / 'impact_oscillator.py'}:one-period"
 PLANES: dict[str, dict[str, Any]] = {
     IMPACT: {"sigma": np.linspace(-0.6, 0.6, 24), "w": np.linspace(1.6, 3.2, 21)},
     f"{GALLERY / 'piecewise_stiffness.py'}:subharmonic": {
-        "w": np.linspace(2.0, 4.0, 14),
-        "gap": np.linspace(-0.2, 0.6, 13),
+        "w": np.linspace(2.0, 4.0, 10),
+        "gap": np.linspace(-0.2, 0.6, 9),
     },
     f"{GALLERY / 'two_belts.py'}:both-stick": {
         "chi": np.linspace(0.35, 0.7, 12),
@@ -110,10 +110,9 @@ def test_period_doubling_is_where_the_margin_vanishes() -> None:
     assert abs(here) < 1e-9
 
 
-@pytest.mark.parametrize("chunk", [11, 100])
 @pytest.mark.parametrize("orbit", PLANES, ids=lambda name: name.rpartition("/")[-1])
-def test_bits_do_not_depend_on_chunks(orbit: str, chunk: int) -> None:
-    other = ns.chart(orbit, chunk=chunk, threads=2, **PLANES[orbit])
+def test_bits_do_not_depend_on_chunks(orbit: str) -> None:
+    other = ns.chart(orbit, chunk=11, threads=2, **PLANES[orbit])
     for name in other:
         assert other[name].values.tobytes() == charted(orbit)[name].values.tobytes(), name
 

