@@ -28,7 +28,6 @@ from nonsmooth.derive.building.transitions import (
     transitions_from,
 )
 from nonsmooth.derive.declaration.configuration import Configuration, Contact
-from nonsmooth.derive.declaration.fingerprint import fingerprint
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.errors import DeclarationError
@@ -121,10 +120,6 @@ class GrowingSystem(System):
         """Name, and how many configurations there may be."""
         return f"<System {self.name!r} of up to {self._count:,} configurations>"
 
-    def __getstate__(self) -> dict[str, Any]:
-        """What is declared, without what was made of it."""
-        return {name: value for name, value in vars(self).items() if not name.startswith("_")}
-
     @property
     def identity(self) -> _Identity:
         """What tells it from every other system."""
@@ -178,10 +173,6 @@ class GrowingSystem(System):
             self.name, self.description, self.states, self.parameters, configurations, transitions,
             self.constraints, contacts, self.forcing,
         )  # fmt: skip
-
-    def fingerprint(self, orbits: Sequence[Any] = ()) -> str:
-        """See `System`."""
-        return fingerprint(self.identity, tuple(orbits))
 
     def configuration(self, name: str) -> Configuration:
         """See `System`: the one of that name is made.

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import sympy as sp
@@ -145,7 +145,15 @@ class System:
         str
             16 hexadecimal digits.
         """
-        return fingerprint(self, tuple(orbits))
+        return fingerprint(self, tuple(orbits)) if orbits else self._fingerprint
+
+    @cached_property
+    def _fingerprint(self) -> str:
+        return fingerprint(self, ())
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What is declared, without what was made of it."""
+        return {name: value for name, value in vars(self).items() if not name.startswith("_")}
 
     def source(self, orbits: Sequence[Any] = ()) -> str:
         """Derive the system and orbits of it as the text of a Python module.

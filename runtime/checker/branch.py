@@ -46,6 +46,7 @@ def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
     curve = curve_of(content)
     with ctx.workprec(BITS):
         found = [CheckedTile(curve, tile) for tile in tiles]
+        _ends(found, content)
         for number, tile in enumerate(found, 1):
             try:
                 tile.check_sharply()
@@ -56,7 +57,6 @@ def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
                 check_joint(tile, other)
             except Failure as failure:
                 raise Failure(f"tiles {number} and {number + 1}: {failure}") from None
-        _ends(found, content)
         independent(curve.declared, curve.constants, [curve.interval])
     return found
 

@@ -98,7 +98,7 @@ def test_a_map_of_the_plane_agrees_with_its_points() -> None:
     assert found.decided == 1
     rng = np.random.default_rng(7)
     seen = set()
-    for speed, friction in zip(rng.uniform(0.9, 1.1, 25), rng.uniform(0.7, 0.8, 25), strict=True):
+    for speed, friction in zip(rng.uniform(0.9, 1.1, 12), rng.uniform(0.7, 0.8, 12), strict=True):
         at = Fraction(speed), Fraction(friction)
         tile = found.tile_at(dict(zip(("V", "us2"), at, strict=True)))
         verdict = tile.verdict
@@ -373,7 +373,7 @@ def test_the_orbit_is_handed_on_from_its_own_point() -> None:
         (ns.solve(SYMMETRIC), {"V": ("0.2", "5")}),
         (loop(), {"k": ("1/100", "11/10"), "r": ("1/4", "3/4")}),
     ):
-        found = ns.certify_box(orbit, box, tiles=120)
+        found = ns.certify_box(orbit, box, tiles=50)
         tile = found.tile_at({name: orbit.given[name] for name in box})
         period = tile.enclosures["period"]
         assert period.lower <= float(orbit.period) <= period.upper
@@ -392,7 +392,7 @@ def test_the_orbit_is_handed_on_from_its_own_point() -> None:
 
 
 def test_totals_do_not_grow_with_the_number_of_tiles() -> None:
-    found = ns.certify_box(loop(), {"k": ("1/2", "3"), "a": ("1.9", "4")}, tiles=150)
+    found = ns.certify_box(loop(), {"k": ("1/2", "3"), "a": ("1.9", "4")}, tiles=60)
     assert len(found.tiles) > 40
     period = found.enclosures["period"]
     proved = [t.enclosures["period"] for t in found.tiles if t.enclosures]

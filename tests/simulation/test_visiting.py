@@ -1,6 +1,7 @@
 """Systems whose configurations are made when they are first visited: the same motions."""
 
 import pickle
+from functools import cache
 
 import numpy as np
 import pytest
@@ -75,24 +76,30 @@ def mixed(seed: int) -> tuple[System, dict[str, float]]:
     ), {}  # fmt: skip
 
 
+@cache
+def listed(make, seed: int) -> tuple[System, dict[str, float]]:
+    """One for all tests, with what was derived of it."""
+    return make(seed)
+
+
 @pytest.mark.parametrize("make", [rubbing, striking, mixed])
 @pytest.mark.parametrize(
     "seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 2))]
 )
 def test_motions_are_those_of_the_listed_system(make, seed, monkeypatch) -> None:
-    whole, data = make(seed)
+    whole, data = listed(make, seed)
     monkeypatch.setattr(growing, "_LARGEST", 0)
     made, _ = make(seed)
     assert isinstance(made, GrowingSystem)
     assert not isinstance(whole, GrowingSystem)
     rng = np.random.default_rng(seed)
-    for _ in range(3):
+    for _ in range(2):
         start = rng.uniform(-1, 1, 6) * 0.4
         names = [str(s) for s in whole.states]
         state = dict(zip(names, start.tolist(), strict=False))
         state |= {"s_slider": state["x2"]} if "s_slider" in names else {}
-        expected = ns.simulate(whole, data, state, until=30)
-        found = ns.simulate(made, data, state, until=30)
+        expected = ns.simulate(whole, data, state, until=15)
+        found = ns.simulate(made, data, state, until=15)
         assert found.configurations == expected.configurations
         assert found.boundaries == expected.boundaries
         assert found.status == expected.status == Status.UNTIL
@@ -101,7 +108,7 @@ def test_motions_are_those_of_the_listed_system(make, seed, monkeypatch) -> None
 
 
 def test_starts_at_rest_belong_where_the_listed_system_puts_them(monkeypatch) -> None:
-    whole, data = rubbing(0)
+    whole, data = listed(rubbing, 0)
     monkeypatch.setattr(growing, "_LARGEST", 0)
     made, _ = rubbing(0)
     for scale in (0.0, 0.3, 3.0):
@@ -113,7 +120,7 @@ def test_starts_at_rest_belong_where_the_listed_system_puts_them(monkeypatch) ->
 
 
 def test_starts_on_all_stops_belong_where_the_listed_system_puts_them(monkeypatch) -> None:
-    whole, data = striking(0)
+    whole, data = listed(striking, 0)
     monkeypatch.setattr(growing, "_LARGEST", 0)
     made, _ = striking(0)
     state = {"x1": 1, "x2": -0.5, "x3": 0.7, "v1": 0, "v2": 0, "v3": 0}
@@ -126,12 +133,12 @@ def test_starts_on_all_stops_belong_where_the_listed_system_puts_them(monkeypatc
 @pytest.mark.parametrize("make", [rubbing, striking, mixed])
 def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make, monkeypatch) -> None:
     """Each with a system of its own, in which nothing was visited before."""
-    whole, data = make(0)
+    whole, data = listed(make, 0)
     monkeypatch.setattr(growing, "_LARGEST", 0)
     rng = np.random.default_rng(11)
     names = [str(s) for s in whole.states]
     visited = set()
-    for number in range(6):
+    for number in range(4):
         state = dict(zip(names, rng.uniform(-2, 2, 6).tolist(), strict=False))
         state["x1"] = -abs(state["x1"])  # the stop of the first mass is rigid
         state["x2"] = abs(state["x2"])
@@ -146,14 +153,14 @@ def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make, monkeypa
 
 
 def test_many_motions_are_those_of_the_listed_system(monkeypatch) -> None:
-    whole, data = striking(2)
+    whole, data = listed(striking, 2)
     monkeypatch.setattr(growing, "_LARGEST", 0)
     made, _ = striking(2)
     rng = np.random.default_rng(3)
-    starts = np.zeros((150, 8))
-    starts[:, :6], starts[:, 6] = rng.uniform(-0.45, 0.45, (150, 6)), 1.0
-    expected = ns.simulate_many(whole, data, starts, until=40, keep=5, threads=2)
-    found = ns.simulate_many(made, data, starts, until=40, keep=5, threads=2)
+    starts = np.zeros((60, 8))
+    starts[:, :6], starts[:, 6] = rng.uniform(-0.45, 0.45, (60, 6)), 1.0
+    expected = ns.simulate_many(whole, data, starts, until=20, keep=5, threads=2)
+    found = ns.simulate_many(made, data, starts, until=20, keep=5, threads=2)
     names = [np.array(many.structure.configurations) for many in (expected, found)]
     np.testing.assert_array_equal(names[0][expected.configurations], names[1][found.configurations])
     np.testing.assert_array_equal(found.transitions, expected.transitions)
