@@ -199,7 +199,9 @@ def test_a_motion_that_is_no_function_of_time(tmp_path: Path) -> None:
     assert ns.check_certificate(tmp_path / "branch.json").difference is None
 
 
-def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond() -> None:
+def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond(
+    tmp_path: Path,
+) -> None:
     """One impact in two periods, as slow as may be: the motion touches the stop each period."""
     given = {"w": "4.4", "r": "0.8", "sigma": "0.053"}
     orbit = ns.solve(STRIKER, given, [4 * np.pi / 4.4], itinerary=[IMPACT])
@@ -212,6 +214,8 @@ def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond(
     with ctx.workprec(160):
         touches = exact_ball(Closed("4.4", "0.8").amplitude)
         assert event.enclosures["sigma"].ball.contains(touches)
+    found.save(tmp_path / "branch.json")
+    assert ns.check_certificate(tmp_path / "branch.json").difference is None
 
 
 def test_the_map_times_the_speed_is_that_product() -> None:

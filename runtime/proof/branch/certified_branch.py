@@ -90,7 +90,8 @@ class BranchEvent:
     lower, upper : Fraction
         It lies between these values of its tile's coordinate.
     window : tuple of Fraction
-        Of a grazing: between these times of its phase the boundary function is concave.
+        Of a grazing, be it one of `also`: between these times of its phase the boundary
+        function is concave.
     also : tuple of (str, int, str, str)
         Kind, phase, boundary and instant of what happens within the same bounds; "fold" where
         the branch turns as a phase vanishes.

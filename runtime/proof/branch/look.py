@@ -218,7 +218,12 @@ def _border(
     lower, upper = min(x.lower for x in found), max(x.upper for x in found)
     if max(x.lower for x in found) > min(x.upper for x in found):
         return _undecided("several borders are met, one after the other")
-    event = found[0]._replace(lower=lower, upper=upper, also=tuple(opens[1:]))
+    windows = [crossing.window for crossing in found if crossing.window is not None]
+    if len(windows) > 1:
+        return _undecided("several maxima touch a boundary at once")
+    event = found[0]._replace(
+        lower=lower, upper=upper, also=tuple(opens[1:]), window=windows[0] if windows else None
+    )
     ends = [verdict, NOT_ADMISSIBLE] if event.rises else [NOT_ADMISSIBLE, verdict]
     return Look(ends[0], ends[1], "", event)
 
