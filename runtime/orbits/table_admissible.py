@@ -114,7 +114,7 @@ def _maximum(function: QuasiPolynomial, first: float, last: float) -> tuple[floa
     if low < high:
         found = minimize_scalar(
             lambda time: -function(time), bounds=(low, high), method="bounded",
-            options={"xatol": 1e-12 * max(high, 1.0)},
+            options={"xatol": 1e-12 * high},
         )  # fmt: skip
         if -found.fun > values[best]:
             return float(found.x), float(-found.fun)

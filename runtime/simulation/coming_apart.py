@@ -266,9 +266,9 @@ def _next_moment(
             own = tables.rows[:, shape.row].T * state[:, None]
             parts = row[:-1, None] * before[entry], own
             size = sum(np.abs(part).sum(axis=0) for part in parts)
-            size = size + np.abs(row[:-1]) @ np.abs(velocity)
+            size = size + np.abs(row[:-1]) @ np.abs(velocity) * np.nanmax(np.abs(events))
             left = np.abs(sum(part.sum(axis=0) for part in parts))
-            apart = apart + ~(left <= _TOGETHER * size * max(1.0, np.nanmax(np.abs(events))))
+            apart = apart + ~(left <= _TOGETHER * size)
             with np.errstate(divide="ignore", invalid="ignore"):
                 later = np.abs((row[:-1] @ change + own.sum(axis=0)) / (row[:-1] @ velocity))
             shift = np.fmax(shift, later)

@@ -241,7 +241,7 @@ def _extreme(
     phase = int(np.searchsorted(run.times, time, side="right")) - 1
     state = trajectory(min(time, trajectory.end))
     where = int(run.configurations[phase])
-    near = np.abs(run.times[1:] - time) <= 64 * np.spacing(max(time, 1.0))
+    near = np.abs(run.times[1:] - time) <= 64 * np.spacing(run.times[-1])
     found_at = []
     for entry in np.flatnonzero(near) + 1:
         sides = (
@@ -251,16 +251,15 @@ def _extreme(
         for configuration, border, moved in sides:
             row = rows[configuration, one]
             missed = abs(row @ extended(border) - extreme.value)
+            size = np.abs(row) @ np.abs(extended(border))
             rates = row[:-1] @ moved + slopes[:, configuration, one] @ extended(border)
-            found_at.append((missed, rates))
+            found_at.append((missed, size, rates))
     if not found_at:
         return np.asarray(rows[where, one, :-1] @ change + slopes[:, where, one] @ extended(state))
-    best, rates = min(found_at, key=lambda pair: pair[0])
+    best, _, rates = min(found_at, key=lambda each: each[0])
     if not found.parts[0].apart.any() or found.one_sided is None:
         return np.asarray(rates)
-    tied = [
-        own for missed, own in found_at if missed <= best + _TIED * max(1.0, abs(extreme.value))
-    ]
+    tied = [own for missed, size, own in found_at if missed <= best + _TIED * size]
     return np.asarray((np.max if upper == (found.one_sided == "+") else np.min)(tied, axis=0))
 
 

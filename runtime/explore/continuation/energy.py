@@ -50,13 +50,21 @@ def energy_of(orbit: Orbit) -> float:
     if forms is None:
         raise InputError(f"no energy is kept along {orbit.name}")
     extended = np.column_stack([states, np.ones(len(states))])
-    values = [
+    absolute = {configuration: np.abs(form) for configuration, form in forms.items()}
+    values = _energies(cycle, forms, extended)
+    if np.ptp(values) > _KEPT * max(_energies(cycle, absolute, np.abs(extended))):
+        raise InputError(f"no energy is kept along {orbit.name}")
+    return values[0] - min(_lowest(form) for form in forms.values())
+
+
+def _energies(
+    cycle: ItineraryShape, forms: dict[int, np.ndarray], extended: np.ndarray
+) -> list[float]:
+    """Values (y, 1) H (y, 1) / 2 at the starts (p, N + 1) of the phases."""
+    return [
         float(state @ forms[configuration] @ state) / 2
         for configuration, state in zip(cycle.configurations, extended, strict=True)
     ]
-    if np.ptp(values) > _KEPT * max(1.0, *map(abs, values)):
-        raise InputError(f"no energy is kept along {orbit.name}")
-    return values[0] - min(_lowest(form) for form in forms.values())
 
 
 class _Guess(NamedTuple):

@@ -28,7 +28,7 @@ __all__ = ["Prediction", "motion_under", "predict", "times_of_events"]
 
 _LONGER = (1.0, 1.25, 2.0, 4.0)  # times as long as the record, while recorded events are missing
 _PAST = 1e-9  # of its length, beyond the last time
-_AT_ONCE = 1e-12  # of the time: a sample that an event comes so near to is at the event
+_AT_ONCE = 1e-12  # of the motion: a sample that an event comes so near to is at the event
 _JUMP = 1e-9  # of the values on both sides
 
 
@@ -212,7 +212,7 @@ def _check_jumps(
 ) -> None:
     """Refuse a sample at the very time of an event at which the output jumps."""
     rows, run = _rows(output, motion), motion.run
-    near = _AT_ONCE * np.maximum(times, 1.0)
+    near = _AT_ONCE * motion.end
     firsts = np.searchsorted(motion.times[1:], times - near) + 1
     for entry, time, clock in zip(
         firsts.tolist(), (times + near).tolist(), series.times.tolist(), strict=True
