@@ -19,7 +19,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the workers' threads would
 # a shell that starts programs beside itself has them ignore it, and all that they start
 signal.signal(signal.SIGINT, signal.default_int_handler)
 # commands are made of functions once, as in a program, not for each question of a test
-typer.testing._get_command = cache(typer.testing._get_command)  # type: ignore[attr-defined]
+typer.testing._get_command = cache(typer.testing._get_command)
 
 GENERATED = CHECKOUT / "generated"
 SUFFIXES = (".c", ".h", ".md", ".py", ".json")
