@@ -396,8 +396,8 @@ def test_totals_do_not_grow_with_the_number_of_tiles() -> None:
     assert len(found.tiles) > 40
     period = found.enclosures["period"]
     proved = [t.enclosures["period"] for t in found.tiles if t.enclosures]
-    assert min(x.lower for x in proved) - period.lower < 1e-2
-    assert period.upper - max(x.upper for x in proved) < 1e-2
+    assert min(x.lower for x in proved) - period.lower < 1e-4
+    assert period.upper - max(x.upper for x in proved) < 1e-4
 
 
 def test_open_parameters_are_large_enough_for_the_whole_box() -> None:

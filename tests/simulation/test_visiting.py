@@ -93,18 +93,21 @@ def test_motions_are_those_of_the_listed_system(make, seed, monkeypatch) -> None
     assert isinstance(made, GrowingSystem)
     assert not isinstance(whole, GrowingSystem)
     rng = np.random.default_rng(seed)
-    for _ in range(2):
+    transitions = 0
+    for _ in range(3):
         start = rng.uniform(-1, 1, 6) * 0.4
         names = [str(s) for s in whole.states]
         state = dict(zip(names, start.tolist(), strict=False))
         state |= {"s_slider": state["x2"]} if "s_slider" in names else {}
-        expected = ns.simulate(whole, data, state, until=15)
-        found = ns.simulate(made, data, state, until=15)
+        expected = ns.simulate(whole, data, state, until=30)
+        found = ns.simulate(made, data, state, until=30)
+        transitions += len(expected.boundaries)
         assert found.configurations == expected.configurations
         assert found.boundaries == expected.boundaries
         assert found.status == expected.status == Status.UNTIL
         np.testing.assert_allclose(found.times, expected.times, rtol=1e-11)
         np.testing.assert_allclose(found.states, expected.states, rtol=1e-9, atol=1e-10)
+    assert transitions >= 20
 
 
 def test_starts_at_rest_belong_where_the_listed_system_puts_them(monkeypatch) -> None:

@@ -42,7 +42,8 @@ class EventCrossing(NamedTuple):
     enclosures : list of arb
         All coordinates of the orbit there.
     window : tuple of (arb, arb) or None
-        Of a grazing: between these times the boundary function is concave.
+        Of the grazing that it is or lists in `also`: between these times the boundary function
+        is concave.
     also : tuple of OpenInequality
         Inequalities that cease to hold between these values too; "fold" where the branch turns.
     """
