@@ -19,6 +19,7 @@ from tests.places import GALLERY
 
 HERE = Path(__file__).parent
 ANSWERS = HERE / "answers.json"
+LONG, LONG_ENTRIES = 16, 4  # lists of numbers or words, and of lists or objects
 # of what an optimiser answers: where it arrives, not how (steps, evaluations, what they leave)
 ARRIVED = {
     "fit": (
@@ -41,8 +42,8 @@ def commands() -> list[str]:
 def answers(listed: list[str], folder: Path) -> Iterator[dict[str, Any]]:
     """Run commands in a folder that holds the gallery, and give what each of them answers.
 
-    An answer has the exit code, the JSON document on stdout, the message on stderr and the
-    JSON file that the command saved. Of optimisations it has what `ARRIVED` names.
+    An answer has the exit code, the message on stderr, and of the JSON document on stdout what
+    a person looks at: of optimisations what `ARRIVED` names, of long lists the ends.
     """
     for file in (*GALLERY.glob("*.py"), *GALLERY.glob("*.csv")):
         shutil.copy(file, folder)
@@ -53,23 +54,30 @@ def answers(listed: list[str], folder: Path) -> Iterator[dict[str, Any]]:
             if result.exception is not None and not isinstance(result.exception, SystemExit):
                 raise result.exception
             told = result.stdout.replace(f"{folder}{os.sep}", "")
-            saved = arguments[arguments.index("--save") + 1] if "--save" in arguments else None
             yield {
                 "command": command,
                 "code": result.exit_code,
                 "error": result.stderr if result.exit_code else "",
-                "answer": _arrived(arguments[0], json.loads(told)) if told else None,
-                "saved": _read(Path(saved), folder) if saved else None,
+                "answer": _looked_at(arguments[0], json.loads(told)) if told else None,
             }
 
 
-def _arrived(command: str, answer: Any) -> Any:
-    named = ARRIVED.get(command)
-    return answer if named is None else {n: x for n, x in answer.items() if n in named}
+def _looked_at(command: str, answer: dict[str, Any]) -> Any:
+    """The part of a JSON document that is recorded."""
+    named = ARRIVED.get(command, tuple(answer))
+    return _shortened({name: value for name, value in answer.items() if name in named})
 
 
-def _read(file: Path, folder: Path) -> Any:
-    return json.loads(file.read_text().replace(f"{folder}{os.sep}", ""))
+def _shortened(value: Any) -> Any:
+    """A JSON value with the length and the ends of each long list in its place."""
+    if isinstance(value, dict):
+        return {name: _shortened(entry) for name, entry in value.items()}
+    if not isinstance(value, list):
+        return value
+    long = LONG_ENTRIES if any(isinstance(entry, dict | list) for entry in value) else LONG
+    if len(value) <= long:
+        return [_shortened(entry) for entry in value]
+    return {"length": len(value), "first": _shortened(value[0]), "last": _shortened(value[-1])}
 
 
 def main() -> None:
