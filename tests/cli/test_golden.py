@@ -16,7 +16,6 @@ from tests.golden.record import ANSWERS, answers, commands
 DIGITS = 1e-9
 
 
-@pytest.mark.compiled
 @pytest.mark.usefixtures("committed_derivation")
 def test_commands_answer_as_recorded(tmp_path: Path) -> None:
     recorded = json.loads(ANSWERS.read_text())
