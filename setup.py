@@ -1,6 +1,7 @@
 """The packages, the compiled kernels and the engine; pyproject.toml declares everything else."""
 
 import os
+import sysconfig
 from glob import glob
 
 import numpy
@@ -11,6 +12,9 @@ from setuptools.command.build_ext import build_ext
 FLAGS = ["-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd"]
 FLAGS += ["-fvisibility=hidden"]  # calls between the files of an extension are direct
 FLAGS_OF_MSVC = ["/std:c11", "/O2", "/fp:precise"]  # C89 without the first: no `restrict`
+# One build serves Python 3.11 and all later ones; those without a lock know no such interface.
+LIMITED = not sysconfig.get_config_var("Py_GIL_DISABLED")
+MACROS = [("Py_LIMITED_API", "0x030B0000")] if LIMITED else []
 
 
 class BuildKernels(build_ext):
@@ -38,6 +42,8 @@ kernels = Extension(
     sources=sorted(glob("generated/*.c")),
     depends=sorted(glob("generated/*.h")),
     include_dirs=[numpy.get_include(), "generated"],
+    define_macros=MACROS,
+    py_limited_api=LIMITED,
     optional=not needed,
 )
 engine = Extension(
@@ -45,6 +51,8 @@ engine = Extension(
     sources=sorted(glob("runtime/engine/*.c")),
     depends=sorted([*glob("runtime/engine/*.h"), *glob("generated/*.h")]),
     include_dirs=["generated", "runtime/engine"],
+    define_macros=MACROS,
+    py_limited_api=LIMITED,
     optional=not needed,
 )
 # `runtime/face` is the package `nonsmooth` itself.
@@ -57,4 +65,5 @@ setup(
     packages=packages,
     ext_modules=[] if without else [kernels, engine],
     cmdclass={"build_ext": BuildKernels},
+    options={"bdist_wheel": {"py_limited_api": "cp311"}} if LIMITED and not without else {},
 )

@@ -4,6 +4,8 @@
 #include "directions.h"
 #include "interrupt.h"
 
+#include <stdlib.h>
+
 PyObject *py_move(PyObject *self, PyObject *arguments);
 
 enum {

@@ -4,6 +4,8 @@
 #include "interrupt.h"
 #include "shooting.h"
 
+#include <stdlib.h>
+
 PyObject *py_shoot(PyObject *self, PyObject *arguments);
 
 enum {

@@ -132,16 +132,6 @@ def test_installed_wheel_works_outside_the_checkout(wheel: Path, tmp_path: Path)
     assert "verify" in run(sys.executable, script, "--help", cwd=tmp_path, PYTHONPATH=str(target))
 
 
-@pytest.mark.slow
-@pytest.mark.packaging
-@pytest.mark.compiled
-def test_installed_wheel_has_the_compiled_kernels(source: Path, tmp_path: Path) -> None:
-    target = install(build("wheel", source, tmp_path / "dist"), tmp_path / "site")
-    program = "import nonsmooth.generated._kernels as kernels; print(kernels.__file__)"
-    told = run(sys.executable, "-c", program, cwd=tmp_path, PYTHONPATH=str(target))
-    assert Path(told.strip()).parent == target / "nonsmooth" / "generated"
-
-
 def imported_by(statement: str, tmp_path: Path) -> set[str]:
     """Top-level modules that a fresh process holds after a statement."""
     program = (

@@ -60,6 +60,7 @@ def test_repaired_wheel_works_without_a_compiler(tmp_path: Path) -> None:
     run(sys.executable, "-m", *repair, cwd=tmp_path, PATH=tools)
     (repaired,) = (tmp_path / "repaired").glob("*.whl")
     assert "manylinux" in repaired.name or "musllinux" in repaired.name
+    assert "-cp311-abi3-" in repaired.name  # it serves all later versions of Python
 
     python = environment_without_compiler(tmp_path / "fresh")
     install = ("--python", python, "install", "--quiet", "--no-index", "--no-deps", repaired)
