@@ -2,7 +2,6 @@
 
 numpydoc sections are demanded of what `nonsmooth` and `nonsmooth.derive` export: of functions, of
 classes and of the public methods of these. Ruff's pydocstyle cannot tell whether they are complete.
-Functions that a module of `runtime` offers to others name their parameters and what they give.
 """
 
 import ast
@@ -24,10 +23,6 @@ import nonsmooth.jax
 import nonsmooth.torch
 from tests.places import CHECKOUT
 
-ROOMS = (
-    "core", "model", "shooting", "events", "simulation", "orbits", "explore", "proof", "checker",
-    "present", "cli",
-)  # fmt: skip
 ERRORS = {"DeclarationError", "DerivationError", "InputError", "MissingExtra", "NoConvergence"}
 
 
@@ -118,58 +113,6 @@ def test_what_is_missing_is_found(
 @cache
 def tree_of(file: Path) -> ast.Module:
     return ast.parse(file.read_text(encoding="utf-8"))
-
-
-def offered(tree: ast.Module) -> Iterator[ast.FunctionDef]:
-    """Functions in ``__all__``, or without an underscore where there is none; no commands."""
-    lists = (
-        ast.literal_eval(node.value)
-        for node in tree.body
-        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"
-    )
-    names = next(lists, None)
-    for node in tree.body:
-        if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
-            command = any(".command" in ast.unparse(d) for d in node.decorator_list)
-            if not command and (names is None or node.name in names):
-                yield node
-
-
-def untold(function: ast.FunctionDef) -> set[str]:
-    """Parameters that a docstring does not describe, and ``Returns`` if it has to be there."""
-    told = sections(ast.get_docstring(function) or "")
-    taken = function.args
-    named = [*taken.posonlyargs, *taken.args, *taken.kwonlyargs, taken.vararg, taken.kwarg]
-    missing = {arg.arg for arg in named if arg} - entries(told.get("Parameters", ""))
-    silent = function.returns is None or ast.unparse(function.returns) in {"None", "NoReturn"}
-    return missing if silent or told.keys() & {"Returns", "Yields"} else missing | {"Returns"}
-
-
-@pytest.mark.parametrize("room", ROOMS)
-def test_functions_between_modules_say_what_they_take_and_give(room: str) -> None:
-    files = sorted((CHECKOUT / "runtime" / room).rglob("*.py"))
-    assert files
-    missing = {
-        f"{file.relative_to(CHECKOUT)}: {function.name}": sorted(names)
-        for file in files
-        for function in offered(tree_of(file))
-        if (names := untold(function))
-    }
-    assert missing == {}
-
-
-@pytest.mark.parametrize(
-    ("signature", "docstring", "missing"),
-    [
-        ("f(a, *b, c) -> None", "Do.", {"a", "b", "c"}),
-        ("f(a: int) -> int", "Do.\n\nParameters\n----------\na : int", {"Returns"}),
-        ("f() -> int", "Do.\n\nReturns\n-------\nint", set()),
-        ("f() -> Iterator[int]", "Do.\n\nYields\n------\nint", set()),
-    ],
-)
-def test_what_is_untold_is_found(signature: str, docstring: str, missing: set[str]) -> None:
-    tree = ast.parse(f"__all__ = ['f']\ndef {signature}:\n    {docstring!r}\ndef g(a): 'Do.'")
-    assert [untold(function) for function in offered(tree)] == [missing]
 
 
 NAMING = {"name", "id", "attr", "arg", "asname", "module"}
