@@ -1,4 +1,4 @@
-"""Guaranteed maxima and first crossings of trigonometric sums.
+"""Guaranteed maxima of trigonometric sums.
 
 Inside a configuration a boundary function along the orbit is
 
@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.events.guaranteed_maxima import LONGEST_PHASE, CurveSamples, Maximum, largest
-from nonsmooth.runtime.events.leading_derivative import leading
 
 
 @dataclass(frozen=True)
@@ -74,15 +73,6 @@ class TrigonometricSum:
         cosine = tuple(s * w for _, s, w in self.terms())
         sine = tuple(-c * w for c, _, w in self.terms())
         return TrigonometricSum(self.slope, 0.0, cosine, sine, self.frequency)
-
-    def curvature_bound(self) -> float:
-        """Return M = sum_j sqrt(c_j^2 + s_j^2) w_j^2: |g''(t)| <= M for every t.
-
-        Returns
-        -------
-        float
-        """
-        return sum((math.hypot(c, s) * w * w for c, s, w in self.terms()), 0.0)
 
     def raised(self, by: float) -> Self:
         """Return g and a constant.
@@ -190,78 +180,3 @@ def _phase(function: TrigonometricSum, duration: float) -> float:
     if not (duration >= 0 and phase <= LONGEST_PHASE and function.rounding(duration) < 1e290):
         raise InputError(f"the duration {duration} is not within 0 and 1e5 / max w, or g overflows")
     return phase
-
-
-def first_crossing(function: TrigonometricSum, duration: float) -> float | None:
-    """Return the first time in (0, duration] at which g reaches zero from below.
-
-    No step passes the first zero of g0 + g0' s + M s^2/2, |g''| <= M, so none jumps a crossing. The
-    first nonzero derivative judges a start on the boundary. A tangency within rounding counts.
-
-    Parameters
-    ----------
-    function : TrigonometricSum
-        The boundary function g, nondimensional, negative just after 0.
-    duration : float
-        Length of the window, nondimensional.
-
-    Returns
-    -------
-    float or None
-        The time, good to a few ulps plus ``function.rounding(t)`` / |g'(t)|; 0.0 where g is
-        positive at once; None where g stays negative, is zero throughout or the window is empty.
-
-    Raises
-    ------
-    InputError
-        If the duration is NaN, negative or longer than 1e5 / max w, or g overflows.
-    """
-    _phase(function, duration)
-    unit = max(function.frequency, default=0.0) or 1.0
-    phases = tuple(w / unit for w in function.frequency)
-    tower = [replace(function, slope=function.slope / unit, frequency=phases)]
-    highest = 2 * len(phases) + 1  # g and this many derivatives vanish only where g is zero
-    for _ in range(highest + 20):  # more than the series needs within one radian
-        tower.append(tower[-1].derivative())
-    start = np.array([(g(0.0), g.rounding(0.0)) for g in tower])
-    found = leading(start[: highest + 1], lambda _, value: int(abs(value[0]) > value[1]))
-    end = duration * unit
-    if found is None or end == 0:
-        return None
-    order = found.order
-    if start[order, 0] > 0:
-        return 0.0
-    orders = np.arange(len(tower))
-    factorials = np.cumprod(np.maximum(orders, 1.0))
-
-    def sample(t: float) -> tuple[float, float, float]:
-        """Return g, g' and the error of g: after a start on the boundary by the series."""
-        if order == 0 or t > 1:
-            return tower[0](t), tower[1](t), tower[0].rounding(t)
-        powers = t**orders / factorials
-        value, error = powers[order:] @ start[order:]
-        # A quarter of the bound still covers these few roundings, and a leading derivative just
-        # above the whole of it can leave the boundary.
-        return value, powers[order - 1 : -1] @ start[order:, 0], error / 4
-
-    curvature = tower[0].curvature_bound()
-    time = 0.0
-    if order > 0:
-        # Halfway to where the bound on the next derivative could first undo the leading one.
-        bound = tower[order - 1].curvature_bound()
-        time = 0.5 * (order + 1) * -start[order, 0] / bound if bound else math.inf
-        if time > end:
-            return None
-    while (jet := sample(time))[0] < -jet[2]:
-        value, slope, _ = jet
-        root = math.hypot(slope, math.sqrt(2 * curvature) * math.sqrt(-value))
-        if time == end or (curvature == 0 and slope <= 0):
-            return None
-        step = -2 * value / (slope + root) if slope > 0 else (root - slope) / curvature
-        time = min(time + step, end)
-    for _ in range(4):
-        value, slope, _ = sample(time)
-        # Kantorovich's condition: Newton stays with this root. At a tangency it fails.
-        if slope > 0 and 2 * curvature * abs(value) <= slope * slope:
-            time = min(time - value / slope, end)
-    return float(min(time / unit, duration))

@@ -155,25 +155,6 @@ class OrbitDerivatives:
         """
         return self._by_what_was_given(self._along[0].states(times)[1])
 
-    def states_at_phases(self, phases: Sequence[Any]) -> np.ndarray:
-        """Of the states (m, N, q) at fractions of the period that stay what they are.
-
-        Parameters
-        ----------
-        phases : sequence (m,) of number
-            From 0 to 1.
-
-        Returns
-        -------
-        array (m, N, q)
-
-        Raises
-        ------
-        InputError
-            For a fraction beyond 0 and 1.
-        """
-        return self._by_what_was_given(self._along[0].states(phases, phases=True)[1])
-
     @cached_property
     def margins(self) -> tuple[BoundaryMargin, ...]:
         """How far each boundary stays away along each phase, with derivatives (q,)."""

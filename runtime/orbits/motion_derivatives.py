@@ -126,15 +126,13 @@ class OrbitMotionDerivatives:
             )
         return np.asarray((flow[..., :-1] @ self.starts[:, phase, :, None])[..., 0] + flow[..., -1])
 
-    def states(self, times: Sequence[Any], phases: bool = False) -> tuple[np.ndarray, np.ndarray]:
+    def states(self, times: Sequence[Any]) -> tuple[np.ndarray, np.ndarray]:
         """States (m, N) at times of the period, and their derivatives (m, N, q).
 
         Parameters
         ----------
         times : sequence (m,) of number
-            Since the start; or, as fractions of the period, phases.
-        phases : bool
-            Whether they are fractions of the period, which stay what they are.
+            Since the start.
 
         Returns
         -------
@@ -145,18 +143,15 @@ class OrbitMotionDerivatives:
         InputError
             For a time outside of the period.
         """
-        period, rate = self.begins[-1], self.shifted[:, -1]
         found = []
         for time in times:
-            number = float(time) if self.lib is None else self.lib.mp.mpf(time)
-            at = number * period if phases else number
-            if not 0 <= at <= period:
+            at = float(time) if self.lib is None else self.lib.mp.mpf(time)
+            if not 0 <= at <= self.begins[-1]:
                 raise InputError(f"time = {float(at):g} is not within the period")
-            moved = number * rate if phases else 0 * rate
             places = [k for k, begin in enumerate(self.begins[:-1]) if begin <= at]
             last = places[-1]
             since = at - self.begins[last]
-            found.append(self.state(last, since, moved - self.shifted[:, last]))
+            found.append(self.state(last, since, -self.shifted[:, last]))
         size = len(self.structure.states)
         every = np.array(found).reshape(len(found), len(self.by), size)
         values, rates = real_parts(every[:, 0]), imaginary_parts(every, self.lib)

@@ -164,7 +164,7 @@ def test_values_along_an_orbit_are_those_of_its_motion(name):
     assert found.quantity("dissipation")[0] == pytest.approx(lost, abs=1e-11)
 
 
-def test_states_have_derivatives_at_fixed_times_and_at_fixed_phases():
+def test_states_have_derivatives_at_fixed_times():
     orbit = ns.solve(ALONG[2])
     found, step = orbit.derivatives("w"), 1e-6
     times = np.array([0.2, 0.6]) * orbit.period
@@ -175,8 +175,6 @@ def test_states_have_derivatives_at_fixed_times_and_at_fixed_phases():
         sides.append(ns.solve(ALONG[2], moved, dict(orbit.unknowns)).trajectory())
     fixed = (sides[0](times) - sides[1](times)) / (2 * step)
     assert_allclose(found.states(times)[..., 0], fixed, rtol=1e-6, atol=1e-6)
-    phased = (sides[0](0.3 * sides[0].end) - sides[1](0.3 * sides[1].end)) / (2 * step)
-    assert_allclose(found.states_at_phases([0.3])[0, :, 0], phased, rtol=1e-6, atol=1e-6)
     precise = ns.refine(orbit, 25).derivatives("w")
     assert_allclose(precise.states(times).astype(float), found.states(times), atol=1e-12)
 

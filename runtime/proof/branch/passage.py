@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
-from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import matrix, middle_of, range_of
 from nonsmooth.runtime.proof.admissibility import Judgement, OpenInequality
 from nonsmooth.runtime.proof.admissibility_conditions import Plan
@@ -281,18 +280,3 @@ def time_of_touch(
     behind = range_of(passage.dwell[place] - found)
     inside = bool(found > window[0] and found < window[1] and found > 0 and behind > 0)
     return found if inside else None
-
-
-def value_and_slope(number: Any) -> tuple[Any, Any]:
-    """What a jet tells of a number along the branch.
-
-    Parameters
-    ----------
-    number : Jet
-
-    Returns
-    -------
-    tuple of (arb, arb)
-        All values, and all derivatives.
-    """
-    return range_of(part_of(number, 0)), range_of(part_of(number, 1))
