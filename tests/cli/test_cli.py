@@ -140,10 +140,13 @@ def engine_needed(example: str) -> bool:
     return example.startswith(slow) or "found.json" in example
 
 
-@pytest.mark.parametrize(
-    "example",
-    [pytest.param(e, marks=pytest.mark.compiled) if engine_needed(e) else e for e in EXAMPLES],
-)
+def marks_of(example: str) -> list[pytest.MarkDecorator]:
+    """What of an example takes minutes in Python, and what takes them in C too."""
+    long = [pytest.mark.slow] if example.startswith("nonsmooth chaos") else []
+    return [*long, pytest.mark.compiled] if engine_needed(example) else long
+
+
+@pytest.mark.parametrize("example", [pytest.param(e, marks=marks_of(e)) for e in EXAMPLES])
 @pytest.mark.usefixtures("committed_derivation", "empty_reproduction")
 def test_examples_work(example: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)

@@ -23,7 +23,7 @@ SYSTEMS = {
 }
 
 compiler = shutil.which("cc")
-pytestmark = pytest.mark.skipif(compiler is None, reason="no C compiler")
+pytestmark = [pytest.mark.skipif(compiler is None, reason="no C compiler"), pytest.mark.compiled]
 
 
 @pytest.fixture(scope="module")
@@ -136,7 +136,7 @@ def test_numbers_that_no_system_has_are_clean_too(harness: Path, tmp_path: Path)
         safe = sum(part.size for part in system.exponents)
         before = system.fields.size + system.rows.size + system.resets.size
         places = np.delete(np.arange(numbers.size), np.s_[before : before + safe])
-        for _ in range(15):
+        for _ in range(8):
             changed = numbers.copy()
             changed[rng.choice(places, 3)] = rng.choice(hostile, 3)
             starts = states.copy()

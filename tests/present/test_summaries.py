@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from tests.certified import kicked
+from tests.certified import kicked, prove_basin, prove_chaos
+from tests.shared import shared_file
 
 DATA = dict(chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1)
 RIGID = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 1}
@@ -85,11 +86,9 @@ def result(kind: str) -> Any:
         case "CertifiedCascade":
             return ns.certify_cascade(branch(), tiles=2)
         case "BasinCertificate":
-            words = {**DATA, "chi": "0.5", "ur1": "4.0195", "ur2": "1.4831", "us1": 1, "us2": 1}
-            return ns.certify_basin(ns.solve(ORBIT, {**words, "eta": 1, "V": 1}), tiles=0)
+            return ns.load(shared_file("nonsmooth basin certificate", prove_basin))
         case "ChaosCertificate":
-            words = {**DATA, "chi": "0.5"}
-            return ns.certify_chaos("dry-friction", words, REST, iterates=1, attempts=1)
+            return ns.load(shared_file("nonsmooth chaos certificate", prove_chaos))
         case "GraphCertificate":
             return ns.certify_graph("dry-friction", {**DATA, "chi": "0.5"}, REST, boxes=16)
         case "Census":

@@ -1,5 +1,7 @@
 """Stability against a simulated Poincare map, which knows Coulomb's law and no itinerary."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -96,10 +98,16 @@ def simulated(orbit, margin=0.3):
     return friction, start
 
 
-def orbits_where(select, count, seed=11, size=1500):
+@cache
+def at_random_points():
+    """Random points, and the orbits there."""
+    points = LOWER + (UPPER - LOWER) * np.random.default_rng(11).random((1500, 5))
+    return points, solve_many(ORBIT, **dict(zip(PARAMETERS, points.T, strict=True)))
+
+
+def orbits_where(select, count):
     """Admissible orbits of random points whose trace is selected."""
-    points = LOWER + (UPPER - LOWER) * np.random.default_rng(seed).random((size, 5))
-    many = solve_many(ORBIT, **dict(zip(PARAMETERS, points.T, strict=True)))
+    points, many = at_random_points()
     chosen = np.flatnonzero(many.admissible & (many.trace != 0) & select(many))[:count]
     assert len(chosen) == count
     return [

@@ -231,7 +231,7 @@ def test_the_elastic_stop_conserves_and_pushes_back() -> None:
 
 
 def test_elastic_impacts_conserve_energy() -> None:
-    trajectory = simulate("rigid-stop", RIGID, [0, 0, 2, 0], transitions=20_000)
+    trajectory = simulate("rigid-stop", RIGID, [0, 0, 2, 0], transitions=5_000)
     energies = stop_energy(trajectory.states)
     impacts = np.arange(len(energies))
     assert (np.abs(energies / energies[0] - 1) <= 5e-16 * (impacts + 4)).all()
