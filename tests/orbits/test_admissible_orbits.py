@@ -17,7 +17,7 @@ from nonsmooth.runtime.orbits.solve import solve
 from tests.declared import RANGES, Declared, random_points
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
-COUNT, SWINGS = (400, 50) if backend() == "c" else (60, 5)
+COUNT, STIFFEST = (400, 12) if backend() == "c" else (60, 6)  # powers of ten
 every_orbit = pytest.mark.parametrize("name", orbit_names())
 
 
@@ -131,11 +131,11 @@ def test_stiff_stops_are_never_refused_for_rounding():
     """Each phase ends on a boundary, which a stiff stop's orbit meets to few digits."""
     generator = np.random.default_rng(43)
     points = {n: generator.uniform(*RANGES[ELASTIC][n], COUNT) for n in RANGES[ELASTIC]}
-    points["k3"] = 10 ** generator.uniform(0, 12, COUNT)
+    points["k3"] = 10 ** generator.uniform(0, STIFFEST, COUNT)
     verdicts, doubtful = [], []
     for orbit in records(ELASTIC, points):
-        if orbit.unknowns["tau"] > 2 * np.pi * SWINGS / orbit.values["k3"] ** 0.5:
-            continue  # many swings in contact take long to check
+        if orbit.unknowns["tau"] > 300 / orbit.values["k3"] ** 0.5:
+            continue  # a hundred swings in contact take long to check
         violations = orbit.admissibility.violations
         verdicts.append(orbit.admissibility.verdict)
         if violations and max(v.excess for v in violations) < 1e-5:
