@@ -52,8 +52,6 @@ class MultiplierDerivatives(NamedTuple):
     spectral_radius : number
     spectral_radius_rates : array (q,)
         NaN where the largest multiplier collides with another.
-    colliding : bool
-        Whether two of the multipliers are not told apart: these have no derivatives.
     """
 
     trace: Any
@@ -64,7 +62,6 @@ class MultiplierDerivatives(NamedTuple):
     multiplier_rates: np.ndarray
     spectral_radius: Any
     spectral_radius_rates: np.ndarray
-    colliding: bool
 
 
 def multiplier_derivatives(found: MapDerivatives, lib: Mpmath | None) -> MultiplierDerivatives:
@@ -95,7 +92,7 @@ def multiplier_derivatives(found: MapDerivatives, lib: Mpmath | None) -> Multipl
         none = np.empty((0, len(rates)), dtype=complex if lib is None else object)
         one, zero = number(1), number(0)
         return MultiplierDerivatives(
-            trace, trace_rates, one, nothing, none[:, 0:0].ravel(), none, zero, nothing, False
+            trace, trace_rates, one, nothing, none[:, 0:0].ravel(), none, zero, nothing
         )
     reduced, moved = _reduced(matrix, rates, rank, lib)
     values, right, left = _eigen(reduced, lib)
@@ -146,7 +143,6 @@ def multiplier_derivatives(found: MapDerivatives, lib: Mpmath | None) -> Multipl
         slopes,
         radius,
         radius_rates,
-        not all(apart.values()),
     )
 
 

@@ -172,7 +172,6 @@ def converging(
     kernels: SystemKernels,
     point: PiecewiseLinear,
     candidates: Iterable[Candidate],
-    threads: int | None = 1,
 ) -> Iterator[Candidate]:
     """Candidates from which Newton's method converges, moved to where it does, each once.
 
@@ -182,8 +181,6 @@ def converging(
     point : PiecewiseLinear
         The system at its parameters.
     candidates : iterable of Candidate
-    threads : int or None
-        As many as processors when None.
 
     Yields
     ------
@@ -201,7 +198,7 @@ def converging(
             values,
             np.array([c.dwell_times for c in group]),
             np.array([c.state for c in group]),
-            threads=threads,
+            threads=1,
         )
         good = found.converged & (found.dwell_times > 0).all(axis=1)
         assert found.starts is not None

@@ -14,11 +14,10 @@ from nonsmooth.runtime.model.structure import structure_of
 __all__ = ["response_curves"]
 
 _TURN = 2 * np.pi
+_VALUES = 121  # from the smallest to the largest that was measured at
 
 
-def response_curves(
-    fit: Fit, experiment: int = 0, count: int = 121
-) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+def response_curves(fit: Fit, experiment: int = 0) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Follow the fitted responses from the rows of an experiment to values in between.
 
     Parameters
@@ -26,14 +25,12 @@ def response_curves(
     fit : Fit
     experiment : int
         Its number, from 0.
-    count : int
-        Of values from the smallest to the largest that was measured at.
 
     Returns
     -------
-    values : array (count,)
+    values : array (m,)
         Of the parameter that was varied; of the rows alone, where none was.
-    responses : dict of str to array (count,)
+    responses : dict of str to array (m,)
         Of each column; NaN where the response of the row that is nearest does not reach, and
         between responses of different phases.
 
@@ -53,14 +50,14 @@ def response_curves(
     else:
         measured = np.array([float(each.parameters[found.along]) for each in found.responses])
         order = np.argsort(measured, kind="stable")
-        values = np.linspace(measured.min(), measured.max(), count)
+        values = np.linspace(measured.min(), measured.max(), _VALUES)
         rows = abs(values[:, None] - measured).argmin(axis=1)
         columns = {
             name: np.array([float(each.parameters[name]) for each in found.responses])[order]
             for name in found.responses[0].parameters
         }
         between = {n: np.interp(values, measured[order], c) for n, c in columns.items()}
-        points = [{name: column[k] for name, column in between.items()} for k in range(count)]
+        points = [{name: column[k] for name, column in between.items()} for k in range(_VALUES)]
     by = [found.along or next(iter(found.responses[0].parameters))]
     every = range(len(found.responses))
     orbits = [fit.response(row, experiment).derivatives(by) for row in every]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.taylor_models import range_of
@@ -151,12 +151,11 @@ def _event(
     which: Which,
     ends: Sequence[str],
     reason: str,
-    window: tuple[Any, Any] | None = None,
 ) -> Look:
     """One event of a tile, with the verdicts below and above it."""
     if UNDECIDED in ends:
         return _undecided(reason)
-    found = crossing_of(curve, piece, which, window)
+    found = crossing_of(curve, piece, which)
     if found is None:
         return _undecided(reason)
     if which == "neimark-sacker":
