@@ -201,19 +201,34 @@ def test_section_maps_have_the_same_multipliers_in_all_units() -> None:
         np.testing.assert_allclose(found, spectra[0], rtol=0, atol=1e-6)
 
 
-@pytest.mark.parametrize("rate", [1, 10**5, 10**-5])
-def test_orbits_by_kernels_have_the_same_derivatives_in_all_units(rate: float) -> None:
-    """Of times, velocities and stiffnesses, relative to them."""
-    name = "elastic-stop/one-contact"
-    known = ns.solve(name)
+def contact_at(rate: float) -> Any:
+    """The elastic stop's orbit in another unit of time."""
+    known = ns.solve("elastic-stop/one-contact")
     powers = {"k1": 2, "k2": 2, "k3": 2, "T": -1, "tau": -1, "u": 1, "w": 1}
     given, guess = (
         {key: float(value) * rate ** powers.get(key, 0) for key, value in part.items()}
         for part in (known.given, known.unknowns)
     )
+    return ns.solve("elastic-stop/one-contact", given, guess)
+
+
+@pytest.mark.parametrize("rate", [10**5, 10**-5])
+def test_orbits_by_kernels_have_the_same_derivatives_in_all_units(rate: float) -> None:
+    """Of times, velocities and stiffnesses, relative to them."""
     relative = []
-    for orbit in (known, ns.solve(name, given, guess)):
+    for orbit in (contact_at(1), contact_at(rate)):
         found = orbit.derivatives()
         by = np.array([float(orbit.given[key]) for key in found.by])
-        relative.append([found.unknowns[key] * by / orbit.unknowns[key] for key in known.unknowns])
+        relative.append([found.unknowns[key] * by / orbit.unknowns[key] for key in orbit.unknowns])
     np.testing.assert_allclose(relative[1], relative[0], rtol=1e-8)
+
+
+@pytest.mark.parametrize("rate", [10**5, 10**-5])
+def test_energies_do_not_depend_on_units(rate: float) -> None:
+    found = []
+    for unit in (1, rate):
+        period = 2 * np.pi / unit
+        branch = ns.continue_orbit(contact_at(unit), "T", (period, 1.01 * period), step=0.5)
+        energies = branch.quantity("energy") / unit**2
+        found.append((energies[0], energies[-1]))
+    np.testing.assert_allclose(found[1], found[0], rtol=1e-8)
