@@ -13,7 +13,13 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts, stepped
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import tables_at
 
-__all__ = ["TableDerivatives", "TableRates", "table_derivatives", "table_rates"]
+__all__ = [
+    "TableDerivatives",
+    "TableRates",
+    "relative_rates",
+    "table_derivatives",
+    "table_rates",
+]
 
 _IMAGINARY = 1e-30  # of a parameter, in units of max(1, |it|)
 
@@ -31,6 +37,35 @@ class TableDerivatives(NamedTuple):
     fields: np.ndarray
     rows: np.ndarray
     resets: np.ndarray
+
+
+def relative_rates(
+    numbers: Sequence[np.ndarray], changes: Sequence[np.ndarray], sizes: np.ndarray
+) -> np.ndarray:
+    """Largest relative change of functions of a state, such as boundaries', by q parameters.
+
+    So a parameter that is zero has a size too: that which changes something by itself.
+
+    Parameters
+    ----------
+    numbers : sequence of array (..., N + 1)
+        Functions, such as fields and rows.
+    changes : sequence of array (q, ..., N + 1)
+        Their derivatives.
+    sizes : array (N,)
+        Of the states.
+
+    Returns
+    -------
+    array (q,)
+    """
+    state = np.append(sizes, 1.0)
+    found = []
+    for number, change in zip(numbers, changes, strict=True):
+        size = (np.abs(number) @ state).ravel()
+        moved = (np.abs(change) @ state).reshape(len(change), -1)
+        found.append(moved[:, size > 0] / size[size > 0])
+    return np.asarray(np.concatenate(found, axis=1).max(axis=1, initial=0.0))
 
 
 class TableRates(NamedTuple):

@@ -102,6 +102,11 @@ class DeclaredPoints:
         """See `OrbitPoints`: reduced unknowns, or what the tables start from."""
         return (self.points if self.own.alone else self.composed).starts_of(columns)
 
+    @property
+    def usual(self) -> np.ndarray:
+        """See `OrbitPoints`."""
+        return (self.points if self.own.alone else self.composed).usual
+
     def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
         """See `OrbitPoints`."""
         return (self.points if self.own.alone else self.composed).limits_of(values, columns)

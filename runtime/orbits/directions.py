@@ -16,7 +16,7 @@ from nonsmooth.runtime.shooting.newton import LEAST
 
 __all__ = ["CONSISTENT", "Directions", "solve_linear"]
 
-CONSISTENT = 1e-7  # of a right-hand side: what no orbit can follow
+CONSISTENT = 1e-7  # of the terms of an equation: what no orbit can follow
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +53,12 @@ class Directions:
 
 
 def solve_linear(
-    matrix: Any, right: Any, by: Sequence[str], name: str, lib: Mpmath | None
+    matrix: Any,
+    right: Any,
+    usual: np.ndarray,
+    by: Sequence[str],
+    name: str,
+    lib: Mpmath | None,
 ) -> np.ndarray:
     """Changes of unknowns that equations, linearised and scaled, ask for.
 
@@ -62,6 +67,8 @@ def solve_linear(
     matrix : array (m, n)
         m is n, or more for equations that follow from others.
     right : array (q, m)
+    usual : array (q,)
+        Relative change of what the equations are made of, beside which one of them is rounding.
     by : sequence of str
         What changes.
     name : str
@@ -95,8 +102,9 @@ def solve_linear(
         rows = matrix.tolist()
         found = np.array([lib.solve(rows, side.tolist()) for side in right], dtype=object)
     missed = abs(found.astype(float) @ floats.T - sides).max(axis=1, initial=0)
+    terms = (abs(found.astype(float)) @ abs(floats.T) + abs(sides)).max(axis=1, initial=0)
     for place, parameter in enumerate(by):
-        if missed[place] > CONSISTENT * max(1.0, abs(sides[place]).max()):
+        if missed[place] > CONSISTENT * max(terms[place], usual[place]):
             raise InputError(
                 f"{name}: no such orbit is left where {parameter} changes alone (forcings out of"
                 " tune with each other or with the period): there is no derivative"

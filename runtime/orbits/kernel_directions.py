@@ -19,6 +19,7 @@ from nonsmooth.runtime.orbits.directions import Directions, solve_linear
 from nonsmooth.runtime.orbits.kernel_values import evaluate
 from nonsmooth.runtime.orbits.motion_derivatives import OrbitMotionDerivatives
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
+from nonsmooth.runtime.shooting.kernel_newton import natural_scales
 from nonsmooth.runtime.shooting.multiplier_derivatives import MapDerivatives
 
 if TYPE_CHECKING:
@@ -93,7 +94,11 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
     jacobian = np.concatenate([np.array(part, dtype=kind) for part in parts], axis=1)
     places = [names.index(name) for name in orbit.unknowns]
     right = -jacobian[:, [names.index(name) for name in by]].T
-    found = solve_linear(jacobian[:, places], right, by, orbit.name, lib)
+    values = np.array([float(orbit.values[name]) for name in names])
+    rows, sizes = natural_scales(jacobian, values)
+    scaled = jacobian[:, places] * sizes[places] / rows[:, None]
+    found = solve_linear(scaled, right / rows, np.zeros(len(by)), by, orbit.name, lib)
+    found = found * sizes[places]
     rates = dict(zip(orbit.unknowns, found.T, strict=True))
     number = float if lib is None else lib.mp.mpf
     unit = np.vectorize(number, otypes=[kind])(np.eye(len(by), dtype=int)).reshape(len(by), -1)

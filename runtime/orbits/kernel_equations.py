@@ -15,11 +15,11 @@ from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.shooting.kernel_newton import equations_at, error_bound
+from nonsmooth.runtime.shooting.kernel_newton import equations_at, error_bound, natural_scales
 
 __all__ = ["KernelEquations"]
 
-_SMALLEST = 0.05  # size of an unknown in units of the largest one, at least
+_SMALLEST = 0.05  # size of an unknown in units of what changes an equation by itself, at least
 
 
 class KernelEquations:
@@ -55,10 +55,9 @@ class KernelEquations:
         """See `OrbitEquations`."""
         unknowns = abs(self.values[self._places])
         waits = np.array([name in self._kernels.dwell_times for name in self.unknowns])
-        largest = max(unknowns[~waits].tolist(), default=1.0)
-        period = float(self.orbit.period)
-        sizes = np.where(waits, period, np.maximum(unknowns, _SMALLEST * largest))
-        return np.where(sizes > 0, sizes, 1.0)
+        jacobian = equations_at(self._kernels, self.values).jacobian
+        own = natural_scales(jacobian, self.values)[1][self._places]
+        return np.where(waits, float(self.orbit.period), np.maximum(unknowns, _SMALLEST * own))
 
     def linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
         """See `OrbitEquations`."""

@@ -12,7 +12,9 @@ import numpy as np
 from nonsmooth.runtime.model.kernels import OrbitKernels, ParameterTable
 from nonsmooth.runtime.model.parameter_batches import Batch, complete_batch
 from nonsmooth.runtime.orbits.admissible import NEITHER, NO_ORBIT, UNTOLD, first_violations
+from nonsmooth.runtime.orbits.kernel_equations import KernelEquations
 from nonsmooth.runtime.orbits.kernel_many import solve_from
+from nonsmooth.runtime.orbits.kernel_solve import solve_kernels
 from nonsmooth.runtime.orbits.orbit_arrays import Columns
 from nonsmooth.runtime.shooting.multipliers import ROUNDING
 from nonsmooth.runtime.shooting.newton import CONVERGED
@@ -103,6 +105,16 @@ class KernelPoints:
         if not self.kernels.reduced:
             return np.empty((*columns["status"].shape, 0))
         return np.stack([columns[name] for name in self.kernels.reduced], axis=-1)
+
+    @cached_property
+    def usual(self) -> np.ndarray:
+        """See `OrbitPoints`."""
+        if not self.kernels.reduced:
+            return np.empty(0)
+        equations = KernelEquations(solve_kernels(self.kernels))
+        known = dict(zip(equations.unknowns, equations.sizes.tolist(), strict=True))
+        timed = self.kernels.timed
+        return np.array([0.0 if n in timed else known[n] for n in self.kernels.reduced])
 
     def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
         """See `OrbitPoints`."""

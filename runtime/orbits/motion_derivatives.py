@@ -20,10 +20,16 @@ from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.piecewise import numbers_at, piecewise
 from nonsmooth.runtime.orbits.directions import Directions
 from nonsmooth.runtime.orbits.impact_losses import impact_losses
-from nonsmooth.runtime.orbits.table_directions import numbers_along, passed, working
+from nonsmooth.runtime.orbits.table_directions import (
+    numbers_along,
+    passed,
+    relative_changes,
+    working,
+)
 from nonsmooth.runtime.orbits.table_phase_functions import phase_waves
 from nonsmooth.runtime.shooting.derivatives import flows_over
 from nonsmooth.runtime.shooting.shooting_map import numbers_in
+from nonsmooth.runtime.shooting.table_newton import sizes
 from nonsmooth.runtime.simulation.extremes import extremes
 from nonsmooth.runtime.simulation.phase_functions import Phases, fastest
 
@@ -34,6 +40,7 @@ __all__ = ["BoundaryMargin", "Differentiated", "OrbitMotionDerivatives", "Transv
 
 _TOUCH = 1e-9  # relative size below which a boundary function is zero at a phase's end
 _TIED = 1e-9  # relative difference of extremes that are as large as each other
+_SAME = 1e-6  # relative difference of rates that are the same but for rounding
 _EDGE = 1e-9  # of a phase: an extreme nearer to its end is taken at the end
 _NODES = 12  # of an integral, in a piece
 _ANGLE = 2.0  # radians in a piece
@@ -345,10 +352,19 @@ class OrbitMotionDerivatives:
         low = Differentiated(-low.value, -low.rates, low.time)
         top, other = (high, low) if high.value >= low.value else (low, high)
         tied = float(top.value - other.value) <= _TIED * abs(float(top.value))
-        differ = abs((top.rates - other.rates).astype(float)).max(initial=0)
-        if tied and differ > 1e-6 * max(1.0, abs(top.rates.astype(float)).max(initial=0)):
+        if tied and self._differ(top, other):
             raise InputError(f"{name}: two extremes are equally large and change differently")
         return top
+
+    def _differ(self, one: Differentiated, other: Differentiated) -> bool:
+        """Whether two numbers of one size change differently, by more than rounding."""
+        rates, others = one.rates.astype(float), other.rates.astype(float)
+        states = sizes(self.orbit.tables.shooting, self.orbit.dwell_times)
+        by_numbers = relative_changes(self.numbers, states, self.lib)
+        by_times = abs(self.shifted[:, -1].astype(float)) / float(self.begins[-1])
+        usual = abs(float(one.value)) * np.maximum(by_numbers, by_times)
+        size = np.maximum(np.maximum(abs(rates), abs(others)), usual)
+        return bool((abs(rates - others) > _SAME * size).any())
 
     def quadrature(self, phase: int) -> tuple[np.ndarray, np.ndarray]:
         """States at the nodes of an integral over a phase, in double precision.

@@ -72,6 +72,10 @@ class OrbitPoints(Protocol):
         array (n, m)
         """
 
+    @property
+    def usual(self) -> np.ndarray:
+        """Sizes (m,) at the reference orbit of what starts are made of; 0 of dwell times."""
+
     def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
         """Which limit of admissibility fails first, by its number; or NEITHER, NO_ORBIT, UNTOLD.
 

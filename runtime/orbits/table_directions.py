@@ -13,6 +13,7 @@ from nonsmooth.runtime.core.complex_steps import imaginary_parts, real_parts, st
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.piecewise import tables_at
+from nonsmooth.runtime.model.table_derivatives import relative_rates
 from nonsmooth.runtime.orbits.directions import Directions, solve_linear
 from nonsmooth.runtime.orbits.orbit import GUARD, PERIOD, Orbit
 from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
@@ -32,6 +33,7 @@ __all__ = [
     "closed_along",
     "numbers_along",
     "passed",
+    "relative_changes",
     "section_along",
     "table_directions",
     "working",
@@ -189,7 +191,8 @@ def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directio
         cycle, closed, plain_start, np.broadcast_to(size_of, (len(by), size)),
         matrix, right, FLOATS if lib is None else lib,
     )  # fmt: skip
-    changes = solve_linear(real_parts(matrix[0]), imaginary_parts(right, lib), by, orbit.name, lib)
+    usual, sides = relative_changes(numbers, size_of, lib), imaginary_parts(right, lib)
+    changes = solve_linear(real_parts(matrix[0]), sides, usual, by, orbit.name, lib)
     starts = changes * size_of
     rates = real_parts(now.rates[:, 0, :size]) @ starts.T
     waits = rates.T + imaginary_parts(np.moveaxis(now.rates[..., size], 0, -1), lib)
@@ -208,6 +211,27 @@ def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directio
 
     names = orbit.problem.unknown_names
     return Directions(dict(zip(names, unknowns, strict=True)), waits, states, section)
+
+
+def relative_changes(numbers: Numbers, size_of: np.ndarray, lib: Mpmath | None) -> np.ndarray:
+    """Largest relative change (q,) of a system's numbers, where states have sizes (N,).
+
+    Parameters
+    ----------
+    numbers : Numbers
+        As `numbers_along` gives them.
+    size_of : array (N,)
+    lib : Mpmath or None
+        None in double precision.
+
+    Returns
+    -------
+    array (q,)
+    """
+    tables = numbers[:3]
+    values = [real_parts(part[0]).astype(float) for part in tables]
+    changes = [imaginary_parts(part, lib).astype(float) for part in tables]
+    return relative_rates(values, changes, size_of.astype(float))
 
 
 def closed_along(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShape, Numbers]:

@@ -166,6 +166,12 @@ class TablePoints:
         """See `OrbitPoints`: dwell times and start."""
         return np.stack([columns[name] for name in self.unknowns], axis=-1)
 
+    @cached_property
+    def usual(self) -> np.ndarray:
+        """See `OrbitPoints`."""
+        dwell = self.reference.dwell_times
+        return np.concatenate([0 * dwell, sizes(self.reference.tables.shooting, dwell)])
+
     def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
         """See `OrbitPoints`: it is known already."""
         return columns["limit"]

@@ -35,6 +35,7 @@ __all__ = [
     "error_bound",
     "error_bounds",
     "frequency_spread",
+    "natural_scales",
     "solve_full",
     "solve_reduced",
 ]
@@ -356,6 +357,30 @@ def frequency_spread(kernels: OrbitKernels, spectrum: np.ndarray) -> np.ndarray 
     with np.errstate(all="ignore"):
         ratio = frequencies.max(axis=-1) / frequencies.min(axis=-1)
     return np.where(np.isfinite(ratio), ratio, np.inf)
+
+
+def natural_scales(jacobian: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Sizes (n,) of equations, by the parts of their sums, and (m,) of what they are made of.
+
+    The size of a number is the least change that by itself is as large as all parts of an
+    equation: at least its own, but positive also where it is zero. All are powers of two, next
+    to these, which no scaling rounds.
+
+    Parameters
+    ----------
+    jacobian : array (n, m)
+        By all numbers.
+    x : array (m,)
+
+    Returns
+    -------
+    tuple of array (n,), array (m,)
+    """
+    entries = np.abs(jacobian.astype(float))
+    rows = entries @ np.abs(x.astype(float))
+    rows = np.exp2(np.rint(np.log2(np.where(rows > 0, rows, 1.0))))
+    most = (entries / rows[:, None]).max(axis=0)
+    return rows, np.exp2(-np.rint(np.log2(np.where(most > 0, most, 1.0))))
 
 
 def condition_number(jacobian: np.ndarray) -> float:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -20,7 +21,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.model.table_derivatives import TableDerivatives
+from nonsmooth.runtime.model.table_derivatives import TableDerivatives, relative_rates
 from nonsmooth.runtime.simulation.motion_linearisation import MotionLinearisation
 from nonsmooth.runtime.simulation.simulate import simulate
 from nonsmooth.runtime.simulation.start_derivatives import nearest_start
@@ -228,6 +229,8 @@ class _Meeting(NamedTuple):
         Directions in which boundaries come apart.
     change : array (N, k)
         Of the state in front of them, at their time.
+    size : array (N, k)
+        Of its parts.
     shift : array (k,)
         Largest change of a boundary's time.
     told : str
@@ -237,6 +240,7 @@ class _Meeting(NamedTuple):
     end: int
     apart: np.ndarray
     change: np.ndarray
+    size: np.ndarray
     shift: np.ndarray
     told: str
 
@@ -280,8 +284,10 @@ def _next_moment(
                 end += 1
             names, at = " and ".join(trajectory.boundaries[entry]), float(run.times[entry])
             told = f"{names} are reached together at t = {at!r}"
-            change = before[begin] - found.velocities[begin - 1][:, None] * events[begin - 1]
-            return _Meeting(begin, end, apart > 0, change, shift, told)
+            late = found.velocities[begin - 1][:, None] * events[begin - 1]
+            usual = np.abs(run.states[[begin - 1, end]]).max(axis=0)
+            size = np.abs(before[begin]) + np.abs(late) + usual[:, None] * shift / run.end
+            return _Meeting(begin, end, apart > 0, before[begin] - late, size, shift, told)
     return None
 
 
@@ -326,7 +332,8 @@ def _split(
         ]
         if side is None:
             one, other = (behind for _, behind in ways)
-            if not np.abs(one - other).max() <= _TOGETHER * max(1.0, np.abs(one).max()):
+            sizes = np.maximum(np.abs(one), moment.size[:, k])
+            if not (np.abs(one - other) <= _TOGETHER * sizes).all():
                 label = told_direction(by, directions[:, k])
                 raise InputError(f"{moment.told}: the motion has no derivative by {label} there")
             inside = (motion.first >= moment.begin - 1) & (motion.last < moment.end)
@@ -408,9 +415,7 @@ class _MovedPassage:
         width = step * min(waits)
         given = {name: float(value) for name, value in trajectory.parameters.items()}
         rates = {n: float(r) for n, r in zip(self.by, self.direction, strict=True) if n in given}
-        size = self.sign * width / shift
-        size *= min(1.0, *(step * max(1.0, abs(given[n])) / abs(size * r)
-                           for n, r in rates.items() if r), 1.0)  # fmt: skip
+        size = self.sign * min(width / shift, step / self._rate if self._rate else np.inf)
         width = abs(size) * shift
         parameters = trajectory.parameters | {n: given[n] + size * r for n, r in rates.items() if r}
         source = int(run.configurations[begin - 1])
@@ -433,6 +438,17 @@ class _MovedPassage:
         if found.status != Status.UNTIL:
             raise self._refused(found.message)
         return found
+
+    @cached_property
+    def _rate(self) -> float:
+        """Largest relative change of the system's numbers along the direction."""
+        linear = self.motion.linearisation(np.empty(0))
+        moved, _ = along(linear, self.by, self.direction[:, None])
+        system, motion = linear.trajectory.system, linear.trajectory
+        ways = linear.transitions.velocities * np.diff(motion.times)[:, None]
+        sizes = np.abs(np.concatenate([motion.before, ways])).max(axis=0)
+        (found,) = relative_rates((system.fields, system.rows), (moved.fields, moved.rows), sizes)
+        return float(found)
 
     def _inserted(self, trajectory: Trajectory, later: np.ndarray) -> DirectedMotion:
         """The motion with other transitions in the moment; some are later than those before."""
@@ -462,7 +478,10 @@ class _MovedPassage:
         times = self.sign * events[places, 0]
         size = np.abs(times).max()
         sudden = ~found.smooth[places] & ~linear.instants[places]
-        turned = np.abs(linear.saltations[0][places]).max(axis=(1, 2)) > 1 / _NEAR
+        units = np.append(np.abs(way.trajectory.states).max(axis=0), way.trajectory.times[-1])
+        units = np.where(units > 0, units, 1.0)
+        passages = linear.saltations[0][places] * units / units[:, None]
+        turned = np.abs(passages).max(axis=(1, 2)) > 1 / _NEAR
         if not (np.diff(times) >= -_NEAR * size).all() or (sudden & turned).any():
             raise self._refused("the order is open to first order")
         last = places[-1]

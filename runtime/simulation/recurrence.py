@@ -26,12 +26,14 @@ __all__ = [
     "phase_name",
     "recurrent_lengths",
     "scales_of",
+    "sizes_of",
     "variation",
 ]
 
 _EXAMPLES = 20  # of near returns by one cycle
 
 _LEAST = 1e-5  # scale of a state in units of the largest of its kind: well above rounding
+_ZERO = 1e-8  # size of a state, in the same units
 
 Itinerary = tuple[tuple[str, str], ...]
 
@@ -297,11 +299,47 @@ def variation(structure: Structure, states: np.ndarray, moved: np.ndarray) -> np
     changes = np.where(np.isfinite(moved), np.abs(moved), 0.0).max(axis=-2, initial=0.0)
     found = np.maximum(np.maximum(highest - lowest, 0.0), changes)
     sizes = np.maximum(found, np.where(known, np.abs(states), 0.0).max(axis=-2, initial=0.0))
+    return _none_smaller(structure, found, _LEAST * sizes)
+
+
+def sizes_of(structure: Structure, states: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """Largest sizes (..., N) of states (..., k, N) at times (..., k), none less than rounding.
+
+    A position that is zero at all entries has a size by its velocity, and the other way round.
+
+    Parameters
+    ----------
+    structure : Structure
+    states : array (..., k, N)
+        Those that are not finite do not count.
+    times : array (..., k)
+
+    Returns
+    -------
+    array (..., N)
+        In the units of the states, positive.
+    """
+    found = np.nan_to_num(np.abs(states)).max(axis=-2, initial=0.0)
+    waits = np.nan_to_num(np.diff(times)).max(axis=-1, initial=0.0)
+    waits = np.where(waits > 0, waits, 1.0)
+    least = found.copy()
+    for x, v in structure.coordinates:
+        least[..., x] = np.maximum(found[..., x], found[..., v] * waits)
+        least[..., v] = np.maximum(found[..., v], found[..., x] / waits)
+    return _none_smaller(structure, found, _ZERO * least)
+
+
+def _none_smaller(structure: Structure, sizes: np.ndarray, least: np.ndarray) -> np.ndarray:
+    """Sizes (..., N) that are none smaller than the largest of `least` (..., N) of their kind.
+
+    Positions are a kind, velocities, each forcing, and all else.
+    """
     kinds = [[x for x, _ in structure.coordinates], [v for _, v in structure.coordinates]]
     kinds += [list(pair) for pair in structure.forcing]
     known_kinds = {state for kind in kinds for state in kind}
-    kinds.append([state for state in range(found.shape[-1]) if state not in known_kinds])
+    kinds.append([state for state in range(sizes.shape[-1]) if state not in known_kinds])
+    found = sizes.copy()
     for kind in filter(None, kinds):
-        least = _LEAST * sizes[..., kind].max(axis=-1, keepdims=True)
-        found[..., kind] = np.maximum(found[..., kind], np.where(least > 0, least, 1.0))
+        largest = least[..., kind].max(axis=-1, keepdims=True)
+        found[..., kind] = np.maximum(found[..., kind], np.where(largest > 0, largest, 1.0))
     return np.asarray(found)

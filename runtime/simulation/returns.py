@@ -12,6 +12,7 @@ import numpy as np
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.showing import Shown
 from nonsmooth.runtime.model.kernels import SystemKernels
+from nonsmooth.runtime.model.natural_units import fall_rates, natural_units
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.model.structure import TransitionShape
 from nonsmooth.runtime.simulation.simulate import follow
@@ -19,7 +20,7 @@ from nonsmooth.runtime.simulation.simulate import follow
 __all__ = ["PoincareMap", "Return", "poincare_map"]
 
 _FIRST, _MOST = 64, 65_536  # transitions that a return may take
-_STEP = 1e-6  # of a finite difference, relative to the state
+_STEP = 1e-6  # of a finite difference, relative to the states, in their natural units
 
 
 class Return(NamedTuple):
@@ -117,13 +118,25 @@ class PoincareMap(Shown):
     @cached_property
     def basis(self) -> np.ndarray:
         """Orthonormal directions (N, d) in which a state behind the transition can move."""
+        return np.linalg.qr(self._directions)[0]
+
+    @cached_property
+    def _units(self) -> np.ndarray:
+        """Natural units (N,) of the states in front of the transition."""
+        fields = self.system.fields[None, self.source]
+        return natural_units(fields, fall_rates(fields, self.system.rows[None])).states[0, :-1]
+
+    @cached_property
+    def _directions(self) -> np.ndarray:
+        """Directions (N, d) like those of `basis`, orthonormal in natural units."""
         from scipy.linalg import null_space, orth
 
-        structure, rows = self.system.structure, self.system.rows
+        structure, units = self.system.structure, self._units
         located = structure.boundaries[self.source][self.boundary].row
-        fixed = [*structure.constraints[self.source], located]
-        before = null_space(rows[fixed, :-1])
-        return np.asarray(orth(self.system.resets[self.transition.reset][:, :-1] @ before))
+        fixed = self.system.rows[[*structure.constraints[self.source], located], :-1] * units
+        before = null_space(fixed / np.abs(fixed).max(axis=1, keepdims=True))
+        reset = self.system.resets[self.transition.reset][:, :-1] * units / units[:, None]
+        return np.asarray(orth(reset @ before) * units[:, None])
 
     def jacobian(self, state: Any, step: float = _STEP) -> np.ndarray:
         """Differentiate the map in the coordinates of `basis` by central differences.
@@ -136,7 +149,7 @@ class PoincareMap(Shown):
         state : array (N,)
             State behind the transition, in the units of the system.
         step : float
-            Half the distance of the two points of a difference.
+            Half the distance of the two points of a difference, in units of the states.
 
         Returns
         -------
@@ -144,12 +157,14 @@ class PoincareMap(Shown):
             With an error of the order step^2.
         """
         start = self._checked(state)
-        size = step * max(1.0, float(np.abs(start).max()))
+        largest = float(np.abs(np.stack([start, self(start)]) / self._units).max())
+        size = step * (largest or 1.0)
         columns = [
             (self(start + size * direction) - self(start - size * direction)) / (2 * size)
-            for direction in self.basis.T
+            for direction in self._directions.T
         ]
-        return np.asarray(self.basis.T @ np.array(columns).T)
+        basis, turned = np.linalg.qr(self._directions)
+        return np.asarray(basis.T @ np.array(columns).T @ np.linalg.inv(turned))
 
 
 def poincare_map(

@@ -195,7 +195,7 @@ def cubic(values: Any, start: np.ndarray | None) -> dict[str, np.ndarray]:
 
 
 def test_what_one_half_knows_reaches_the_other() -> None:
-    solver = Solver(cubic, lambda columns: columns["x"][:, None])
+    solver = Solver(cubic, lambda columns: columns["x"][:, None], np.ones(1))
     axes = (linear_axis("p", -1.5, 6.0, 101), linear_axis("q", -1.0, 1.0, 50))
     grid = Grid(axes, (101, 50))
     starts = anchor_starts(grid, solver)
@@ -203,3 +203,18 @@ def test_what_one_half_knows_reaches_the_other() -> None:
     found = solve_block(grid.block(0), starts, solver)
     largest = [np.roots([1, 0, -3, -p]).real.max() for p in axes[0].part(0, 101)]
     np.testing.assert_allclose(found["x"], np.array(largest)[:, None] + np.zeros(50), atol=1e-9)
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
+def test_most_neighbours_decide_between_orbits_that_are_as_good_in_all_units(unit: float) -> None:
+    def either(values: Any, start: np.ndarray | None) -> dict[str, np.ndarray]:
+        """One and two units, from the nearer; without a start two at every seventh point."""
+        alone = np.arange(values["p"].size) % 7 == 3
+        second = alone if start is None else start[:, 0] > 1.5 * unit
+        every = np.ones(second.shape)
+        return {"status": 0 * every, "admissible": every > 0, "margin": every,
+                "x": np.where(second, 2 * unit, unit)}  # fmt: skip
+
+    solver = Solver(either, lambda columns: columns["x"][:, None], np.array([unit]))
+    grid = Grid((linear_axis("p", 0.0, 1.0, 20), linear_axis("q", 0.0, 1.0, 20)), (20, 20))
+    np.testing.assert_array_equal(anchor_starts(grid, solver)[1:-1, 1:-1, 0], unit)

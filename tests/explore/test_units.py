@@ -19,6 +19,7 @@ from nonsmooth.derive import (
     Friction,
     Harmonic,
     Parameter,
+    SoftStop,
     System,
     Transition,
     oscillator,
@@ -41,14 +42,15 @@ OF_UNITS = (
 def rubbing() -> System:
     """Two masses, one of them on a belt, under a force of the frequency w."""
     w = Parameter("w", "frequency of the force in the unit of it")
+    hold = Parameter("hold", "static friction in the unit of it")
     return oscillator(
         "rubbing", ["x1", "x2"],
         mass=[[MASS, 0], [0, 2 * MASS]],
         stiffness=[[3 * STIFFNESS, -STIFFNESS], [-STIFFNESS, 2 * STIFFNESS]],
         damping=[[DAMPING / 5, 0], [0, DAMPING / 10]],
         forcing=[Harmonic(w.symbol * RATE, cosine=[2 * FORCE, 0])],
-        elements=[Friction("x1", kinetic=FORCE / 2, static=FORCE * 3 / 4, name="belt")],
-        parameters=(*OF_UNITS, w),
+        elements=[Friction("x1", kinetic=FORCE / 2, static=FORCE * hold.symbol, name="belt")],
+        parameters=(*OF_UNITS, w, hold),
     )  # fmt: skip
 
 
@@ -85,16 +87,16 @@ def converter() -> System:
 
 
 SYSTEMS = {
-    "rubbing": (rubbing, "1.2", ("1.1", "1.3")),
-    "converter": (converter, "22", ("21", "27")),
+    "rubbing": (rubbing, {"w": "1.2", "hold": "3/4"}, ("1.1", "1.3")),
+    "converter": (converter, {"w": "22"}, ("21", "27")),
 }
 
 
 @cache
 def answers(name: str, length: Any, rate: Any, mass: Any) -> Any:
     """Orbits that are found, events along the branch of the first, and what is proved of it."""
-    declare, value, (low, high) = SYSTEMS[name]
-    given = {"length": length, "rate": rate, "mass_unit": mass, "w": value}
+    declare, values, (low, high) = SYSTEMS[name]
+    given = {"length": length, "rate": rate, "mass_unit": mass, **values}
     found = ns.find_orbits(declare(), given, 4, transitions=150, seed=3)
     # those to which motions come: which unstable ones are met on the way is a matter of rounding
     listed = [each.orbit for each in found.orbits if each.starts]
@@ -119,3 +121,114 @@ def test_orbits_branches_and_proofs_do_not_depend_on_units(name: str, units: Any
     assert branch.ends == wanted_branch.ends
     assert proof.claims == wanted_proof.claims
     assert set(proof.claims.values()) == {"proved"}
+
+
+def test_an_event_is_followed_in_two_parameters_in_all_units() -> None:
+    wanted, found = [
+        ns.continue_event(branch, branch.events[0], "hold", (0.7, 0.8), points=1).values
+        for branch in (answers("rubbing", *units)[1] for units in ((1, 1, 1), UNITS[1]))
+    ]
+    assert len(wanted) == 3
+    np.testing.assert_allclose(found, wanted, rtol=1e-8)
+
+
+SMALL = (Fraction(1, 10**9), 10**5, 7)  # nanometres
+
+
+@cache
+def stopped() -> System:
+    """A mass between two stops, that a load may push to one of them."""
+    w, load = Parameter("w", "frequency of the force"), Parameter("load", "load", lower=-sp.oo)
+    return oscillator(
+        "stopped", ["x"],
+        mass=[[MASS]], stiffness=[[STIFFNESS]], damping=[[DAMPING / 10]], load=[load.symbol],
+        forcing=[Harmonic(w.symbol * RATE, cosine=[FORCE])],
+        elements=[
+            SoftStop({"x": sign}, at=LENGTH / 2, stiffness=9 * STIFFNESS, name=name)
+            for name, sign in (("right", 1), ("left", -1))
+        ],
+        parameters=(*OF_UNITS, w, load),
+    )  # fmt: skip
+
+
+@cache
+def between_stops(length: Any, rate: Any, mass: Any) -> Any:
+    """The orbit that is its own mirror image."""
+    given = {"length": length, "rate": rate, "mass_unit": mass, "w": "1.9", "load": 0}
+    found = ns.find_orbits(stopped(), given, 3, transitions=200, seed=1)
+    return found.orbits[0].orbit
+
+
+def test_designs_do_not_depend_on_units() -> None:
+    found = []
+    for length, rate, mass in ((1, 1, 1), SMALL):
+        fastest = float(length * rate)
+        design = ns.design(
+            between_stops(length, rate, mass),
+            minimise="maximum:v", over={"w": (1.85, 1.95)},
+            subject_to=[f"period<={3.35 / float(rate)!r}"],
+        )  # fmt: skip
+        (limit,) = design.active
+        assert design.status == 0
+        found.append((design.after["w"], design.after["maximum:v"] / fastest))
+        found[-1] += (limit.text.partition("=")[0], limit.multiplier / fastest / float(rate))
+    wanted, other = found
+    assert other[2] == wanted[2]
+    np.testing.assert_allclose(other[:2] + other[3:], wanted[:2] + wanted[3:], rtol=1e-6)
+
+
+@pytest.mark.parametrize("units", [(1, 1, 1), SMALL, UNITS[2]], ids=str)
+def test_a_peak_on_both_sides_has_no_derivative_by_what_breaks_the_tie(units: Any) -> None:
+    """A load moves the peak at the one stop away from zero, at the other towards it."""
+    orbit = between_stops(*units)
+    value, by_frequency = orbit.derivatives("w").quantity("peak:x")
+    assert float(value) > float(units[0]) / 2
+    assert np.isfinite(by_frequency).all()
+    with pytest.raises(ns.InputError, match="change differently"):
+        orbit.derivatives("load").quantity("peak:x")
+
+
+def test_section_maps_have_the_same_multipliers_in_all_units() -> None:
+    spectra = []
+    for units in ((1, 1, 1), SMALL, *UNITS):
+        orbit = between_stops(*units)
+        (source, boundary), (target, _) = orbit.itinerary[-1], orbit.itinerary[0]
+        mapped = ns.poincare_map(stopped(), orbit.given, (source, boundary, target))
+        jacobian = mapped.jacobian(orbit.states[0])
+        spectra.append(np.sort_complex(np.linalg.eigvals(jacobian)))
+        np.testing.assert_allclose(mapped.basis.T @ mapped.basis, np.eye(3), atol=1e-14)
+    for found in spectra[1:]:
+        np.testing.assert_allclose(found, spectra[0], rtol=0, atol=1e-6)
+
+
+def contact_at(rate: float) -> Any:
+    """The elastic stop's orbit in another unit of time."""
+    known = ns.solve("elastic-stop/one-contact")
+    powers = {"k1": 2, "k2": 2, "k3": 2, "T": -1, "tau": -1, "u": 1, "w": 1}
+    given, guess = (
+        {key: float(value) * rate ** powers.get(key, 0) for key, value in part.items()}
+        for part in (known.given, known.unknowns)
+    )
+    return ns.solve("elastic-stop/one-contact", given, guess)
+
+
+@pytest.mark.parametrize("rate", [10**5, 10**-5])
+def test_orbits_by_kernels_have_the_same_derivatives_in_all_units(rate: float) -> None:
+    """Of times, velocities and stiffnesses, relative to them."""
+    relative = []
+    for orbit in (contact_at(1), contact_at(rate)):
+        found = orbit.derivatives()
+        by = np.array([float(orbit.given[key]) for key in found.by])
+        relative.append([found.unknowns[key] * by / orbit.unknowns[key] for key in orbit.unknowns])
+    np.testing.assert_allclose(relative[1], relative[0], rtol=1e-8)
+
+
+@pytest.mark.parametrize("rate", [10**5, 10**-5])
+def test_energies_do_not_depend_on_units(rate: float) -> None:
+    found = []
+    for unit in (1, rate):
+        period = 2 * np.pi / unit
+        branch = ns.continue_orbit(contact_at(unit), "T", (period, 1.01 * period), step=0.5)
+        energies = branch.quantity("energy") / unit**2
+        found.append((energies[0], energies[-1]))
+    np.testing.assert_allclose(found[1], found[0], rtol=1e-8)

@@ -25,9 +25,15 @@ BY = ("p", "q", "s", "a0", "b0", "c0")
 
 
 def corner(
-    seed: int, velocities: dict[str, tuple[int, int]], linear: bool = True
+    seed: int,
+    velocities: dict[str, tuple[int, int]],
+    linear: bool = True,
+    length: sp.Rational = sp.S.One,
 ) -> tuple[System, dict[str, float]]:
-    """Four fields that meet at a = p, b = q; the one in front moves to there by (1, 1, ...)."""
+    """Four fields that meet at a = p, b = q; the one in front moves to there by (1, 1, ...).
+
+    States are in some unit of length; p, q and s are numbers.
+    """
     draw = np.random.default_rng(seed)
     states = sp.symbols("a b c", real=True)
     a, b = states[:2]
@@ -36,12 +42,13 @@ def corner(
     for name, velocity in {"low": (1, 1), **velocities}.items():
         matrix = sp.Matrix(3, 3, lambda *_: sp.Rational(int(draw.integers(-8, 9)), 16))
         matrix = matrix if linear and name != "low" else sp.zeros(3)
-        load = [*velocity, 1 + s.symbol * int(draw.integers(1, 4))]
+        rates = [*velocity, 1 + s.symbol * int(draw.integers(1, 4))]
+        load = [rate * length for rate in rates]
         boundaries = []
         if name in ("low", "other"):
-            boundaries.append(Boundary("first", a - p.symbol))
+            boundaries.append(Boundary("first", a - p.symbol * length))
         if name in ("low", "one"):
-            boundaries.append(Boundary("second", b - q.symbol))
+            boundaries.append(Boundary("second", b - q.symbol * length))
         configurations.append(Configuration(name, FirstOrder(matrix, load), tuple(boundaries)))
     transitions = [
         Transition("low", {"first"}, "one"),
@@ -54,6 +61,15 @@ def corner(
         f"corner-{seed}", "four fields", states, tuple(found), tuple(configurations), transitions
     )
     return system, {"p": 1.0, "q": 1.0, "s": 0.5}
+
+
+@pytest.mark.parametrize("length", [1, sp.Rational(1, 10**12)], ids=str)
+def test_orders_that_differ_have_no_derivative_in_any_unit(length: sp.Rational) -> None:
+    system, data = corner(0, APART, length=length)
+    motion = ns.simulate(system, data, [0, 0, float(length) / 4], "low", until=1.5)
+    assert motion.boundaries[1] == ("first", "second")
+    with pytest.raises(ns.InputError, match="the motion has no derivative by p there"):
+        motion.derivatives("p")
 
 
 APART = {"one": (2, 3), "other": (1, 2), "high": (1, 1)}

@@ -9,6 +9,8 @@ from scipy.linalg import expm
 import nonsmooth
 from nonsmooth.derive import Harmonic, Regions, RigidStop, Terms, oscillator
 from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth.runtime.model.piecewise import piecewise
+from nonsmooth.runtime.simulation.recurrence import sizes_of
 from tests.handmade import DATA, pair, two_stops
 
 STICK = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
@@ -153,3 +155,20 @@ def test_a_start_alone() -> None:
     alone = nonsmooth.simulate(two_stops(), DATA, [0, 0.3, 1, 0], until=0.01)
     with pytest.raises(InputError, match="does not come back"):
         nonsmooth.itinerary_of(alone)
+
+
+@pytest.mark.parametrize(("length", "rate"), [(1e-12, 1e3), (1e6, 1e-9)])
+def test_sizes_of_states_have_their_units(length: float, rate: float) -> None:
+    """Two masses, one at a stop at 0 whenever something happens, the other one at rest."""
+    names = ["x1", "x2"]
+    system = oscillator("two", names, [[1, 0], [0, 1]], [[1, 0], [0, 1]],
+                        elements=[RigidStop("x1", at=0, restitution=1, name="stop")])  # fmt: skip
+    structure = piecewise(system, {}).structure
+    states = np.array([[1e-17, 0.0, 2.0, 1e-18], [-1e-17, 1e-18, -1.0, 0.0]])
+    times = np.array([0.0, 3.0])
+    wanted = sizes_of(structure, states, times)
+    assert wanted[2] == 2.0
+    assert (wanted[[0, 1, 3]] > 1e-9).all()
+    units = length * np.array([1, 1, rate, rate])
+    found = sizes_of(structure, states * units, times / rate)
+    np.testing.assert_allclose(found, wanted * units, rtol=1e-14)

@@ -23,10 +23,10 @@ from nonsmooth.runtime.shooting.newton import CONVERGED
 
 __all__ = ["Solver", "anchor_starts", "solve_block"]
 
-_SAME = 1e-6  # difference of one orbit found twice, in units of max(1, |x|)
+_SAME = 1e-6  # relative difference of one orbit found twice
 _NEAR = 0.05  # relative difference of orbits of one branch at points next to each other
 _BRANCH = 0.3  # relative range of an unknown over the corners of a cell on one branch
-_SHARE = 0.3  # of the largest unknown: smaller ones are measured by it
+_SHARE = 0.3  # of the longest dwell time, and of usual sizes: what is smaller is measured by it
 _BEST = 3
 _STEPS = 8  # from one anchor to the next
 _ROUNDS = 2  # in which anchors give way to most of their neighbours
@@ -43,10 +43,13 @@ class Solver:
         None, to columns: "status", "admissible", "margin" among them.
     starts_of : callable
         Starts (n, m) that lead to the same orbits; NaN where there is none.
+    usual : array (m,)
+        Sizes of what starts are made of, at the reference orbit; 0 of dwell times.
     """
 
     solve: Callable[[Mapping[str, np.ndarray], np.ndarray | None], Columns]
     starts_of: Callable[[Columns], np.ndarray]
+    usual: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +130,7 @@ def solve_block(block: Block, anchors: np.ndarray, solver: Solver) -> Columns:
     if anchors.shape[-1] == 0:  # explicit equations, which start from nothing
         found = _field(block.values, solver, None)
         return {name: column.reshape(found.shape) for name, column in found.columns.items()}
-    (first, *others), mixed = _starts_between(block, anchors)
+    (first, *others), mixed = _starts_between(block, anchors, solver.usual)
     field = _field(block.wide_values, solver, first)
     for start in others:
         places = np.flatnonzero(field.ranks < _BEST)
@@ -196,7 +199,7 @@ def _reconsider(field: _Field, solver: Solver, among: np.ndarray) -> None:
     better = np.zeros(count, dtype=bool)
     sizes = np.abs(field.starts)
     for lower, upper in _next_ones(field.shape):
-        size = _sizes(np.maximum(sizes[lower], sizes[upper]))
+        size = _sizes(np.maximum(sizes[lower], sizes[upper]), solver.usual)
         close = (np.abs(field.starts[upper] - field.starts[lower]) <= _NEAR * size).all(axis=-1)
         for here, other in ((upper, lower), (lower, upper)):
             beside[here] += 1
@@ -215,14 +218,14 @@ def _reconsider(field: _Field, solver: Solver, among: np.ndarray) -> None:
         starts = np.full_like(field.starts, np.nan)
         starts[here] = field.starts[other]
         found.append(solver.solve(values, starts[places]))
-    best = _agreed(np.stack([solver.starts_of(one) for one in found]), found)
+    best = _agreed(np.stack([solver.starts_of(one) for one in found]), found, solver.usual)
     chosen = {n: np.choose(best, [one[n] for one in found]) for n in found[0]}
     field.put(solver, places, chosen)
 
 
-def _agreed(starts: np.ndarray, found: list[Columns]) -> np.ndarray:
+def _agreed(starts: np.ndarray, found: list[Columns], usual: np.ndarray) -> np.ndarray:
     """Which of several orbits at each point has the best rank, then the most that agree."""
-    size = np.maximum(1, np.abs(starts))
+    size = _sizes(np.abs(starts), usual)
     votes = [
         (np.abs(starts - one) <= _SAME * size).all(axis=-1).sum(axis=0) for one in starts
     ]  # what is NaN agrees with nothing
@@ -230,15 +233,18 @@ def _agreed(starts: np.ndarray, found: list[Columns]) -> np.ndarray:
     return np.asarray(np.argmax(np.stack(votes) + ranks * (len(found) + 1), axis=0))
 
 
-def _sizes(starts: np.ndarray) -> np.ndarray:
-    """Units of measure of starts (..., m): one that is small counts as part of the largest."""
-    largest = starts[..., 0]
-    for k in range(1, starts.shape[-1]):  # far quicker than a reduction of a short axis
-        largest = np.maximum(largest, starts[..., k])
-    return np.asarray(np.maximum(starts, _SHARE * largest[..., None]))
+def _sizes(starts: np.ndarray, usual: np.ndarray) -> np.ndarray:
+    """Units of measure of starts (..., m): a short dwell time counts as part of the longest."""
+    longest = np.zeros(starts.shape[:-1])
+    for k in np.flatnonzero(usual == 0).tolist():  # far quicker than a reduction of a short axis
+        longest = np.maximum(longest, starts[..., k])
+    least = np.where(usual == 0, longest[..., None], usual)
+    return np.asarray(np.maximum(starts, _SHARE * least))
 
 
-def _starts_between(block: Block, anchors: np.ndarray) -> tuple[list[np.ndarray], np.ndarray]:
+def _starts_between(
+    block: Block, anchors: np.ndarray, usual: np.ndarray
+) -> tuple[list[np.ndarray], np.ndarray]:
     """Starts (n, m) in the order in which they are tried; NaN where there is none.
 
     First what lies between the anchors around, where these are on one branch, or what the
@@ -247,7 +253,7 @@ def _starts_between(block: Block, anchors: np.ndarray) -> tuple[list[np.ndarray]
     corners = _corners(block, anchors)
     shape = corners.shape[1:-1]
     lower, upper = corners.min(axis=0), corners.max(axis=0)
-    size = _sizes(np.maximum(np.abs(lower), np.abs(upper)))
+    size = _sizes(np.maximum(np.abs(lower), np.abs(upper)), usual)
     branch = (upper - lower <= _BRANCH * size).all(axis=-1)
     fractions = np.ix_(*block.fractions)
     between, distances = np.zeros(corners.shape[1:]), np.full(corners.shape[:-1], np.inf)

@@ -219,7 +219,7 @@ class OrbitChart:
         def solve(values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
             return orbits.solve(self._completed(values), start)
 
-        return Solver(solve, orbits.starts_of)
+        return Solver(solve, orbits.starts_of, orbits.usual)
 
     def _completed(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Values of all parameters at points (n,) from those that are swept."""

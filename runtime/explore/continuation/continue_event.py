@@ -10,6 +10,7 @@ down but do not limit what it converges to.
 from __future__ import annotations
 
 from collections.abc import Callable
+from operator import itemgetter
 
 import numpy as np
 
@@ -43,13 +44,14 @@ class _EventCurve:
         self.sizes = np.append(curve.sizes, length)
         at = self.first[:-1]
         self._monitors = monitors
-        self._monitor = _monitor_of(self._monitors, event)
+        several = _monitors_of(self._monitors, event)
+        self._monitor, self._unit = several[0], 1.0
         self._vanishing = event.phase if event.kind == "vanishing-phase" else None
         jacobian = self._scaled(curve, at)
         left, _, right = np.linalg.svd(jacobian)
         self._left, self._right = left[:, -1], right[-1]
-        self._unit = 1.0
-        self._unit = max(abs(self._value(curve, at + self.sizes[:-1] * 1e-2)), 1e-8)
+        told = [(monitor, *self._told(monitor, curve, at)) for monitor in several]
+        self._monitor, _, self._unit = min(told, key=itemgetter(1))
 
     def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """See `Curve`."""
@@ -58,16 +60,25 @@ class _EventCurve:
         step = _DIFFERENCE * self.sizes
         above, below = self._at(z[-1] + step[-1]), self._at(z[-1] - step[-1])
         by_second = (above.equations(value)[0] - below.equations(value)[0]) / (2 * step[-1])
-        slopes = [
-            (self._value(curve, value + shift) - self._value(curve, value - shift)) / (2 * width)
-            for width, shift in zip(step[:-1], np.diag(step[:-1]), strict=True)
-        ]
-        slopes.append((self._value(above, value) - self._value(below, value)) / (2 * step[-1]))
+        by_last = (self._value(above, value) - self._value(below, value)) / (2 * step[-1])
+        slopes = np.append(self._slopes(curve, value), by_last)
         whole = np.concatenate([jacobian, by_second[:, None]], axis=1)
         return (
             np.append(residual, self._value(curve, value)),
-            np.concatenate([whole, np.array(slopes)[None]]),
+            np.concatenate([whole, slopes[None]]),
         )
+
+    def _told(self, monitor: Monitor, curve: OrbitFamily, z: np.ndarray) -> tuple[float, float]:
+        """How far a monitor's number is from zero, in units of its change nearby, and this unit."""
+        self._monitor = monitor
+        unit = float(np.abs(self._slopes(curve, z) * self.sizes[:-1]).max()) or 1.0
+        return abs(self._value(curve, z)) / unit, unit
+
+    def _slopes(self, curve: OrbitFamily, z: np.ndarray) -> np.ndarray:
+        """Derivatives of what is zero at the event by unknowns and the first parameter."""
+        step = _DIFFERENCE * self.sizes[:-1]
+        rises = [self._value(curve, z + s) - self._value(curve, z - s) for s in np.diag(step)]
+        return np.array(rises) / (2 * step)
 
     def leaps(self, z: np.ndarray, following: np.ndarray) -> bool:
         """See `Curve`: no other one is looked out for."""
@@ -199,12 +210,16 @@ def continue_event(
     return found
 
 
-def _monitor_of(monitors: Monitors, event: Event) -> Monitor:
-    """The monitor whose zero an event is."""
+def _monitors_of(monitors: Monitors, event: Event) -> list[Monitor]:
+    """The monitors one of whose zeros an event is: a transition may have several conditions."""
     if event.kind == "vanishing-phase":
-        return Monitor(event.kind)
-    for monitor in (*monitors.smooth, *monitors.borders):
-        same = monitor.phase == (-1 if event.phase is None else event.phase)
-        if monitor.kind == event.kind and same and monitor.boundary == event.boundary:
-            return monitor
-    raise InputError(f"the branch does not watch this event: {event.text}")
+        return [Monitor(event.kind)]
+    place = event.kind, -1 if event.phase is None else event.phase, event.boundary
+    found = [
+        monitor
+        for monitor in (*monitors.smooth, *monitors.borders)
+        if (monitor.kind, monitor.phase, monitor.boundary) == place
+    ]
+    if not found:
+        raise InputError(f"the branch does not watch this event: {event.text}")
+    return found

@@ -8,6 +8,7 @@ constants, and fixes M up to a factor wherever the masses are coupled.
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -44,8 +45,10 @@ def energy_of(orbit: Orbit) -> float:
     InputError
         If no energy is kept along the orbit.
     """
-    numbers = numbers_in(piecewise(orbit.system, orbit.parameters))
     cycle, states = orbit.tables.cycle, orbit.states.astype(float)
+    time, units = _units(states, float(orbit.period))
+    numbers = _measured(numbers_in(piecewise(orbit.system, orbit.parameters)), time, units)
+    states = states / units
     forms = _forms(cycle, numbers, states.shape[1])
     if forms is None:
         raise InputError(f"no energy is kept along {orbit.name}")
@@ -54,7 +57,32 @@ def energy_of(orbit: Orbit) -> float:
     values = _energies(cycle, forms, extended)
     if np.ptp(values) > _KEPT * max(_energies(cycle, absolute, np.abs(extended))):
         raise InputError(f"no energy is kept along {orbit.name}")
-    return values[0] - min(_lowest(form) for form in forms.values())
+    unit = units[states.shape[1] // 2] ** 2  # of the first velocity
+    return float(unit) * (values[0] - min(_lowest(form) for form in forms.values()))
+
+
+def _units(states: np.ndarray, period: float) -> tuple[float, np.ndarray]:
+    """Units of time, and of positions, then velocities (N,): powers of two near their sizes."""
+    time = 2.0 ** round(math.log2(period / (2 * math.pi)))
+    count = states.shape[1] // 2
+    sizes = np.abs(states).max(axis=0)
+    lengths = np.maximum(sizes[:count], sizes[count : 2 * count] * time)
+    lengths = np.exp2(np.rint(np.log2(np.where(lengths > 0, lengths, 1.0))))
+    units = np.ones(states.shape[1])
+    units[:count], units[count : 2 * count] = lengths, lengths / time
+    return time, units
+
+
+def _measured(numbers: Numbers, time: float, units: np.ndarray) -> Numbers:
+    """A system's numbers in these units; rows in units of their own."""
+    columns = np.append(units, 1.0)
+    rows = numbers.rows * columns
+    largest = np.abs(rows).max(axis=1, keepdims=True)
+    return numbers._replace(
+        fields=numbers.fields * columns / units[:, None] * time,
+        rows=rows / np.where(largest > 0, largest, 1.0),
+        resets=numbers.resets * columns / units[:, None],
+    )
 
 
 def _energies(

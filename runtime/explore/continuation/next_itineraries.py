@@ -75,7 +75,7 @@ def next_itineraries(
     if not event.border_collision:
         raise InputError(f"{event.kind} is no border collision: the itinerary goes on")
     base, system_at = _neighbour(branch, event, parameters)
-    span = float(np.ptp(branch.parameter_values)) or max(1.0, abs(event.value))
+    span = float(np.ptp(branch.parameter_values)) or abs(event.value) or 1.0
     side = _side(branch, event)
     found: dict[_Phases, Orbit] = {}
     own = canonical_itinerary(base.itinerary)
@@ -122,7 +122,7 @@ def orbits_beside(
     tuple of Orbit
     """
     base, system_at = _neighbour(branch, event, parameters)
-    span = float(np.ptp(branch.parameter_values)) or max(1.0, abs(event.value))
+    span = float(np.ptp(branch.parameter_values)) or abs(event.value) or 1.0
     own, found = canonical_itinerary(base.itinerary), list[Orbit]()
     ways = _candidates(base, event)
     for distance in _CLOSE:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -19,12 +20,14 @@ from nonsmooth.runtime.explore.design.largest import (
 from nonsmooth.runtime.explore.design.quantities import (
     MULTIPLIER,
     RADIUS,
+    QuantityValues,
     multiplier_gap,
+    unit_of,
 )
 
-__all__ = ["Aim", "MarginKey", "Rows", "Trial"]
+__all__ = ["Aim", "MarginKey", "Rows", "Trial", "watched_margins"]
 
-_INSIDE = 1e-10  # of a margin: an orbit at the limit is a motion despite of rounding
+_INSIDE = 1e-10  # of a margin's unit: an orbit at the limit is a motion despite of rounding
 
 
 class MarginKey(NamedTuple):
@@ -32,6 +35,26 @@ class MarginKey(NamedTuple):
 
     phase: int
     boundary: str
+
+
+def watched_margins(measured: QuantityValues, lengths: np.ndarray) -> dict[MarginKey, float]:
+    """The boundaries that stay away along an orbit, and the units of their functions.
+
+    Parameters
+    ----------
+    measured : QuantityValues
+    lengths : array (q,)
+        Of the parameters' intervals.
+
+    Returns
+    -------
+    dict of MarginKey to float
+    """
+    found = {}
+    for margin in measured.derivatives.margins:
+        changes = np.asarray(margin.rates[: len(lengths)], dtype=float) * lengths
+        found[MarginKey(margin.phase, margin.boundary)] = unit_of(float(margin.value), changes)
+    return found
 
 
 class Rows(NamedTuple):
@@ -83,10 +106,12 @@ class Aim:
     conditions : tuple of DesignCondition
     scale : float
         Unit of the quantity.
+    units : mapping of str to float
+        Of all quantities that conditions ask for, but of pure numbers.
     lengths : array (q,)
         Of the parameters' intervals.
-    margins : tuple of MarginKey
-        Boundaries that must not be crossed, each in its phase.
+    margins : mapping of MarginKey to float
+        Boundaries that must not be crossed, each in its phase, and the units of their functions.
     extremes : tuple of ExtremeKey
         Local extremes of a peak, each below the level.
     spread : bool
@@ -98,7 +123,8 @@ class Aim:
     conditions: tuple[DesignCondition, ...]
     scale: float
     lengths: np.ndarray
-    margins: tuple[MarginKey, ...] = ()
+    units: Mapping[str, float] = field(default_factory=dict)
+    margins: Mapping[MarginKey, float] = field(default_factory=dict)
     extremes: tuple[ExtremeKey, ...] = ()
     spread: bool = False
 
@@ -192,7 +218,9 @@ class Aim:
         """
         measured, wanted = member.quantities, level * self.scale
         if self.extremes:
-            found = extreme_rows(measured.derivatives, self.quantity, self.extremes, wanted)
+            found = extreme_rows(
+                measured.derivatives, self.quantity, self.extremes, wanted, self.scale
+            )
         elif self.quantity == RADIUS and self.sign > 0:
             found = radius_rows(measured.derivatives, wanted)
         else:
@@ -207,6 +235,19 @@ class Aim:
         slopes = np.hstack([self._by_places(found.by_parameters), by_level])
         sizes = self.scale**found.powers
         return Rows(found.values / sizes, slopes / sizes[:, None])
+
+    def size(self, condition: DesignCondition) -> float:
+        """Unit in which a condition is missed.
+
+        Parameters
+        ----------
+        condition : DesignCondition
+
+        Returns
+        -------
+        float
+        """
+        return max(self.units.get(condition.quantity, 1.0), abs(float(condition.value)))
 
     def condition_rows(self, member: DesignPoint, condition: DesignCondition) -> Rows:
         """One condition of one orbit.
@@ -232,7 +273,7 @@ class Aim:
             sign = -1.0 if condition.relation == "<=" else 1.0
             values = np.array([sign * (measured.values[condition.quantity] - wanted)])
             slopes = sign * measured.slopes[condition.quantity][None]
-        size = max(1.0, abs(wanted))
+        size = self.size(condition)
         return Rows(values / size, self._with_level(self._by_places(slopes) / size))
 
     def _with_level(self, slopes: np.ndarray) -> np.ndarray:
@@ -259,7 +300,7 @@ class Aim:
             found = radius_rows(derivatives, wanted).by_level
         else:
             found = np.ones(1)
-        return found / max(1.0, abs(wanted))
+        return found / self.size(condition)
 
     def margin_rows(self, member: DesignPoint) -> Rows:
         """How far each boundary stays away; far where it has no maximum inside its phase.
@@ -276,10 +317,10 @@ class Aim:
         there = {MarginKey(m.phase, m.boundary): m for m in margins}
         count = len(self.lengths)
         values, slopes = np.ones(len(self.margins)), np.zeros((len(self.margins), count))
-        for place, key in enumerate(self.margins):
+        for place, (key, unit) in enumerate(self.margins.items()):
             if key in there:
-                values[place] = float(there[key].value) - _INSIDE
-                slopes[place] = self._by_places(np.asarray(there[key].rates, dtype=float))
+                values[place] = float(there[key].value) / unit - _INSIDE
+                slopes[place] = self._by_places(np.asarray(there[key].rates, dtype=float)) / unit
         return Rows(values, self._with_level(slopes))
 
     def rows(self, point: Trial, level: float, *, equal: bool) -> Rows:

@@ -52,12 +52,12 @@ def alarms_of(aim: Aim, member: DesignPoint, length: float) -> tuple[np.ndarray,
     slopes = [-aim.sign * float(measured.slopes[aim.quantity][-1]) * length / aim.scale]
     for condition in aim.conditions:
         sign = -1.0 if condition.relation == "<=" else 1.0
-        size = max(1.0, abs(float(condition.value)))
+        size = aim.size(condition)
         values.append(sign * (measured.values[condition.quantity] - float(condition.value)) / size)
         slopes.append(sign * float(measured.slopes[condition.quantity][-1]) * length / size)
     margins = {(m.phase, m.boundary): m for m in measured.derivatives.margins}
-    for key in aim.margins:
+    for key, unit in aim.margins.items():
         there = margins.get((key.phase, key.boundary))
-        values.append(1.0 if there is None else float(there.value))
-        slopes.append(0.0 if there is None else float(there.rates[-1]) * length)
+        values.append(1.0 if there is None else float(there.value) / unit)
+        slopes.append(0.0 if there is None else float(there.rates[-1]) * length / unit)
     return np.array(values), np.array(slopes)

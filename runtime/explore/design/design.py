@@ -8,14 +8,14 @@ from typing import Any, get_args
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
-from nonsmooth.runtime.explore.design.aim import Aim, MarginKey, Trial
+from nonsmooth.runtime.explore.design.aim import Aim, MarginKey, Trial, watched_margins
 from nonsmooth.runtime.explore.design.branch_points import BranchPoints
 from nonsmooth.runtime.explore.design.design_points import DesignPoint, DesignPoints
 from nonsmooth.runtime.explore.design.largest import extreme_keys, is_largest_of_several
 from nonsmooth.runtime.explore.design.limits import Optimality, bounds_met, optimality
 from nonsmooth.runtime.explore.design.optimising import INTERRUPTED, Method, optimise
 from nonsmooth.runtime.explore.design.optimum import CONVERGED, NOT_REACHED, Design
-from nonsmooth.runtime.explore.design.quantities import is_extreme
+from nonsmooth.runtime.explore.design.quantities import is_extreme, is_pure, unit_of
 from nonsmooth.runtime.explore.design.question import design_question
 from nonsmooth.runtime.explore.design.solving import solve_conditions
 from nonsmooth.runtime.explore.design.telling import (
@@ -35,7 +35,6 @@ MOST_ITERATIONS = 200
 _OPTIMAL = 1e-5  # of the gradient that is left
 _SOLVED = 1e-9
 _NO_SLOPE = 1e-13  # of a quantity over an interval: nothing depends on the parameter
-_LEAST_UNIT = 1e-3  # of a quantity that begins near zero
 
 
 def design(
@@ -147,16 +146,21 @@ def design(
         progress=told,
     )
     first = points.visited[0]
-    watched = _watched(first) if admissible and question.aim != "solve" else ()
+    lengths = np.asarray(bounds[:, 1] - bounds[:, 0])
+    watched = _watched(first, lengths) if admissible and question.aim != "solve" else {}
     points.watching = bool(watched)
-    size = abs(first.quantities.values[quantity]) if quantity else 1.0
+    units = {
+        name: unit_of(value, first.quantities.slopes[name][: len(names)] * lengths)
+        for name, value in first.quantities.values.items()
+    }
     several = is_extreme(quantity) and is_largest_of_several(quantity, question.sign)
     aim = Aim(
         quantity,
         question.sign,
         question.conditions,
-        max(size, _LEAST_UNIT),
-        np.asarray(bounds[:, 1] - bounds[:, 0]),
+        units[quantity] if quantity else 1.0,
+        lengths,
+        {name: unit for name, unit in units.items() if not is_pure(name)},
         watched,
         extreme_keys([first.quantities.derivatives], quantity) if several else (),
     )
@@ -224,15 +228,14 @@ def _worst_at(
     return tuple(float(member.orbit.given[branch[0]]) for member in left.worst_at)
 
 
-def _watched(first: DesignPoint) -> tuple[MarginKey, ...]:
+def _watched(first: DesignPoint, lengths: np.ndarray) -> dict[MarginKey, float]:
     """The boundaries that stay away; none where open parameters decide how far they are."""
     kernels = first.orbit.problem.kernels
     if kernels is not None and any(
         p.name not in first.orbit.opened for p in kernels.open_parameters
     ):
-        return ()
-    margins = first.quantities.derivatives.margins
-    return tuple(MarginKey(m.phase, m.boundary) for m in margins)
+        return {}
+    return watched_margins(first.quantities, lengths)
 
 
 def _check_dependence(names: Sequence[str], first: Trial, aim: Aim) -> None:

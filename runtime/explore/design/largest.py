@@ -148,7 +148,11 @@ def extreme_keys(every: Iterable[OrbitDerivatives], quantity: str) -> tuple[Extr
 
 
 def extreme_rows(
-    derivatives: OrbitDerivatives, quantity: str, keys: Iterable[ExtremeKey], level: float
+    derivatives: OrbitDerivatives,
+    quantity: str,
+    keys: Iterable[ExtremeKey],
+    level: float,
+    unit: float,
 ) -> LevelRows:
     """The conditions that no local extreme exceeds a level.
 
@@ -159,6 +163,8 @@ def extreme_rows(
     keys : iterable of ExtremeKey
         The largest ones so many; where there are fewer a condition holds by far.
     level : float
+    unit : float
+        Of the quantity.
 
     Returns
     -------
@@ -171,7 +177,7 @@ def extreme_rows(
         largest = sorted(sorted(own, key=_value)[-count:], key=_time)
         rows += [*largest]
         rows += [None] * (count - len(largest))
-    far, nothing = max(1.0, abs(level)), np.zeros(len(derivatives.by))
+    far, nothing = max(unit, abs(level)), np.zeros(len(derivatives.by))
     return LevelRows(
         np.array([far if each is None else level - each.value for each in rows]),
         np.array([nothing if each is None else -each.rates for each in rows], dtype=float),
@@ -193,6 +199,7 @@ def corner_of(
     quantity: str,
     active: np.ndarray,
     slopes: np.ndarray,
+    units: np.ndarray,
 ) -> str:
     """What happens where several conditions of one orbit act at once.
 
@@ -205,6 +212,8 @@ def corner_of(
         Which of the conditions hold with equality.
     slopes : array (m, n)
         Of the conditions.
+    units : array (q,)
+        Of the quantity's derivatives.
 
     Returns
     -------
@@ -219,6 +228,7 @@ def corner_of(
         ties = _largest(derivatives, quantity)
         for sign in {each.sign for each in ties}:
             rates = np.array([each.rates for each in ties if each.sign == sign], dtype=float)
+            rates /= units
             if float(np.ptp(rates, axis=0).max()) > _SAME_SLOPE * size:
                 return _EXTREMES
         return _TIED

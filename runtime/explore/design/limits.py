@@ -97,12 +97,12 @@ def optimality(
                 free.append(condition.relation == "=")
     for member in point.members if aim.margins else ():
         margins = aim.margin_rows(member)
-        for key, value, slope in zip(aim.margins, *margins, strict=True):
+        for (key, unit), value, slope in zip(aim.margins.items(), *margins, strict=True):
             if abs(value) <= _ACTIVE:
                 away = f"{key.boundary} stays away in phase {key.phase + 1}"
                 texts.append(away + where(member))
                 slopes.append(slope)
-                units.append(1.0)
+                units.append(1 / unit)
                 free.append(False)
     for place, sign, text in _sides(point, names, bounds):
         texts.append(text)
@@ -118,7 +118,11 @@ def optimality(
             continue
         worst_at.append(member)
         corner = corner or corner_of(
-            member.quantities.derivatives, aim.quantity, near, levels.slopes
+            member.quantities.derivatives,
+            aim.quantity,
+            near,
+            levels.slopes,
+            aim.scale / aim.lengths,
         )
         slopes.extend(levels.slopes[near])
         free.extend([False] * int(near.sum()))

@@ -20,12 +20,16 @@ __all__ = [
     "Gap",
     "QuantityValues",
     "is_extreme",
+    "is_pure",
     "measure",
     "multiplier_gap",
+    "unit_of",
 ]
 
 RADIUS, MULTIPLIER = "spectral_radius", "multiplier"
+_PURE = (RADIUS, MULTIPLIER, "trace", "determinant")
 _IMAGINARY = 1e-30  # of a derivative by a complex step
+_LEAST_UNIT = 1e-3  # of what the bounds change: the unit of a quantity that begins near zero
 
 
 class QuantityValues(NamedTuple):
@@ -110,6 +114,39 @@ def is_extreme(quantity: str) -> bool:
     """
     kind, _, of = quantity.partition(":")
     return kind in KINDS and bool(of)
+
+
+def is_pure(quantity: str) -> bool:
+    """Whether a quantity is a number in all units of length, time and mass.
+
+    Parameters
+    ----------
+    quantity : str
+
+    Returns
+    -------
+    bool
+    """
+    return quantity in _PURE
+
+
+def unit_of(value: float, changes: np.ndarray) -> float:
+    """Unit in which a quantity is measured: its own size, or part of what the bounds change.
+
+    Parameters
+    ----------
+    value : float
+        Where the design begins.
+    changes : array (q,)
+        Derivatives there by the places of the parameters; NaN where there is none.
+
+    Returns
+    -------
+    float
+        Positive; 1 of what is zero and does not change.
+    """
+    size = max(abs(value), _LEAST_UNIT * float(np.nan_to_num(np.abs(changes)).max(initial=0.0)))
+    return size or 1.0
 
 
 class Gap(NamedTuple):

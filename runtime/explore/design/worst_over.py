@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.continuation.orbit_family import check_interval
-from nonsmooth.runtime.explore.design.aim import Aim, MarginKey, Trial
+from nonsmooth.runtime.explore.design.aim import Aim, Trial, watched_margins
 from nonsmooth.runtime.explore.design.alarms import Watch
 from nonsmooth.runtime.explore.design.branch_points import BranchPoint, BranchPoints
 from nonsmooth.runtime.explore.design.design_points import Beyond, DesignPoints
@@ -80,21 +80,21 @@ def spread(points: DesignPoints, aim: Aim) -> tuple[Aim, BranchPoints]:
     place, begin = first.place[:-1], float(first.place[-1])
     try:
         scan = scanned(points, place, begin, _LOOKS)
-        keys = dict.fromkeys(aim.margins)
-        for member in scan.members if aim.margins else ():
-            margins = member.quantities.derivatives.margins
-            keys |= dict.fromkeys(MarginKey(m.phase, m.boundary) for m in margins)
+        margins = dict(aim.margins)
+        for member in scan.members if margins else ():
+            for key, unit in watched_margins(member.quantities, aim.lengths).items():
+                margins.setdefault(key, unit)
         size = max(abs(member.quantities.values[aim.quantity]) for member in scan.members)
         every = [member.quantities.derivatives for member in scan.members]
         whole = replace(
             aim,
-            margins=tuple(keys),
+            margins=margins,
             scale=max(size, aim.scale),
             extremes=extreme_keys(every, aim.quantity) if aim.extremes else (),
             spread=True,
         )
-        watched = worst_places(points, whole, place, scan)
-        return whole, BranchPoints(points, whole, place, watched)
+        worst = worst_places(points, whole, place, scan)
+        return whole, BranchPoints(points, whole, place, worst)
     except Beyond as ended:
         low, high = points.bounds[-1]
         raise InputError(

@@ -25,14 +25,13 @@ from nonsmooth.runtime.model.piecewise import (
     piecewise_at,
 )
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
-from nonsmooth.runtime.simulation.recurrence import recurrent_lengths
+from nonsmooth.runtime.simulation.recurrence import recurrent_lengths, sizes_of
 from nonsmooth.runtime.simulation.simulate import Trajectories
 
 __all__ = ["EQUILIBRIUM", "PERIODIC", "UNINTERRUPTED", "Settled", "settled", "settled_texts"]
 
 PERIODIC, UNINTERRUPTED, EQUILIBRIUM = 0, 1, 2  # beside the numbers of an Outcome
 _RETURN = 1e-6  # in units of the largest size of a state on the cycle
-_LEAST = 1e-8  # size of a state in units of the largest
 
 
 class Settled(NamedTuple):
@@ -149,17 +148,12 @@ def _arrived(
 def _returned(motions: Trajectories, states: np.ndarray) -> Settled:
     """Those motions (n,) that came back, as their states (n, k, N) at the entries tell."""
     seen = replace(motions, last_states=states)
-    lengths = recurrent_lengths(seen, _scales(states), _RETURN)
+    lengths = recurrent_lengths(
+        seen, sizes_of(motions.structure, states, motions.last_times), _RETURN
+    )
     lengths[motions.status != Status.TRANSITIONS] = 0
     times = motions.last_times
     before = np.take_along_axis(times, (times.shape[-1] - 1 - lengths)[:, None], axis=1)[:, 0]
     outcomes = labels_of_ends(motions)
     outcomes[lengths > 0] = PERIODIC
     return Settled(outcomes, lengths, np.where(lengths > 0, times[:, -1] - before, np.nan))
-
-
-def _scales(states: np.ndarray) -> np.ndarray:
-    """Largest sizes (n, N) of states (n, k, N), none less than rounding makes of a zero."""
-    largest = np.nan_to_num(np.abs(states)).max(axis=1, initial=0.0)
-    found = np.maximum(largest, _LEAST * largest.max(axis=1, keepdims=True))
-    return np.where(found > 0, found, 1.0)

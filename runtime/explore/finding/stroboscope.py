@@ -17,6 +17,7 @@ from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.shooting.translations import translations_of, up_to_shift
+from nonsmooth.runtime.simulation.recurrence import sizes_of
 from nonsmooth.runtime.simulation.simulate import Trajectories, simulate_many
 
 __all__ = ["Returns", "stroboscopic_returns"]
@@ -25,7 +26,6 @@ _FLASHES = 12  # the longest motion that comes back, in common periods of the fo
 _MOST = 2048  # transitions from one flash to the next
 _ASIDE = 0.3819660112501051  # of a period, from the last transition to the first flash
 _RETURN = 1e-6  # in units of the largest size of a state
-_LEAST = 1e-8  # size of a state in units of the largest
 
 
 class Returns(NamedTuple):
@@ -59,8 +59,7 @@ def stroboscopic_returns(
     """
     values, periods = numbers_of(systems).items(), np.array([_period(each) for each in systems])
     directions = [translations_of(system) for system in systems]
-    sizes = np.nan_to_num(np.abs(motions.last_states)).max(axis=1)
-    sizes = np.maximum(sizes, _LEAST * sizes.max(axis=1, keepdims=True))
+    sizes = sizes_of(motions.structure, motions.last_states, motions.last_times)
     found = Returns(np.zeros(len(systems), dtype=int), np.full(len(systems), np.nan))
     going = np.flatnonzero((motions.status == Status.TRANSITIONS) & np.isfinite(periods))
     states = motions.last_states[going, -1]
