@@ -5,7 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.explore.continuation.stepping import CLOSED, INTERRUPTED, trace_both_ways
+from nonsmooth.runtime.explore.continuation.stepping import (
+    CLOSED,
+    INTERRUPTED,
+    Path,
+    trace_both_ways,
+)
 
 
 class Circle:
@@ -63,6 +68,17 @@ def test_a_path_goes_on_to_the_whole_from_every_point(limits: tuple[float, float
         again = trace_both_ways(circle, limits, step, 100, Stop(1000), part)
         assert again.ends == whole.ends
         assert turned(again.points).sum() == pytest.approx(length)
+
+
+@pytest.mark.parametrize("gap", [0.3, 0.1, 0.03, 0.01, 1e-3, 1e-5])
+def test_a_path_does_not_pass_its_other_end(gap: float) -> None:
+    angles = np.linspace(2.0, 2.0 + 2 * np.pi - gap, 50)
+    points = np.column_stack([np.cos(angles), np.sin(angles)])
+    tangents = np.column_stack([-np.sin(angles), np.cos(angles)])
+    part = Path(points, tangents, (INTERRUPTED, INTERRUPTED), 20)
+    again = trace_both_ways(Circle(), (-2.0, 2.0), 0.2, 1000, Stop(1000), part)
+    assert again.ends == (CLOSED, CLOSED)
+    assert turned(again.points).sum() == pytest.approx(2 * np.pi)
 
 
 def test_points_count_those_that_are_known() -> None:
