@@ -34,6 +34,7 @@
 `motions`               `simulate`, `find`, `sweep`
 `ranges`                ranges of parameters, and the orbit or branch in them
 `report_motions`        motions as JSON
+`resuming`              commands that go on by the file that `--save` wrote
 `tables`                consoles and tables that are as wide as they need to be
 `written`               files and pictures that a command writes, and what it shows of them
 ======================  ===================================================================
