@@ -111,7 +111,13 @@ _UP_TO_SHIFT = {"translations": [[NUMBER]]}
 _CLOSING = Either((*_CLOSINGS, *({**closing, **_UP_TO_SHIFT} for closing in _CLOSINGS)))
 _ALONG_ONE = {"vanishing": [[NUMBER]]}
 _CLAIMS = {"existence": _VERDICT, "admissibility": _VERDICT, "stability": _VERDICT}
-_FILE = {"format": str, "version": int, "package": str, "sha256": str}
+_FILE = {
+    "format": str,
+    "version": int,
+    "package": str,
+    "request": Maybe(dict),  # what a command was asked, for --resume
+    "sha256": str,
+}
 _ORBIT = {
     "orbit": str,
     "system": str,

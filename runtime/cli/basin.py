@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -16,9 +15,11 @@ from nonsmooth.runtime.cli.options import (
     Assignments,
     Guess,
     Plot,
+    Resume,
     SaveResult,
     Workers,
 )
+from nonsmooth.runtime.cli.resuming import resumable
 from nonsmooth.runtime.core.errors import InputError
 
 __all__ = ["basin"]
@@ -32,6 +33,7 @@ __all__ = ["basin"]
     " --plot basin.png"
 )
 @answering
+@resumable("orbit parameters guess box side parts", anew="tiles")
 def basin(
     orbit: Annotated[
         str,
@@ -65,10 +67,7 @@ def basin(
     require: Annotated[
         Proven | None, typer.Option("--require", help="Exit with 3 unless a basin is proved.")
     ] = None,
-    resume: Annotated[
-        Path | None,
-        typer.Option("--resume", metavar="FILE", help="Go on with a saved basin, up to --tiles."),
-    ] = None,
+    resume: Resume = None,
     save: SaveResult = None,
     plot: Plot = None,
     overwrite: Overwrite = False,
@@ -90,7 +89,6 @@ def basin(
     from nonsmooth.runtime.proof.basin.certify_basin import certify_basin
 
     near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
-    save = resume if save is None else save
     proof = LongProof(
         name=orbit,
         parameters=parameters or [],

@@ -25,9 +25,10 @@ from nonsmooth.runtime.cli.certifying_branches import certify_flips, certify_who
 from nonsmooth.runtime.cli.certifying_events import certify_events
 from nonsmooth.runtime.cli.counting import Every, count_orbits
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, Overwrite, check_new, say
-from nonsmooth.runtime.cli.long_proofs import LongProof, question_in
-from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess, SaveResult, Yes
+from nonsmooth.runtime.cli.long_proofs import LongProof
+from nonsmooth.runtime.cli.options import AsJson, Assignments, Guess, Resume, SaveResult, Yes
 from nonsmooth.runtime.cli.ranges import is_box
+from nonsmooth.runtime.cli.resuming import resumable
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
@@ -63,6 +64,10 @@ class Proven(StrEnum):
     "nonsmooth certify --check certificate.json"
 )
 @answering
+@resumable(
+    "orbit parameters guess digits bits derivatives every events branch",
+    anew="tiles beyond doublings",
+)
 def certify(
     orbit: Annotated[
         str | None,
@@ -95,15 +100,7 @@ def certify(
             f" {_BRANCH_TILES}.",
         ),
     ] = None,
-    resume: Annotated[
-        Path | None,
-        typer.Option(
-            "--resume",
-            metavar="FILE",
-            help="Go on with a saved box or branch, which needs no more, or with events or"
-            " doublings of the orbit that is named.",
-        ),
-    ] = None,
+    resume: Resume = None,
     plot: Annotated[
         Path | None,
         typer.Option(
@@ -201,10 +198,8 @@ def certify(
         return _check(check, orbit, require, workers, as_json=as_json)
     if workers != 1:
         raise InputError("--workers goes with --check")
-    if orbit is None and resume is not None:
-        orbit, parameters, branch = question_in(resume)
     if orbit is None:
-        raise InputError("an orbit is missing, or --check FILE")
+        raise InputError("an orbit is missing, --resume FILE or --check FILE")
     if every + events + branch + (doublings is not None) > 1:
         raise InputError(
             "--all, --events, --branch and --doublings are questions of their own: ask one of them"
@@ -216,7 +211,6 @@ def certify(
     if beyond and not branch:
         raise InputError("--beyond goes with --branch")
     near = {n: float(v) for n, v in assignments("unknown", split(guess)).items()} or None
-    save = resume if save is None else save
     given = parameters or []
     proof = LongProof(
         name=orbit, parameters=given, near=near, resume=resume, save=save, plot=plot,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import shlex
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -17,7 +18,7 @@ from nonsmooth.runtime.cli.application import (
     ranges,
     split,
 )
-from nonsmooth.runtime.cli.keeping import interrupted, same_command
+from nonsmooth.runtime.cli.keeping import interrupted
 from nonsmooth.runtime.cli.options import AsJson, Start, Yes, missing_start
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import check_hours
@@ -145,7 +146,14 @@ def chart(
             work = work_on(out, problem, axes, scheduler, chunk, threads, count)
     except KeyboardInterrupt:
         kept = f"{done[0]} of {done[1] or 'all'} chunks are kept in {out}"
-        return interrupted(kept, f"go on with: {same_command()}")
+        beside = [
+            word
+            for option, value in (("--scheduler", scheduler), ("--threads", threads))
+            if value is not None
+            for word in (option, str(value))
+        ]
+        goes_on = shlex.join(["nonsmooth", "chart", str(out), *beside])
+        return interrupted(kept, f"go on with: {goes_on}")
     dataset = load_chart(out)
     countable = int(dataset.status.size) <= MOST_COUNTED
     with reading(out):

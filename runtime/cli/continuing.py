@@ -28,6 +28,7 @@ from nonsmooth.runtime.cli.options import (
     SaveResult,
     Yes,
 )
+from nonsmooth.runtime.cli.resuming import resumable
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
@@ -60,6 +61,7 @@ __all__ = ["follow"]
     " --save flips.json --plot flips.png",
 )
 @answering
+@resumable("orbit parameters start admissible switch follow_event", anew="step points beyond")
 def follow(
     orbit: OrbitName,
     parameters: Annotated[
@@ -128,8 +130,7 @@ def follow(
     check_drawing(plot)
     _check_picture(plot, quantity, frequency, over, follow_event)
     if resume is not None and (switch or follow_event is not None):
-        raise InputError("--resume goes on with a branch: leave out --switch and --follow")
-    save = resume if save is None else save
+        raise InputError("--resume is for a branch, and not for what --switch and --follow lead to")
     check_new(save, overwrite, resume, resumes=not switch and follow_event is None)
     known = None if resume is None else load_branch(resume)
     if follow_event is not None and beyond:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -25,8 +24,10 @@ from nonsmooth.runtime.cli.options import (
     Plot,
     Require,
     RequiredVerdict,
+    Resume,
     SaveResult,
 )
+from nonsmooth.runtime.cli.resuming import resumable
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
 
@@ -56,6 +57,9 @@ class Method(StrEnum):
     " --minimise peak:x --worst-over w=0.95:1.05"
 )
 @answering
+@resumable(
+    "orbit parameters minimise maximise solve worst_over subject inadmissible", anew="method"
+)
 def design(
     orbit: OrbitName,
     parameters: Annotated[
@@ -116,15 +120,7 @@ def design(
     ] = Method.SLSQP,
     plot: Plot = None,
     save: SaveResult = None,
-    resume: Annotated[
-        Path | None,
-        typer.Option(
-            "--resume",
-            metavar="FILE",
-            help="Go on with an interrupted design; it is kept in this file unless --save says"
-            " otherwise.",
-        ),
-    ] = None,
+    resume: Resume = None,
     overwrite: Overwrite = False,
     require: Require = None,
     as_json: AsJson = False,
@@ -135,7 +131,6 @@ def design(
     from nonsmooth.runtime.present.files.designs import load_design
 
     check_drawing(plot)
-    save = resume if save is None else save
     check_new(save, overwrite, resume, resumes=True)
     known = None if resume is None else load_design(resume)
     texts = parameters or []

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -22,12 +21,14 @@ from nonsmooth.runtime.cli.options import (
     AsJson,
     Physical,
     Plot,
+    Resume,
     SaveResult,
     Start,
     SystemName,
     Workers,
     missing_start,
 )
+from nonsmooth.runtime.cli.resuming import resumable
 
 __all__ = ["graph"]
 
@@ -46,6 +47,7 @@ class Trapping(StrEnum):
     " --region x=-2:0,v=-2:2 --boxes 32 --levels 1 --plot graph.png --require trapping"
 )
 @answering
+@resumable("system parameters start configuration boxes region", anew="levels parts transitions")
 def graph(
     system: SystemName,
     parameters: Physical = None,
@@ -95,12 +97,7 @@ def graph(
         Trapping | None,
         typer.Option("--require", help="Exit with 3 unless an attracting component is proved."),
     ] = None,
-    resume: Annotated[
-        Path | None,
-        typer.Option(
-            "--resume", metavar="FILE", help="Go on with a saved graph: unknown images, levels."
-        ),
-    ] = None,
+    resume: Resume = None,
     save: SaveResult = None,
     plot: Plot = None,
     overwrite: Overwrite = False,
@@ -123,7 +120,7 @@ def graph(
         parameters=parameters or [],
         near=None,
         resume=resume,
-        save=resume if save is None else save,
+        save=save,
         plot=plot,
         overwrite=overwrite,
         as_json=as_json,

@@ -13,7 +13,7 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
@@ -21,6 +21,7 @@ from typing import Annotated, Any
 
 import typer
 
+from nonsmooth.runtime.cli.resuming import command_to_resume
 from nonsmooth.runtime.core.errors import InputError, Interrupted, one_line
 from nonsmooth.runtime.core.files import check_target
 
@@ -203,30 +204,21 @@ def kept_of(done: str, save: Path | None, *, resumes: bool = True) -> int:
     if not resumes:
         again = same_command("--overwrite")
         return interrupted(f"{done}, kept in {save}", f"begin again with: {again}")
-    goes_on = same_command("--resume", str(save), without=("--save", "--resume"))
-    return interrupted(f"{done}, kept in {save}", f"go on with: {goes_on}")
+    return interrupted(f"{done}, kept in {save}", f"go on with: {command_to_resume(save)}")
 
 
-def same_command(*more: str, without: Sequence[str] = ()) -> str:
-    """The command line that is running, without some options and their values, with others.
+def same_command(*more: str) -> str:
+    """The command line that is running, without `--overwrite`, with other options.
 
     Parameters
     ----------
     *more : str
         What is added.
-    without : sequence of str
-        Options that take a value; `--overwrite` is always left out.
 
     Returns
     -------
     str
         Quoted for a shell.
     """
-    kept: list[str] = []
-    words = iter(sys.argv[1:])
-    for word in words:
-        if word in without:
-            next(words, None)
-        elif word != "--overwrite" and word.partition("=")[0] not in without:
-            kept.append(word)
+    kept = [word for word in sys.argv[1:] if word != "--overwrite"]
     return shlex.join(["nonsmooth", *kept, *more])

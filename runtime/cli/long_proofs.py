@@ -10,9 +10,8 @@ from typing import Any
 from nonsmooth.runtime.cli.application import ANSWERED, UNANSWERED, check_drawing
 from nonsmooth.runtime.cli.keeping import check_new, kept_of
 from nonsmooth.runtime.cli.written import Written
-from nonsmooth.runtime.core.errors import InputError
 
-__all__ = ["LongProof", "question_in"]
+__all__ = ["LongProof"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -112,38 +111,3 @@ class LongProof:
         if stopped:
             return found.claims, kept_of(done, written.kept(self.save))
         return found.claims, code or (ANSWERED if enough else UNANSWERED)
-
-
-def question_in(path: Path) -> tuple[str, list[str], bool]:
-    """Orbit and parameters of a saved box or branch, and whether it is a branch.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    tuple of (str, list of str, bool)
-        ``SYSTEM/ORBIT``; ``NAME=VALUE`` and ``NAME=A:B``.
-
-    Raises
-    ------
-    InputError
-        If the file holds neither, or an orbit that has no name.
-    """
-    from nonsmooth.runtime.present.files.loading import load
-    from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
-    from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
-
-    found = load(path)
-    if isinstance(found, BoxCertificate):
-        ranges = found.box
-    elif isinstance(found, CertifiedBranch):
-        ranges = {found.parameter: found.interval}
-    else:
-        raise InputError(f"{path} does not hold its question: name the orbit and its parameters")
-    if "," in found.orbit:  # told by its phases
-        raise InputError(f"{path}: its orbit has no name: name the file that it is from")
-    given = [f"{n}={value}" for n, value in found.parameters.items() if n not in found.chosen]
-    spans = [f"{name}={low}:{high}" for name, (low, high) in ranges.items()]
-    return found.orbit, [*given, *spans], isinstance(found, CertifiedBranch)

@@ -29,9 +29,9 @@ from nonsmooth.runtime.cli.options import (
     Start,
     SystemName,
     Yes,
-    known_systems,
     missing_start,
 )
+from nonsmooth.runtime.cli.resuming import resumable
 from nonsmooth.runtime.cli.written import Written
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.workload import SECONDS, check_hours
@@ -39,7 +39,6 @@ from nonsmooth.runtime.core.workload import SECONDS, check_hours
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from nonsmooth.runtime.explore.finding.sweep import Sweep
 
 __all__ = ["find", "simulate", "sweep"]
 
@@ -330,17 +329,9 @@ def find(
     " --phase pi/2 --from x=0,v=0 --transient 200 --plot strobe.png"
 )
 @answering
+@resumable("system parameters quantity at phase start transient samples restart")
 def sweep(
-    system: Annotated[
-        str | None,
-        typer.Argument(
-            autocompletion=known_systems,
-            metavar="[SYSTEM]",
-            help="A system that `nonsmooth list` shows, or your own FILE.py; --resume FILE needs"
-            " none.",
-            show_default=False,
-        ),
-    ] = None,
+    system: SystemName,
     parameters: Annotated[
         list[str] | None,
         typer.Argument(
@@ -399,19 +390,11 @@ def sweep(
     from nonsmooth.runtime.present.files.sweeps import load_sweep
 
     check_drawing(plot)
-    save = resume if save is None else save
     check_new(save, overwrite, resume, resumes=True)
     known = None if resume is None else load_sweep(resume)
-    if system is None:
-        if known is None:
-            raise InputError("a system is missing, or --resume FILE")
-        if quantity or at or phase or start:
-            raise InputError("--resume FILE alone holds the question: name the system, or nothing")
-        asked, options = _kept_question(known)
-    else:
-        asked, options = _question(
-            system, parameters or [], quantity, at, phase, start, transient, samples, not restart
-        )
+    asked, options = _question(
+        system, parameters or [], quantity, at, phase, start, transient, samples, not restart
+    )
     name, values = asked[2:4]
     count, length = len(values), options["transient"] + options["samples"]
     what = f"{count} values, followed over {length} transitions or periods each,"
@@ -474,17 +457,6 @@ def _question(
         "follow": follow,
     }
     return (system, values, name, linspace(low, high, count), begin), options
-
-
-def _kept_question(known: Sweep) -> tuple[tuple[Any, ...], dict[str, Any]]:
-    """Arguments and options of a sweep that was interrupted."""
-    from nonsmooth.runtime.model.structure import structure_of
-
-    begin = dict(zip(structure_of(known.system).states, known.start.tolist(), strict=True))
-    names = ("state", "configuration", "phase", "transient", "follow")
-    options = {name: getattr(known, name) for name in names}
-    asked = (known.system, known.parameters, known.parameter, known.values, begin)
-    return asked, {**options, "samples": known.samples.shape[1]}
 
 
 def _agreed(question: str) -> bool:

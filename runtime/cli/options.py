@@ -191,7 +191,9 @@ SaveResult = Annotated[
 Resume = Annotated[
     Path | None,
     typer.Option(
-        "--resume", metavar="FILE", help="Go on with what --save kept of an interrupted command."
+        "--resume",
+        metavar="FILE",
+        help="Go on with what --save wrote: the file holds the question, and keeps the answer.",
     ),
 ]
 Plot = Annotated[

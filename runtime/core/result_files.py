@@ -13,6 +13,7 @@ import os
 import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -27,9 +28,11 @@ __all__ = [
     "FileFormat",
     "check_follows",
     "checksum_of",
+    "content_of",
     "format_in",
     "naming",
     "parsed",
+    "stating",
 ]
 
 _BEGINNING = 400  # characters of a file in which its format is looked for first
@@ -37,7 +40,8 @@ _MOST = 500_000_000  # bytes; a larger file is not read
 _DENSE, _FEW = 16, 1 << 18  # bytes of text to a list or a mapping, where they are not few
 # what entries of the wrong shape raise where they are read
 WRONG_SHAPE = (KeyError, IndexError, TypeError, ValueError, AttributeError, ArithmeticError)
-_HEAD = ("format", "version", "package", "sha256")
+_HEAD = ("format", "version", "package", "request", "sha256")
+_REQUEST: ContextVar[Mapping[str, Any] | None] = ContextVar("what is asked", default=None)
 Entries = TypeVar("Entries")
 Result = TypeVar("Result")
 
@@ -53,7 +57,7 @@ class FileFormat(Generic[Entries]):
     what : str
         What it holds, in words.
     entries : type
-        A record: the entries beside format, version, package and checksum, as
+        A record: the entries beside format, version, package, request and checksum, as
         `nonsmooth.runtime.core.json_codec` writes and reads them.
     version : int
     most : int
@@ -79,10 +83,13 @@ class FileFormat(Generic[Entries]):
         InputError
             If the file cannot be written.
         """
-        text = json.dumps(self.content(entries), indent=2, allow_nan=False) + "\n"
+        content = self.content(entries, request=_REQUEST.get())
+        text = json.dumps(content, indent=2, allow_nan=False) + "\n"
         write_file(Path(path), text.encode())
 
-    def content(self, entries: Entries, *numbers: bytes) -> dict[str, Any]:
+    def content(
+        self, entries: Entries, *numbers: bytes, request: Mapping[str, Any] | None = None
+    ) -> dict[str, Any]:
         """Entries with the format, version, package and checksum; that covers numbers too.
 
         Parameters
@@ -90,13 +97,16 @@ class FileFormat(Generic[Entries]):
         entries : Entries
         *numbers : bytes
             Numbers that are kept beside the entries.
+        request : mapping of str to object, optional
+            What a command was asked.
 
         Returns
         -------
         dict of str to object
         """
         head = {"format": self.name, "version": self.version, "package": version("nonsmooth")}
-        content = {**head, **encode(entries)}
+        asked = {} if request is None else {"request": request}
+        content = {**head, **asked, **encode(entries)}
         return {**content, "sha256": checksum_of(content, *numbers)}
 
     def read(self, path: Path) -> Entries:
@@ -206,6 +216,8 @@ class FileFormat(Generic[Entries]):
                 raise InputError(f"{name!r} is missing")
             if type(content[name]) is not str:
                 raise InputError(f"{name!r} is of the wrong type")
+        if type(content.get("request", {})) is not dict:
+            raise InputError("'request' is of the wrong type")
         return decode(self.entries, {n: x for n, x in content.items() if n not in _HEAD})
 
     def check_sum(self, content: Mapping[str, Any], *numbers: bytes) -> None:
@@ -271,6 +283,47 @@ def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
     for part in numbers:
         found.update(part)
     return found.hexdigest()
+
+
+@contextmanager
+def stating(request: Mapping[str, Any]) -> Iterator[None]:
+    """Let the files that the block writes state what was asked, ready for JSON.
+
+    Parameters
+    ----------
+    request : mapping of str to object
+
+    Yields
+    ------
+    None
+    """
+    token = _REQUEST.set(request)
+    try:
+        yield
+    finally:
+        _REQUEST.reset(token)
+
+
+def content_of(path: Path) -> dict[str, Any]:
+    """All that a result file holds.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    dict of str to object
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or is cut, edited or foreign.
+    """
+    content = parsed(read_file(path, _MOST, "saved result"))
+    if not isinstance(content, dict) or content.get("sha256") != checksum_of(content):
+        raise InputError("edited, damaged or no saved result: the checksum differs")
+    return content
 
 
 def parsed(found: bytes) -> Any:

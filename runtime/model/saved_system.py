@@ -34,6 +34,7 @@ from nonsmooth.runtime.model.loading.load import Loaded, remember
 
 __all__ = [
     "SavedSystem",
+    "check_same_system",
     "kernels_of_saved",
     "named",
     "orbit_in",
@@ -218,6 +219,24 @@ def same_system(kernels: SystemKernels, other: SystemKernels) -> bool:
         return kernels.name == other.name
     numbers = [[found.functions[name] for name in _EXACT] for found in (one, two)]
     return one.table == two.table and numbers[0] == numbers[1]
+
+
+def check_same_system(what: str, asked: SystemKernels, known: SystemKernels) -> None:
+    """Refuse to go on with what was kept of another system.
+
+    Parameters
+    ----------
+    what : str
+        What was kept, in words.
+    asked, known : SystemKernels
+
+    Raises
+    ------
+    InputError
+        If their tables differ.
+    """
+    if not same_system(known, asked):
+        raise InputError(f"{asked.name} is not the system of the {what} to resume, or has changed")
 
 
 def saved_of(kernels: SystemKernels, orbit: str = "") -> SavedSystem | None:

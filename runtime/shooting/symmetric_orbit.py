@@ -75,7 +75,7 @@ def whole_itinerary(
     phases = [_phase(structure, *pair) for pair in part]
     for _ in range(symmetry.order):
         for configuration, places in phases:
-            names = [structure.boundaries[configuration][b].name for b in places]
+            names = [structure.boundaries[configuration][b].name for b in sorted(places)]
             whole.append((structure.configurations[configuration], "+".join(names)))
         phases = [
             (backward[c], [symmetry.boundaries[backward[c]].index(b) for b in places])

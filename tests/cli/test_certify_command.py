@@ -147,7 +147,7 @@ def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
     widths = [Fraction(high) - Fraction(low) for (low, high) in (x["V"] for x in told["undecided"])]
     assert float(sum(widths)) == pytest.approx(0.7 * told["shares"]["undecided"])
     assert float(told["enclosures"]["trace"]["rad"]) > 0
-    code, out, err = run(*box, "--resume", str(path), "--plot", str(picture))
+    code, out, err = run("--resume", str(path), "--tiles", "4000", "--plot", str(picture))
     assert (code, err) == (0, "")
     assert "unstable" in out
     assert "not admissible" in out

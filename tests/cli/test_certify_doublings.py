@@ -24,8 +24,7 @@ def test_a_flip_is_gone_beyond_saved_drawn_checked_and_resumed(tmp_path: Path) -
     assert check.code == 0
     assert "proved again from the file" in check.out
     assert run("plot", str(file), "--out", str(tmp_path / "again.svg")).code == 0
-    words = (*ASKED[:3], "--doublings", "2", "--tiles", "1", "--resume", str(file), "--json")
-    more = run(*words)
+    more = run("certify", "--resume", str(file), "--doublings", "2", "--json")
     assert more.code == 1
     told = json.loads(more.out)
     assert told["orbit"] == "dry-friction/symmetric"

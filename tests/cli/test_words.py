@@ -7,7 +7,6 @@ from collections import defaultdict
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 import typer
 
@@ -82,33 +81,6 @@ def test_values_of_a_file_are_no_defaults_and_unknowns_have_their_names(tmp_path
         assert again.count(f"from {file}") == len(ns.load(file).given)
         rows = {line.split()[0] for line in again.splitlines() if line.strip()}
         assert rows >= {*ns.load(file).problem.unknown_names}
-
-
-def test_what_was_interrupted_goes_on_by_its_file_alone(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    question = f"{GALLERY / 'two_stops.py'} w=1.4:1.5:6 d=0.6 r=0.8 --quantity v --transient 20"
-    data, start = {"d": "0.6", "r": "0.8"}, {"x": 0, "v": 0}
-
-    def stop(done: int) -> None:
-        raise KeyboardInterrupt
-
-    with pytest.raises(ns.Interrupted) as stopped:
-        ns.sweep(
-            str(GALLERY / "two_stops.py"), data, "w", np.linspace(1.4, 1.5, 6), start,
-            state="v", phase=0.5, transient=20, samples=9, follow=True, progress=stop,
-        )  # fmt: skip
-    stopped.value.partial.save("part.json")
-    assert run("sweep", "--resume", "part.json")[0] == 0
-    whole = f"sweep {question} --at forcing-phase --phase 0.5 --from x=0,v=0 --samples 9"
-    assert run(*whole.split(), "--save", "whole.json")[0] == 0
-    part, all_of_it = (ns.load(name) for name in ("part.json", "whole.json"))
-    np.testing.assert_array_equal(part.samples, all_of_it.samples)
-    assert part.done == 6
-    code, _, err = run("sweep", "--resume", "part.json", "--quantity", "x")
-    assert (code, "holds the question" in err) == (2, True)
-    assert "a system is missing" in run("sweep")[2]
 
 
 @pytest.mark.parametrize("kind", ["box", "branch"])

@@ -173,7 +173,9 @@ def test_a_doubled_orbit_is_the_same_from_either_turn(monkeypatch):
         dwell_times=np.array([1, 2, 1.5, 2.5]),
         period=7.0,
         tables=SimpleNamespace(
-            states_up_to_shift=states, cycle=SimpleNamespace(uninterrupted=False)
+            states_up_to_shift=states,
+            translations=np.empty((0, 4)),
+            cycle=SimpleNamespace(uninterrupted=False),
         ),
     )
     monkeypatch.setattr(primitive, "orbit_scale", lambda orbit: np.ones(4))

@@ -9,7 +9,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 import nonsmooth as ns
-from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, SoftStop, oscillator
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding import outcomes
 from nonsmooth.runtime.explore.finding.find import find_orbits
@@ -395,6 +395,77 @@ def test_mirror_images_are_marked():
             b for _, b in other.itinerary
         )
     assert not mirrors(piecewise(stopped(), {"zeta": 0, "Omega": 2, "gap": 1, "r": 1}))
+
+
+def free_on_the_ground():
+    """A mass that no spring holds, shaken; sticks between its ways."""
+    return oscillator(
+        "free-on-the-ground",
+        ["x"],
+        mass=[[1]],
+        stiffness=[[0]],
+        forcing=[Harmonic(sp.Rational(1, 2), cosine=[2])],
+        elements=[Friction("x", kinetic=sp.Rational(1, 2), name="ground")],
+    )
+
+
+def twins():
+    """Two equal masses that are shaken alike and reach equal stops together."""
+    half, tenth = sp.Rational(1, 2), sp.Rational(1, 10)
+    return oscillator(
+        "twins",
+        ["x", "y"],
+        mass=[[1, 0], [0, 1]],
+        stiffness=[[tenth, 0], [0, tenth]],
+        damping=[[2, -1], [-1, 2]],
+        forcing=[Harmonic(sp.Rational(6, 5), cosine=[1, 1])],
+        elements=[SoftStop(name, at=half, stiffness=5, name=f"stop-{name}") for name in "xy"],
+    )
+
+
+def between_soft_stops():
+    """Equal stops at equal distances."""
+    half = sp.Rational(1, 2)
+    return oscillator(
+        "between-soft-stops",
+        ["x"],
+        mass=[[1]],
+        damping=[[sp.Rational(1, 10)]],
+        stiffness=[[1]],
+        forcing=[Harmonic(sp.Rational(7, 10), cosine=[1])],
+        elements=[
+            SoftStop("x", at=half, stiffness=8, name="right"),
+            SoftStop("x", at=-half, stiffness=8, side="lower", name="left"),
+        ],
+    )
+
+
+def apart(orbit, image, other):
+    """How far the image of an orbit is from another, each as a closed curve up to translations."""
+    curves = []
+    for each, matrix in ((orbit, image), (other, np.eye(len(image)))):
+        times = np.linspace(0, float(each.period), 2000, endpoint=False)
+        states = np.asarray(each.trajectory(1)(times)) @ matrix.T
+        free = np.abs(each.tables.translations).any(axis=0)
+        curves.append(states - states.mean(axis=0) * free)
+    spectra = [np.fft.fft(curve, axis=0) for curve in curves]
+    turn = int(np.fft.ifft((spectra[0] * spectra[1].conj()).sum(axis=1)).real.argmax())
+    return np.abs(curves[0] - np.roll(curves[1], turn, axis=0)).max()
+
+
+@pytest.mark.parametrize("declared", [free_on_the_ground, twins, between_soft_stops])
+def test_an_orbit_that_is_its_own_mirror_image_has_no_other(declared):
+    found = found_at(declared(), {}, 4)
+    (symmetry,) = mirrors(piecewise(declared(), {}))
+    orbits = [entry.orbit for entry in found.orbits]
+    assert orbits
+    for place, entry in enumerate(found.orbits):
+        own, none = symmetry.matrix, np.eye(len(symmetry.matrix))
+        before = [
+            other for other in range(place + 1) if apart(orbits[place], own, orbits[other]) < 0.05
+        ]
+        assert entry.mirror == (before[0] if before else None)
+        assert all(apart(orbits[place], none, orbits[other]) > 0.05 for other in range(place))
 
 
 def test_files_and_words(tmp_path):

@@ -27,7 +27,7 @@ from nonsmooth.runtime.explore.continuation.stepping import (
     tangent_at,
     trace_both_ways,
 )
-from nonsmooth.runtime.model.saved_system import same_system
+from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.shooting.table_newton import SHORTEST
 
@@ -136,8 +136,7 @@ def _check_same(orbit: Orbit, parameter: str, limits: tuple[float, float], known
     own, other = (x.name.removeprefix(x.system.name) for x in (orbit, known.orbit))
     if (other, known.parameter) != (own, parameter):
         raise InputError(f"the branch to resume is of {known.name} over {known.parameter}")
-    if not same_system(known.orbit.system, orbit.system):
-        raise InputError(f"the declaration of {orbit.name} has changed since the branch was saved")
+    check_same_system("branch", orbit.system, known.orbit.system)
     asked = {name: value for name, value in orbit.given.items() if name != parameter}
     check_same_question("branch", asked, known.orbit.given)
     values = known.parameter_values

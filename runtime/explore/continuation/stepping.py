@@ -38,6 +38,7 @@ MOST_GROWTH = 100.0  # of an unknown, in units of its size at first
 GROWN = "the orbit grows a hundredfold: a resonance"
 CLOSED = "the branch is closed"
 INTERRUPTED = "interrupted"
+_MOST = " points"
 LOST = "the branch is lost: no smaller step leads on"
 
 
@@ -198,7 +199,8 @@ def trace_both_ways(
     """Follow a branch from its first point in both directions; see `trace_path`.
 
     The parameter increases at first. Neighbouring points are not the same. Ctrl-C ends the
-    path where it is: such an end is INTERRUPTED. A path that is known goes on at these ends.
+    path where it is: such an end is INTERRUPTED. A path that is known goes on at these ends,
+    and where it had as many points as were asked for.
 
     Parameters
     ----------
@@ -208,7 +210,7 @@ def trace_both_ways(
     step : float
         The largest one, in the curve's units.
     most : int
-        The most steps on either side.
+        The most steps on either side, those of `known` among them.
     go_on : callable
         From two neighbouring points, why the path ends behind them; None where it goes on.
     known : Path or None
@@ -223,10 +225,15 @@ def trace_both_ways(
         known = Path(curve.first[None], direction[None], (INTERRUPTED, INTERRUPTED), 0)
     points, tangents, ends, start = known.points, known.tangents, list(known.ends), known.start
     for side, sign in ((0, -1), (-1, 1)):
-        if ends[side] != INTERRUPTED:
+        if ends[side] != INTERRUPTED and not ends[side].endswith(_MOST):
             continue
-        begin = points[side], sign * tangents[side]
-        steps, reason = _walked(trace_path(curve, begin, limits, step, most, go_on))
+        end = PathEnd(
+            begin=(points[side], sign * tangents[side]),
+            other=(points[-1 - side], sign * tangents[-1 - side]),
+            steps=start if side == 0 else len(points) - 1 - start,
+            length=float(np.linalg.norm(np.diff(points / curve.sizes, axis=0), axis=1).sum()),
+        )
+        steps, reason = _walked(trace_path(curve, end, limits, step, most, go_on))
         ends[side] = reason
         if side == 0:
             steps.reverse()
@@ -260,27 +267,46 @@ def _walked(
     return steps, reason
 
 
+class PathEnd(NamedTuple):
+    """An end of a path, at which it goes on.
+
+    Attributes
+    ----------
+    begin, other : (array (n + 1,), array (n + 1,))
+        This end and the other one: the point, and the tangent along the way, in the curve's
+        units.
+    steps : int
+        From where the path was begun.
+    length : float
+        Of the whole path, in the curve's units.
+    """
+
+    begin: tuple[np.ndarray, np.ndarray]
+    other: tuple[np.ndarray, np.ndarray]
+    steps: int
+    length: float
+
+
 def trace_path(
     curve: Curve,
-    begin: tuple[np.ndarray, np.ndarray],
+    end: PathEnd,
     limits: tuple[float, float],
     step: float,
     most: int,
     go_on: Callable[[np.ndarray, np.ndarray], str | None],
 ) -> Iterator[tuple[np.ndarray, np.ndarray, str]]:
-    """Follow a branch from one of its points, without that point.
+    """Follow a branch from its end, without the point there.
 
     Parameters
     ----------
     curve : Curve
-    begin : (array (n + 1,), array (n + 1,))
-        The point, and its tangent in the curve's units.
+    end : PathEnd
     limits : tuple of float
         Of the parameter.
     step : float
         The largest one.
     most : int
-        Points.
+        Steps, those that are known among them.
     go_on : callable
         Says of a point and the next one why the branch should end there, or None.
 
@@ -289,9 +315,11 @@ def trace_path(
     tuple
         Point, tangent, and why the branch ends there: empty while it goes on.
     """
-    first, direction = z, tangent = begin
-    length, walked = step / 4, 0.0
-    for _ in range(most):
+    (z, tangent), (first, direction) = end.begin, end.other
+    length, whole = step / 4, end.length
+    if whole > 4 * step:  # the other end may be before this one
+        length = min(length, float(np.linalg.norm((z - first) / curve.sizes)))
+    for _ in range(end.steps, most):
         while True:
             found = _step(curve, z, tangent, length)
             if found is not None and not curve.leaps(z, found[0]):
@@ -306,9 +334,9 @@ def trace_path(
             point, reason = ended
             yield point, tangent_at(curve, point, ahead), reason
             return
-        walked += length
+        whole += length
         gap = float(np.linalg.norm((following - first) / curve.sizes))
-        if walked > 4 * step and gap < 0.75 * length and ahead @ direction > LEAST_COSINE:
+        if whole > 4 * step and gap < 0.75 * length and ahead @ direction > LEAST_COSINE:
             yield first, direction, CLOSED
             return
         before, z, tangent = z, following, ahead
@@ -319,7 +347,7 @@ def trace_path(
             return
         if easy:
             length = min(1.5 * length, step * max(1.0, unknowns))
-    yield z, tangent, f"{most} points"
+    yield z, tangent, f"{most}{_MOST}"
 
 
 def _step(

@@ -17,7 +17,7 @@ from nonsmooth.runtime.explore.design.largest import is_largest_of_several
 from nonsmooth.runtime.explore.design.optimum import Design
 from nonsmooth.runtime.explore.design.quantities import MULTIPLIER, RADIUS
 from nonsmooth.runtime.explore.design.worst_over import branch_interval
-from nonsmooth.runtime.model.saved_system import same_system
+from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 
 __all__ = ["DesignQuestion", "design_question"]
@@ -100,10 +100,7 @@ class DesignQuestion:
         same = (known.aim, known.quantity, known.parameters, known.bounds, known.conditions, branch)
         other = DesignQuestion(known.orbit, *same)
         check_same_question("design", self._entries(), other._entries())
-        if not same_system(known.orbit.system, self.orbit.system):
-            raise InputError(
-                f"the declaration of {self.orbit.name} has changed since the design was saved"
-            )
+        check_same_system("design", self.orbit.system, known.orbit.system)
 
     def _entries(self) -> dict[str, Any]:
         """What has to be the same where a design goes on."""

@@ -141,7 +141,8 @@ def same_orbit(orbit: Orbit, other: Candidate | Orbit) -> bool:
     -------
     bool
     """
-    start = other.state if isinstance(other, Candidate) else other.states[0]
+    first = other.state if isinstance(other, Candidate) else other.states[0]
+    start = up_to_shift(first, orbit.tables.translations)
     if orbit.tables.cycle.uninterrupted:  # one in each configuration, at whatever phase it begins
         return orbit.itinerary == other.itinerary
     if sorted(orbit.itinerary) != sorted(other.itinerary):
@@ -235,7 +236,8 @@ def image_of(orbit: Orbit, symmetry: Symmetry) -> Candidate:
     ):
         image = symmetry.configurations[configuration]
         places = symmetry.boundaries[configuration]
-        names = [structure.boundaries[image][places[b]].name for b in sorted(transition.boundaries)]
+        reached = sorted(places[b] for b in transition.boundaries)
+        names = [structure.boundaries[image][b].name for b in reached]
         phases.append((structure.configurations[image], "+".join(names) or FORCING_PHASE))
     itinerary = tuple(phases)
     turn = canonical(itinerary)

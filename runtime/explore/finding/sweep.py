@@ -21,7 +21,7 @@ from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, load_system
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
-from nonsmooth.runtime.model.saved_system import same_system
+from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.simulation.simulate import checked_count, simulate_many
 from nonsmooth.runtime.simulation.simulate import follow as follow_motion
@@ -244,8 +244,7 @@ def check_sweep(count: int, samples: int) -> None:
 
 def _resumed(question: Sweep, known: Sweep) -> Sweep:
     """What is known of a question; InputError if it is of another one."""
-    if not same_system(load_system(question.system), load_system(known.system)):
-        raise InputError(f"{question.system}: not the system of the sweep, or changed since")
+    check_same_system("sweep", load_system(question.system), load_system(known.system))
     found = ("system", "samples", "outcomes", "done", "next_start")
     asked = {name: value for name, value in vars(question).items() if name not in found}
     count = "number of samples"

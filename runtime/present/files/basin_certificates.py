@@ -107,12 +107,13 @@ def basin_entries(found: BasinCertificate) -> BasinEntries:
     BasinEntries
         Ready to be written.
     """
-    name, _, saved = named(system_of(found))
+    name, orbit, saved = named(system_of(found), found.orbit)
     core, numbers = found.core, ("iterates", "itinerary", "most", "bits", "widest")
-    texts = ("orbit", "claim", "reason", "configuration", "source", "boundary")
+    texts = ("claim", "reason", "configuration", "source", "boundary")
     return BasinEntries(
         system=name,
         tables=saved,
+        orbit=orbit,
         parameters=dict(found.parameters),
         phase=found.phase,
         coordinates=found.coordinates,

@@ -14,6 +14,7 @@ from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.proof.chaos.h_sets import HSet
 
 __all__ = ["BasinCertificate"]
@@ -145,7 +146,7 @@ class BasinCertificate(Kept):
             f"{int((self.ranks >= 0).sum())} of {self.ranks.size} boxes of the section"
             f" ({', '.join(self.coordinates)})"
         )
-        told = f"every motion from {where} tends to {self.orbit}"
+        told = f"every motion from {where} tends to {shown_name(self.orbit)}"
         if self.tiles is None:
             return told
         part = f"{int(self.attracted.sum())} of {self.attracted.size} tiles of the box of starts"

@@ -19,6 +19,8 @@ from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.explore.finding.find import start_box
+from nonsmooth.runtime.model.kernels import known_system
+from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
 from nonsmooth.runtime.proof.basin.attracting_core import AttractingCore, attracting_core
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
@@ -331,16 +333,18 @@ class _BasinQuestion:
 
     def check_same(self, known: BasinCertificate, met: MetSection) -> None:
         """Refuse a state of another question."""
-        asked = self.undecided(met, "")
-        names = ["system", "orbit", "parameters", "configuration", "phase", "source", "boundary"]
-        own = {} if known.tiles is None else {"box": self._box, "tiles": self.tiles}
-        names += own
+        wanted, own = self.undecided(met, ""), {}
+        if known.tiles is not None:
+            own = {"box": self._box, "tiles": self.tiles}
+        names = ["orbit", "parameters", "configuration", "phase", "source", "boundary", *own]
         names += [] if known.phase else ["widest"]
-        check_same_question(
-            "basin",
-            {name: getattr(asked, name) for name in names} | own,
-            {name: getattr(known, name) for name in names},
+        # a file calls the system by its data, and holds it
+        check_same_system("basin", self.orbit.system, known_system(known.system))
+        asked, found = (
+            {**vars(each), "orbit": each.orbit.removeprefix(each.system)}
+            for each in (wanted, known)
         )
+        check_same_question("basin", {name: {**asked, **own}[name] for name in names}, found)
 
     def _told(self, passages: Sequence[PassedTransition]) -> tuple[tuple[str, str, str], ...]:
         """Transitions by names."""

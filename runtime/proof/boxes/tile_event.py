@@ -181,7 +181,8 @@ class TileEvent:
     configuration, boundary : str
     instant : {"", "start", "inside", "end"}
     window : tuple of Fraction
-        Of a grazing: between these times of its phase the boundary function is concave.
+        Of a grazing, be it one of `also`: between these times of its phase the boundary
+        function is concave.
     also : tuple of (str, int, str, str)
         Kind, phase, boundary and instant of what happens in the same band.
     band : Band

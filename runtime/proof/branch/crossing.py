@@ -42,8 +42,7 @@ class EventCrossing(NamedTuple):
     enclosures : list of arb
         All coordinates of the orbit there.
     window : tuple of (arb, arb) or None
-        Of the grazing that it is or lists in `also`: between these times the boundary function
-        is concave.
+        Of a grazing, be it one of `also`: between these times the boundary function is concave.
     also : tuple of OpenInequality
         Inequalities that cease to hold between these values too; "fold" where the branch turns.
     """

@@ -8,6 +8,7 @@ from typing import Any
 
 from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
+from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.proof.certificate import Certificate, orbit_json
 
 __all__ = ["Bounds", "Census", "Counted", "Open"]
@@ -124,7 +125,10 @@ class Census(Kept):
         if left := self.count - self.admissible - refuted:
             parts.append(f"{left} undecided")
         asked = ", ".join((*self.box, *self.conditions))
-        text = f"{self.orbit} at {data} has {number} {many} with {asked}: {', '.join(parts)}"
+        text = (
+            f"{shown_name(self.orbit)} at {data} has {number} {many} with {asked}:"
+            f" {', '.join(parts)}"
+        )
         if not self.decided:
             boxes = "box is" if len(self.undecided) == 1 else "boxes are"
             text += f"; {len(self.undecided)} {boxes} undecided"

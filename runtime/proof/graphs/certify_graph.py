@@ -17,8 +17,9 @@ from nonsmooth.runtime.core.float_sets import Floats, ManySets
 from nonsmooth.runtime.core.processes import check_workers, in_processes
 from nonsmooth.runtime.core.resuming import check_same_question
 from nonsmooth.runtime.core.values import flint_precision
-from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of
+from nonsmooth.runtime.model.kernels import SystemKernels, kernels_of, known_system
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
+from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.proof.chaos.section_choice import Sampled, sampled_sections
 from nonsmooth.runtime.proof.graphs.box_graphs import BoxGraph
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
@@ -165,6 +166,7 @@ def certify_graph(
         empty = _certificate(kernels, enclosed, sampled, grid, widest)
         known = replace(empty, most=parts, longest=transitions)
         if resume is not None:
+            check_same_system("graph", kernels, known_system(resume.system))
             _check_same(known, resume)
             known = replace(
                 known,
@@ -297,7 +299,7 @@ def _certificate(
 
 def _check_same(asked: GraphCertificate, known: GraphCertificate) -> None:
     """Refuse a state of another question."""
-    names = ("system", "parameters", "configuration", "phase", "source", "boundary", "region")
+    names = ("parameters", "configuration", "phase", "source", "boundary", "region")
     check_same_question(
         "graph",
         {name: getattr(asked, name) for name in names} | {"boxes": asked.graph.grid.grid},

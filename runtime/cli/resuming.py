@@ -1,0 +1,232 @@
+"""Commands that go on: the file that `--save` wrote states what was asked."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+import shlex
+from collections.abc import Callable, Mapping
+from contextvars import ContextVar
+from enum import Enum
+from pathlib import Path
+from types import UnionType
+from typing import Any, get_args
+
+import typer
+
+from nonsmooth.runtime.core.errors import InputError
+
+__all__ = ["command_to_resume", "resumable"]
+
+_FILES = {"save", "resume", "overwrite"}
+_TARGETS = {"orbit": "an orbit", "system": "a system"}
+_HOLDERS = ("orbit", "events", "branches")  # entries whose parts hold a system, as files do
+_BESIDE: ContextVar[tuple[str, ...]] = ContextVar("a command, and words beside its question")
+
+
+def resumable(question: str, anew: str = "") -> Callable[[Callable[..., int]], Callable[..., int]]:
+    """Let `--resume FILE` alone go on with a command: its files state what was asked.
+
+    What is given beside the file has to be the same, but for what may be given anew.
+
+    Parameters
+    ----------
+    question : str
+        Names of the command's parameters that say what is asked.
+    anew : str
+        Names of those that say how much is done for it.
+
+    Returns
+    -------
+    callable
+        Takes a command that gives an exit code; Typer may leave out all its arguments.
+    """
+    asked_names, stated_names = question.split(), [*question.split(), *anew.split()]
+
+    def over(command: Callable[..., int]) -> Callable[..., int]:
+        declared = inspect.signature(command, eval_str=True).parameters
+        needed = [name for name, each in declared.items() if each.default is each.empty]
+        kinds = {name: declared[name].annotation for name in stated_names}
+
+        @functools.wraps(command)
+        def run(context: typer.Context, **options: Any) -> int:
+            from nonsmooth.runtime.core.result_files import stating
+
+            given, held = _given(context), dict[str, str]()
+            if options["resume"] is not None:
+                given = _placed(given, options)
+                asked, held = _resumed(context, options, given & {*asked_names}, kinds)
+                options |= {n: x for n, x in asked.items() if n in asked_names or n not in given}
+                options["save"] = options["save"] or options["resume"]
+            for name in needed:
+                if options[name] is None:
+                    raise InputError(f"{_TARGETS[name]} is missing, or --resume FILE")
+            stated = {n: _written(options[n]) for n in stated_names if _is_there(options[n])}
+            beside = _words(context, options, given & options.keys() - {*stated_names} - _FILES)
+            token = _BESIDE.set((str(context.command.name), *beside))
+            options |= held
+            try:
+                with stating({"command": context.command.name, "options": stated}):
+                    return command(**options)
+            finally:
+                _BESIDE.reset(token)
+
+        parameters = [
+            each.replace(default=None) if name in needed else each
+            for name, each in declared.items()
+        ]
+        own = inspect.Parameter("context", inspect.Parameter.KEYWORD_ONLY, annotation=typer.Context)
+        # Typer reads the options of a function from this, which typeshed gives to no function
+        run.__signature__ = inspect.Signature([*parameters, own])  # type: ignore[attr-defined]
+        return run
+
+    return over
+
+
+def command_to_resume(path: Path) -> str:
+    """The command line that goes on with a file of the command that is running.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    str
+        Quoted for a shell.
+    """
+    name, *beside = _BESIDE.get()
+    return shlex.join(["nonsmooth", name, "--resume", str(path), *beside])
+
+
+def _given(context: typer.Context) -> set[str]:
+    """Names of the parameters that the command line gives."""
+    sources = {name: context.get_parameter_source(name) for name in context.params}
+    return {name for name, source in sources.items() if source and source.name == "COMMANDLINE"}
+
+
+def _placed(given: set[str], options: dict[str, Any]) -> set[str]:
+    """Names of what is given, when NAME=VALUE is no orbit or system though it stands first."""
+    for name in given & _TARGETS.keys():
+        if "=" in options[name]:
+            options["parameters"] = [options[name], *(options["parameters"] or [])]
+            options[name] = None
+            return given - {name} | {"parameters"}
+    return given
+
+
+def _flag(context: typer.Context, name: str) -> str:
+    """How the command line calls an option, and a space; nothing for an argument."""
+    flag = next(each.opts[0] for each in context.command.params if each.name == name)
+    return f"{flag} " if flag.startswith("-") else ""
+
+
+def _words(context: typer.Context, options: Mapping[str, Any], names: set[str]) -> list[str]:
+    """Options as they are written on the command line."""
+    found: list[str] = []
+    for name in sorted(names):
+        values = options[name] if isinstance(options[name], list) else [options[name]]
+        for value in values:
+            told = [] if value is True else [str(_written(value))]
+            found += [*_flag(context, name).split(), *told]
+    return found
+
+
+def _resumed(
+    context: typer.Context, options: Mapping[str, Any], given: set[str], kinds: Mapping[str, Any]
+) -> tuple[dict[str, Any], dict[str, str]]:
+    """What the file to resume states of the command, and the orbit or system that it holds.
+
+    Both are empty if Python wrote it. What is given of the question has to be the same.
+    """
+    from nonsmooth.runtime.core.result_files import content_of, naming
+
+    with naming(options["resume"]):
+        content = content_of(options["resume"])
+        request = content.get("request")
+        if request is None:
+            if not given & _TARGETS.keys():
+                raise InputError("it does not hold its question: name that too")
+            return {}, {}
+        if request["command"] != context.command.name:
+            raise InputError(f"`nonsmooth {request['command']}` wrote it")
+        asked = {name: _read(name, kinds[name], x) for name, x in request["options"].items()}
+        _check_same(context, {name: options[name] for name in given}, asked)
+        return asked, {
+            name: _held(content, name, asked[name])
+            for name in _TARGETS.keys() & asked.keys() - given
+        }
+
+
+def _is_there(value: Any) -> bool:
+    """Whether an option says something; 0 does."""
+    return value is not None and value is not False and value != []
+
+
+def _written(value: Any) -> Any:
+    """A value of an option as JSON has it."""
+    return value.value if isinstance(value, Enum) else value
+
+
+def _read(name: str, kind: Any, entry: Any) -> Any:
+    """The value of an option of such a kind, from JSON."""
+    own = get_args(kind)[0]  # of Annotated
+    for each in get_args(own) if isinstance(own, UnionType) else (own,):
+        if each == list[str]:
+            if isinstance(entry, list) and all(isinstance(text, str) for text in entry):
+                return entry
+        elif issubclass(each, Enum):
+            if entry in {one.value for one in each}:
+                return each(entry)
+        elif type(entry) is each or (each is float and type(entry) is int):
+            return entry
+    raise InputError(f"{name!r} is of the wrong type")
+
+
+def _check_same(context: typer.Context, given: Mapping[str, Any], asked: Mapping[str, Any]) -> None:
+    """Refuse what is given beside a file, and differs from what that was asked."""
+    for name, value in given.items():
+        flag, known = _flag(context, name), _parts(asked.get(name))
+        for first, text in _parts(value).items():
+            if first not in known:
+                raise InputError(f"asked without {flag.strip() if value is True else flag + text}")
+            if not _same(text, known[first]):
+                raise InputError(f"asked with {flag}{known[first]}, not {text}")
+
+
+def _parts(value: Any) -> dict[str, str]:
+    """The entries of an option by their names, as in NAME=VALUE; of a plain value itself."""
+    if not _is_there(value):
+        return {}
+    if not isinstance(value, list):
+        return {"": str(_written(value))}
+    texts = [text.strip() for option in value for text in option.split(",")]
+    return {text.partition("=")[0].strip(): text for text in texts}
+
+
+def _same(one: str, other: str) -> bool:
+    """Whether two texts say the same: NAME=1/2 is NAME=0.5."""
+    from nonsmooth.runtime.core.values import parse
+
+    if one == other:
+        return True
+    parts = [text.partition("=")[2].split(":") for text in (one, other)]
+    try:
+        values = [[parse(part).exact for part in found] for found in parts]
+    except InputError:
+        return False
+    return values[0] == values[1] and None not in values[0]
+
+
+def _held(content: Mapping[str, Any], target: str, name: str) -> str:
+    """What was named, as the file holds it: no declaration is run, or needed."""
+    from nonsmooth.runtime.model.kernels import is_saved, orbit_names, system_names
+
+    if is_saved(name) or name in (*system_names(), *orbit_names()):
+        return name
+    held = [entry for holder in _HOLDERS if isinstance(entry := content.get(holder), list)]
+    parts = [content, *(part for entry in held for part in entry)]
+    system = next((part["system"] for part in parts if part.get("tables")), None)
+    if system is None:
+        raise InputError(f"it does not hold {name}: name that too")
+    return f"{system}:{name.rpartition(':')[2]}" if target == "orbit" else str(system)

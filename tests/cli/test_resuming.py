@@ -1,0 +1,215 @@
+"""`COMMAND --resume FILE`: the file holds the question, and the answer is that of the whole."""
+
+from __future__ import annotations
+
+import json
+import shlex
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+import typer
+
+import nonsmooth as ns
+from nonsmooth.runtime.cli import display
+from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.result_files import checksum_of
+from tests.cli.test_cli import run
+from tests.places import GALLERY
+
+pytestmark = pytest.mark.compiled  # much slower without it
+
+SYMMETRIC = "dry-friction/symmetric"
+
+
+class Question(NamedTuple):
+    """A command, what its progress is called, and how often that is told before Ctrl-C.
+
+    What is said beside the file, and what declares the system.
+    """
+
+    words: str
+    progress: str
+    told: int
+    anew: str = ""
+    source: str = ""
+
+
+QUESTIONS = {
+    "continue": Question(
+        "continue two_stops.py:symmetric w=0.37:0.43 --step 0.05",
+        "following w",
+        2,
+        source="two_stops.py",
+    ),
+    "box": Question(f"certify {SYMMETRIC} V=1:1.1 --tiles 3", "proving", 1),
+    "branch": Question(f"certify {SYMMETRIC} V=1:1.1 --branch --tiles 3", "proving", 1),
+    "events": Question(f"certify {SYMMETRIC} V=0.6:1.3 --events --digits 20", "enclosing", 1),
+    "basin": Question(
+        "basin mass_on_belt.py:stick-slip --box x=0:2,v=-0.5:0.5 --side 0.25 --tiles 6",
+        "",
+        0,
+        "--tiles 32",  # all there are: they are the same whatever their order
+        "mass_on_belt.py",
+    ),
+    "graph": Question(
+        "graph impact_oscillator.py r=0.65 sigma=0 w=2.3 --from x=-0.7,v=0.1"
+        " --region x=-2:0,v=-2:2 --boxes 8 --levels 1",
+        "enclosing",
+        1,
+        source="impact_oscillator.py",
+    ),
+    "sweep": Question(
+        "sweep two_stops.py w=1.4:1.5:6 d=0.6 r=0.8 --quantity v --at forcing-phase --phase pi/6"
+        " --from x=0,v=0 --transient 0 --samples 9",
+        "sweeping",
+        3,
+        source="two_stops.py",
+    ),
+    "design": Question(
+        f"design {SYMMETRIC} V=0.6:1.3 --minimise period --method trust-constr", "designing", 3
+    ),
+}
+
+
+class Stopped:
+    """Progress that is Ctrl-C as often as it was told."""
+
+    def __init__(self, left: int) -> None:
+        self.left = left
+
+    def __call__(self, *_: object, **__: object) -> None:
+        """Count what is told."""
+        self.left -= 1
+        if self.left == 0:
+            raise KeyboardInterrupt
+
+
+def begun(asked: Question, monkeypatch: pytest.MonkeyPatch) -> tuple[int, str]:
+    """Exit code and stderr of a command that keeps what it has, and may be interrupted."""
+
+    @contextmanager
+    def stopping(what: str, *_: object) -> Iterator[Stopped]:
+        yield Stopped(asked.told if what.startswith(asked.progress) else 0)
+
+    with monkeypatch.context() as patched:
+        for progress in ("counted", "shared"):
+            patched.setattr(display, progress, stopping)
+        code, _, err = run(*shlex.split(asked.words), "--save", "part.json", "--json")
+    return code, err
+
+
+def answer(file: str) -> Any:
+    """What a file answers, without what was asked for it and how it came about."""
+    content = json.loads(Path(file).read_text())
+    for name in ("request", "sha256", "history", "start"):
+        content.pop(name, None)
+    return content
+
+
+@pytest.mark.parametrize("kind", QUESTIONS)
+def test_what_is_interrupted_goes_on_by_its_file_alone_to_the_whole(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = QUESTIONS[kind]
+    words, anew = shlex.split(asked.words), asked.anew.split()
+    monkeypatch.chdir(tmp_path)
+    if asked.source:
+        shutil.copy(GALLERY / asked.source, asked.source)
+    code, err = begun(asked, monkeypatch)
+    goes_on = f"go on with: nonsmooth {words[0]} --resume part.json --json\n"
+    assert (code == 130, err.endswith(goes_on)) == (asked.told > 0,) * 2
+    assert run(*words, *anew, "--save", "whole.json")[0] in (0, 1)
+    assert answer("part.json") != answer("whole.json")
+    if asked.source:
+        Path(asked.source).unlink()
+    code, _, err = run(words[0], "--resume", "part.json", *anew)
+    assert (code in (0, 1), err) == (True, "")
+    if kind == "continue":
+        part, whole = ns.load("part.json"), ns.load("whole.json")
+        assert part.ends == whole.ends
+        assert [e.kind for e in part.events] == [e.kind for e in whole.events]
+    elif kind == "design":
+        part, whole = ns.load("part.json"), ns.load("whole.json")
+        assert (part.method, part.converged) == (whole.method, True)
+        assert part.after["V"] == pytest.approx(whole.after["V"], abs=1e-6)
+    else:
+        assert answer("part.json") == answer("whole.json")
+
+
+def test_every_command_that_resumes_is_asked_here() -> None:
+    group: Any = typer.main.get_command(app)
+    resumes = {
+        name
+        for name, command in group.commands.items()
+        if any("--resume" in option.opts for option in command.params)
+    }
+    assert {asked.words.split()[0] for asked in QUESTIONS.values()} == resumes
+
+
+@pytest.mark.parametrize(
+    ("beside", "told"),
+    [
+        ("V=1:1.1 eta=1", "asked without eta=1"),
+        ("V=1:1.2", "asked with V=1:1.1, not V=1:1.2"),
+        (f"{SYMMETRIC} V=1:1.2", "asked with V=1:1.1, not V=1:1.2"),
+        ("dry-friction/global-stick", f"asked with {SYMMETRIC}, not dry-friction/global-stick"),
+        ("--branch", "asked without --branch"),
+        ("--digits 30", "asked without --digits 30"),
+        ("--guess tau=1", "asked without --guess tau=1"),
+        ("--tiles 0", "tiles = 0 is not a positive integer"),
+        (f"{SYMMETRIC} V=1:11/10", ""),
+        ("--tiles 2 --save more.json", ""),
+    ],
+)
+def test_what_is_said_beside_the_file_has_to_be_the_same(
+    beside: str, told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    run("certify", SYMMETRIC, "V=1:1.1", "--tiles", "1", "--save", "part.json")
+    before = Path("part.json").read_bytes()
+    code, _, err = run("certify", "--resume", "part.json", *beside.split())
+    assert code == (2 if told else 1), err
+    assert told in err
+    if told:
+        assert err.count("\n") == 1
+        assert Path("part.json").read_bytes() == before
+    elif "more.json" in beside:
+        request = json.loads(Path("more.json").read_text())["request"]
+        asked = {"orbit": SYMMETRIC, "parameters": ["V=1:1.1"], "tiles": 2}
+        assert request == {"command": "certify", "options": asked}
+        assert run("certify", "--check", "more.json")[0] == 0
+
+
+def test_no_file_makes_a_command_run_a_declaration_or_do_something_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    trap = tmp_path / "trap.py"
+    trap.write_text("raise SystemExit('run')")
+    run("certify", SYMMETRIC, "V=1:1.1", "--tiles", "1", "--save", "part.json")
+    sound = json.loads(Path("part.json").read_text())
+
+    def refused(**options: Any) -> str:
+        request = {**sound["request"], "options": {**sound["request"]["options"], **options}}
+        forged = {**sound, "request": request}
+        forged["sha256"] = checksum_of(forged)
+        Path("forged.json").write_text(json.dumps(forged))
+        code, _, err = run("certify", "--resume", "forged.json")
+        assert code == 2
+        assert err.startswith("nonsmooth: error: forged.json: ")
+        return str(err)
+
+    assert "does not hold trap.py:loop" in refused(orbit="trap.py:loop")
+    assert "not in order: 'save'" in refused(save="other.json")
+    assert "'tiles' is of the wrong type" in refused(tiles=[3])
+    assert "'parameters' is of the wrong type" in refused(parameters=[3])
+    assert "`nonsmooth certify` wrote it" in run("basin", "--resume", "part.json")[2]
+    ns.load("part.json").save("python.json")
+    assert "does not hold its question" in run("certify", "--resume", "python.json")[2]
+    words = ("certify", SYMMETRIC, "V=1:1.1", "--tiles", "2", "--resume", "python.json")
+    assert run(*words)[0] == 1
+    assert sum(tile.looked_at for tile in ns.load("python.json").tiles) == 1
