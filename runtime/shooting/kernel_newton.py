@@ -354,11 +354,14 @@ def _waits(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Dwell times (..., p) of the phases that take time, and their errors by those of x."""
     names = (*kernels.unknowns, *kernels.parameter_names)
-    waits = zip(kernels.dwell_times, kernels.table["durations"], strict=True)
-    lasting = [terms for name, terms in waits if name not in kernels.table["vanishing"]]
-    factors = np.array([[terms.get(name, 0) for name in names] for terms in lasting])
-    of_dwell = (np.abs(factors) * errors[..., None, :]).sum(axis=-1)
-    return (factors * x[..., None, :]).sum(axis=-1), of_dwell
+    durations = kernels.durations(dict(zip(names, np.moveaxis(x, -1, 0), strict=True)))
+    own = dict(zip(names, np.moveaxis(errors, -1, 0), strict=True))
+    dwell, of_dwell = [], []
+    for name, terms in zip(kernels.dwell_times, kernels.table["durations"], strict=True):
+        if name not in kernels.table["vanishing"]:
+            dwell.append(durations[name])
+            of_dwell.append(sum(abs(factor) * own[term] for term, factor in terms.items()))
+    return np.stack(dwell, axis=-1), np.stack(of_dwell, axis=-1)
 
 
 def frequency_spread(kernels: OrbitKernels, spectrum: np.ndarray) -> np.ndarray | float:
