@@ -3,6 +3,7 @@
 =========================  ==================================================================
 `values`                   exact values of parameters, and decimal printing
 `arithmetic`               one set of functions for floats, mpmath and balls
+`archives`                 arrays in .npz archives, unpacked only as far as is expected
 `box_grid`                 grids of boxes, and which of them others meet
 `complex_steps`            derivatives by tiny imaginary parts, in doubles and in any digits
 `divided_grid`             the same with boxes of several sizes, some divided
