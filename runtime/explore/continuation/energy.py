@@ -44,8 +44,9 @@ def energy_of(orbit: Orbit) -> float:
     InputError
         If no energy is kept along the orbit.
     """
-    numbers = numbers_in(piecewise(orbit.system, orbit.parameters))
-    cycle, states = orbit.tables.cycle, orbit.states.astype(float)
+    by_tables = orbit.problem.by_tables(orbit)  # kernels may have other parameters and states
+    numbers = numbers_in(piecewise(by_tables.system, by_tables.parameters))
+    cycle, states = by_tables.tables.cycle, by_tables.states.astype(float)
     forms = _forms(cycle, numbers, states.shape[1])
     if forms is None:
         raise InputError(f"no energy is kept along {orbit.name}")
