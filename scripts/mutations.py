@@ -53,11 +53,13 @@ SUMS = ("tests/events/test_trigonometric_sums.py",)
 STEPPING = ("tests/simulation/test_stepping.py", "tests/simulation/test_simulate.py")
 CELLS = ("tests/events/test_engine_search.py",)
 REFERENCE = ("tests/simulation/test_engine_stress.py", "-kfollow_the_reference")
+TOGETHER = ("tests/simulation/test_events_together.py",)
 EXACT = ("tests/simulation/test_stepping.py", "-kone_instant or straight or times_are or swing")
 ENGINE = (
     *CELLS, "tests/simulation/test_engine_stress.py", "tests/simulation/test_simulate.py",
     "-knot numpy and not forty and not proof",
 )  # fmt: skip
+WITHIN = ("tests/orbits/test_friction_orbits.py", "-kwithin_its_error")
 SOLVE = ("tests/shooting/test_newton.py",)
 COMPOSED = ("tests/orbits/test_composed.py",)
 STATUSES = (*COMPOSED, "-kvery_last or either_solver")
@@ -216,6 +218,7 @@ ENGINES = (
              "between > loss", "1", CELLS),
     Mutation("runtime/engine/search.c", "gather", "its_error + fabs(its_slope) * event->time_error",
              "0.0", EXACT),
+    Mutation("runtime/engine/search.c", "gather", "4.0 * DBL_EPSILON * time", "0.0", TOGETHER),
     Mutation("runtime/engine/search.c", "search_linear", "found < time", "found > time", EXACT),
     Mutation("runtime/engine/search.c", "phase_search",
              "found <= earliest && (first < 0 || found < earliest)",
@@ -232,6 +235,8 @@ ENGINES = (
     Mutation("runtime/engine/engine.c", "choose", "== set[k]", "!= 0", ENGINE),
     Mutation("runtime/engine/engine.c", "rises_first", "return value > 0.0;",
              "return value < 0.0;", ENGINE),
+    Mutation("runtime/engine/engine.c", "rises_first", "fmax(next, fabs(drift))", "fabs(drift)",
+             TOGETHER),
     Mutation("runtime/engine/engine.c", "same_functions", "row[b] == located", "b == 0",
              ("tests/simulation/test_order_of_boundaries.py",),
              equivalent="what is known to be zero has a slack of 1024 times the rounding of its"
@@ -254,7 +259,8 @@ NEWTON = (
              SOLVE),
     Mutation("runtime/shooting/newton.py", "iterate", "ended = running[~going]",
              "ended = running[going]", SOLVE),
-    Mutation(_KERNELS, "solve_full", "durations[n] <= 0", "durations[n] < -1e300", SOLVE),
+    Mutation("runtime/shooting/newton.py", "judged", "dwell > of_dwell", "dwell > -1e300", SOLVE),
+    Mutation("runtime/shooting/newton.py", "judged", "dwell > of_dwell", "dwell > 0", WITHIN),
     Mutation(_KERNELS, "solve_full", "not error < DETERMINED", "False",
              SOLVE),
     Mutation(_KERNELS, "solve_full", "fraction == 1 and small", "small", SOLVE),
@@ -293,7 +299,8 @@ JUDGING = (
     Mutation(_STABILITY, "_conservative", "1 / larger", "larger", STABILITY),
     Mutation(_STABILITY, "_conservative", "Multiplier(half, -height)", "Multiplier(half, height)",
              STABILITY),
-    Mutation(_ADMISSIBLE, "assess_admissibility", "not duration > 0", "duration < 0", ADMISSIBLE),
+    Mutation(_ADMISSIBLE, "assess_admissibility", "not duration > none", "duration < none",
+             ADMISSIBLE),
     Mutation(_ADMISSIBLE, "assess_admissibility",
              "max(least[opened], found.value / -boundary.open_coefficient)",
              "found.value / -boundary.open_coefficient", ADMISSIBLE,

@@ -90,6 +90,12 @@ def _soft_stop(element: SoftStop, frame: Frame, elements: Sequence[Element]) -> 
     if element.released == "gap":
         exits["contact"] = (Exit(Boundary(f"{name}-leaves-stop", -gap), "free"),)
     else:
+        if frame.sign(damping := frame.expression(element.damping)) not in (1, -1):
+            raise DeclarationError(
+                f"element {name!r}: its damping {damping} may be zero, and its force then vanishes"
+                " as the gap opens: make it a parameter whose domain leaves out 0, or take"
+                " released='gap'"
+            )
         exits["contact"] = (Exit(Boundary(f"{name}-leaves-stop", -push), "released"),)
         exits["released"] = (
             Exit(Boundary(f"{name}-opens", -gap), "free"),

@@ -122,7 +122,8 @@ class SoftStop:
     ``released="gap"`` keeps the contact until the gap opens (g = 0): a damped stop then pulls
     a little before. ``released="force"`` ends it when the force vanishes; the mass is then
     `released`, without a force, until the gap opens or the force would push again. The force of
-    a stop without a damper vanishes as the gap opens: both are the same, ``"gap"``.
+    a stop without a damper vanishes as the gap opens: both are the same, ``"gap"``, and a
+    damping that may be zero on its domain is refused with ``"force"``.
 
     Boundaries ``NAME-reaches-stop`` (of `free`), ``NAME-leaves-stop`` (of `contact`), and
     ``NAME-opens`` and ``NAME-meets-again`` (of `released`).
@@ -143,7 +144,8 @@ class SoftStop:
     Raises
     ------
     DeclarationError
-        For a negative stiffness or damping, an unknown side, or an unknown release.
+        For a negative stiffness or damping, an unknown side, or an unknown release;
+        `oscillator` raises it for a damping that may be zero with ``"force"``.
 
     Examples
     --------

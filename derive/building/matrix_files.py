@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import os
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +32,8 @@ def read_matrices(path: str | os.PathLike[str]) -> dict[str, Any]:
     Raises
     ------
     DeclarationError
-        For a file that is missing, of another kind, damaged, or without a matrix.
+        For a file that is missing, of another kind, damaged, without a matrix, or one whose
+        matrices take more than 256 MB and 20 times as much as the file.
 
     Examples
     --------
@@ -50,6 +53,12 @@ def read_matrices(path: str | os.PathLike[str]) -> dict[str, Any]:
     if not file.is_file():
         raise DeclarationError(f"{file}: no such file")
     try:
+        size, stored = _SIZES[kind](file), file.stat().st_size
+        if size > _SMALL + _LOOSEST * stored:
+            raise ValueError(
+                f"its matrices take {size / 1e6:.3g} MB, packed into {stored / 1e6:.3g}: so much"
+                " is not unpacked; save them as sparse ones"
+            )
         found = _READERS[kind](file)
     except NotImplementedError:  # what SciPy says of that version, which is HDF5
         raise DeclarationError(
@@ -84,6 +93,35 @@ def _matlab(file: Path) -> dict[str, Any]:
     return _numeric(loadmat(file))
 
 
+def _size_of_market(file: Path) -> float:
+    """Bytes of the entries of a matrix, as the header says."""
+    from scipy.io import mminfo
+
+    return 16.0 * int(mminfo(file)[2])
+
+
+def _size_of_archive(file: Path) -> float:
+    """Bytes of all arrays, as their headers say, or the archive: the larger counts."""
+    total = 0.0
+    with zipfile.ZipFile(file) as archive:
+        for told in archive.infolist():
+            with archive.open(told) as entry:
+                version = np.lib.format.read_magic(entry)
+                read = {(1, 0): np.lib.format.read_array_header_1_0}.get(
+                    version, np.lib.format.read_array_header_2_0
+                )
+                shape, _, dtype = read(entry)
+            total += max(told.file_size, math.prod(shape) * dtype.itemsize)
+    return total
+
+
+def _size_of_matlab(file: Path) -> float:
+    """Bytes of all dense matrices, as their headers say."""
+    from scipy.io import whosmat
+
+    return float(sum(16 * math.prod(shape) for _, shape, kind in whosmat(file) if kind != "sparse"))
+
+
 def _numeric(entries: dict[str, Any]) -> dict[str, Any]:
     """Entries of two dimensions and of numbers."""
     return {
@@ -96,3 +134,5 @@ def _numeric(entries: dict[str, Any]) -> dict[str, Any]:
 
 
 _READERS = {"mtx": _market, "npz": _archive, "mat": _matlab}
+_SIZES = {"mtx": _size_of_market, "npz": _size_of_archive, "mat": _size_of_matlab}
+_SMALL, _LOOSEST = 1 << 28, 20  # bytes that a file may unpack to, and times its own

@@ -29,8 +29,11 @@ from nonsmooth.runtime.cli.options import (
     missing_start,
 )
 from nonsmooth.runtime.cli.resuming import resumable
+from nonsmooth.runtime.core.workload import SECONDS, hours_told
 
 __all__ = ["graph"]
+
+_SOON = 60.0  # seconds: of what takes no longer nothing is said before
 
 
 class Trapping(StrEnum):
@@ -128,6 +131,13 @@ def graph(
     known = proof.known(load_graph_certificate)
     values, state = assignments("parameter", parameters or []), assignments("state", split(start))
     limits = ranges("coordinate", split(region))
+
+    def show(done: int, count: int) -> None:
+        seconds = count * SECONDS["image"] / workers
+        if done == 0 and seconds > _SOON:
+            say(hours_told(f"images of {count} boxes", seconds))
+        progress(done, count)
+
     with counted("enclosing images") as progress:
         found, stopped = worked(
             lambda: certify_graph(
@@ -142,7 +152,7 @@ def graph(
                 levels=levels,
                 workers=workers,
                 resume=known,
-                progress=progress,
+                progress=show,
                 keep=proof.keep,
             )
         )

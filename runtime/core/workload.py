@@ -20,6 +20,7 @@ __all__ = [
     "TooLarge",
     "check_hours",
     "check_memory",
+    "hours_told",
     "memory_here",
 ]
 
@@ -33,6 +34,7 @@ SECONDS = {
     "point": 2e-4,  # of a branch
     "fit": 1e-3,  # of parameters to measurements, from one guess
     "tile": 1e-2,  # of a proven map
+    "image": 1e-3,  # of a box of a proven graph
 }
 BYTES = 8  # of a number
 _CGROUPS = ("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes")
@@ -88,12 +90,33 @@ def check_hours(what: str, seconds: float, *, yes: bool) -> None:
     --------
     >>> check_hours("10000 starts", 20.0, yes=False)
     """
-    hours = seconds / 3600 / (os.cpu_count() or 1)
-    if not yes and not hours <= HOURS:
+    processors = os.cpu_count() or 1
+    if not yes and not seconds / 3600 / processors <= HOURS:
         raise TooLarge(
-            f"{what} take at least {_amount(hours)} hours here, more than {HOURS:g}:"
+            f"{hours_told(what, seconds / processors)}, more than {HOURS:g}:"
             " --yes begins them all the same"
         )
+
+
+def hours_told(what: str, seconds: float) -> str:
+    """How long a work takes at least, in words.
+
+    Parameters
+    ----------
+    what : str
+        What it is, with its number: ``"10000 starts"``.
+    seconds : float
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> hours_told("10000 starts", 7200.0)
+    '10000 starts take at least 2 hours here'
+    """
+    return f"{what} take at least {_amount(seconds / 3600)} hours here"
 
 
 def memory_here() -> float:

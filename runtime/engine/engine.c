@@ -93,6 +93,8 @@ rises_first(const tables *t, const int n, int pair, int located, const located_s
             const double *own = row - columns;
             for (int j = 0; j < n; ++j)
                 drift += own[j] * at->moved[j];
+            /* where the configuration has just been entered another field led to the state, of
+             * which the one behind the event may tell: the larger change counts */
             const double next = at->time_error * fabs(following) / unit;
             if (fabs(value) > ROUNDING * sizes + fmax(next, fabs(drift)))
                 return value > 0.0;

@@ -50,6 +50,7 @@ static void gather(phase *p, int b, double error, crossing *event)
     const double time = event->time;
     const double *functions = p->functions;
     const double slope = fabs(dot(p->c->functions, slope_of(p, b), functions));
+    /* behind many radians a time is rounded by more than the function's error tells */
     event->time_error = 4.0 * DBL_EPSILON * time + (slope > 0.0 ? error / slope : 0.0);
     /* at a tangency the time is known to the root of the error only */
     const double second = second_bound(p, b, time, time);

@@ -26,6 +26,7 @@ from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum
 from nonsmooth.runtime.model.completion import follow
 from nonsmooth.runtime.model.kernels import Boundary, OrbitKernels
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.shooting.newton import NEGATIVE
 
 __all__ = [
     "NEITHER",
@@ -139,11 +140,14 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
     at_once = [name in kernels.table["vanishing"] for name in kernels.dwell_times]
     starts = np.concatenate([[0.0], np.cumsum(dwell)])
     violations: list[Violation] = []
+    lasting = [wait for wait, now in zip(dwell, at_once, strict=True) if not now]
+    none = max(0.0, min(lasting)) if orbit.status == NEGATIVE else 0.0  # within its error
     for phase, duration in enumerate(dwell):
-        if not duration > 0 and not at_once[phase]:
+        if not duration > none and not at_once[phase]:
             configuration, boundary, _ = phases[phase]
+            excess = max(0.0, -duration)
             violations.append(
-                Violation(phase, configuration, boundary, float(starts[phase]), -duration)
+                Violation(phase, configuration, boundary, float(starts[phase]), excess)
             )
     if violations:
         return Admissibility(False, tuple(violations), ())

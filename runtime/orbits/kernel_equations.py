@@ -15,7 +15,13 @@ from nonsmooth.runtime.events.boundary_functions import PhaseWaves
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.motion import Motion
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.shooting.kernel_newton import equations_at, error_bound, natural_scales
+from nonsmooth.runtime.shooting.kernel_newton import (
+    DETERMINED,
+    equations_at,
+    error_bound,
+    natural_scales,
+)
+from nonsmooth.runtime.shooting.newton import judged
 
 __all__ = ["KernelEquations"]
 
@@ -192,7 +198,8 @@ class KernelEquations:
     def orbit_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Orbit:
         """See `OrbitEquations`."""
         equations = equations_at(self._kernels, x)
-        error = error_bound(self._kernels, x, self._places, equations)
+        errors = error_bound(self._kernels, x, self._places, equations)
+        error = errors.largest
         digits = math.floor(-math.log10(max(error, 1e-300))) if math.isfinite(error) else 0
         return replace(
             self.orbit,
@@ -200,6 +207,7 @@ class KernelEquations:
             unknowns=dict(zip(self.unknowns, x[self._places].tolist(), strict=True)),
             residual=float(abs(equations.residual).max()),
             digits=max(0, min(DOUBLE, digits)),
+            status=int(judged(errors.dwell, errors.of_dwell, error, DETERMINED)),
         )
 
     def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Motion:

@@ -25,7 +25,13 @@ from nonsmooth.runtime.shooting.kernel_newton import (
     frequency_spread,
     solve_reduced,
 )
-from nonsmooth.runtime.shooting.newton import CONVERGED, NEGATIVE, OUTSIDE, UNSURE
+from nonsmooth.runtime.shooting.newton import (
+    CONVERGED,
+    NEGATIVE,
+    OUTSIDE,
+    SHORTEST,
+    judged,
+)
 
 __all__ = ["CHUNK", "NUMPY_JUDGED", "solve_from", "solve_kernels_many"]
 
@@ -206,36 +212,41 @@ def _fill(
     starts = _starts(kernels, columns, count) if start is None else [start]
     unknowns = results.unknowns[:, part]
     solved = _solve_points(kernels, points, np.broadcast_to(valid, count), starts, unknowns.T)
-    if results.admissible is not None and results.bounds is not None:
-        allowed, bounds = _admissible_ones(kernels, points, starts, solved)
-        results.admissible[part], results.bounds[:, part] = allowed, bounds.T
-    _count_digits(kernels, columns, points, solved)
+    judged_ones = None
+    if results.admissible is not None:
+        judged_ones = _admissible_ones(kernels, points, starts, solved)
+    values = dict(zip(kernels.parameter_names, columns, strict=True))
+    values |= dict(zip(kernels.unknowns, unknowns, strict=True))
+    waits, period = kernels.durations(values), results.period[part]
+    period[:] = reduce(np.add, waits.values())
+    lasting = [wait for name, wait in waits.items() if name not in kernels.table["vanishing"]]
+    short = reduce(np.minimum, lasting) < SHORTEST * period
+    _count_digits(kernels, _far_apart(kernels, columns) | short, points, solved)
     lost = np.flatnonzero(solved.status != CONVERGED)
-    for array in solved[:3]:
+    for array in (*solved[:3], period):
         array[lost] = np.nan
     results.trace[part], results.residual[part] = solved.trace, solved.residual
     results.iterations[part], results.status[part] = solved.iterations, solved.status
-    values = dict(zip(kernels.parameter_names, columns, strict=True))
-    values |= dict(zip(kernels.unknowns, unknowns, strict=True))
-    period = results.period[part]
-    period[:] = reduce(np.add, kernels.durations(values).values())
-    period[lost] = np.nan
+    if judged_ones is not None and results.admissible is not None and results.bounds is not None:
+        allowed, bounds = judged_ones
+        allowed[lost], bounds[lost] = False, np.nan
+        results.admissible[part], results.bounds[:, part] = allowed, bounds.T
 
 
 def _count_digits(
-    kernels: OrbitKernels, columns: Sequence[np.ndarray], points: np.ndarray, solved: Solved
+    kernels: OrbitKernels, looked: np.ndarray, points: np.ndarray, solved: Solved
 ) -> None:
     """Tell apart what has converged to numbers that rounding leaves too few digits of."""
-    apart = _far_apart(kernels, columns)
-    if not apart.any():
+    if not looked.any():
         return
-    places = np.flatnonzero((solved.status == CONVERGED) & apart)
+    places = np.flatnonzero((solved.status == CONVERGED) & looked)
     if not len(places):
         return
     spread = frequency_spread(kernels, kernels.spectrum(points[places])[0])
     lost = np.finfo(float).eps * np.minimum(spread, 1e9) ** 2
     errors = error_bounds(kernels, solved.unknowns[places], points[places])
-    solved.status[places[~(np.maximum(errors, lost) < _MOST_ERROR)]] = UNSURE
+    largest = np.maximum(errors.largest, lost)
+    solved.status[places] = judged(errors.dwell, errors.of_dwell, largest, _MOST_ERROR)
 
 
 def _far_apart(kernels: OrbitKernels, columns: Sequence[np.ndarray]) -> np.ndarray:

@@ -53,8 +53,8 @@ STATUS = {
     CONVERGED: "converged",
     STALLED: "not converged: give a guess nearer to the orbit, or none and let it be searched",
     INVALID: "not finite: a parameter is outside its domain or the guess is far from any orbit",
-    NEGATIVE: "a dwell time is not positive: no motion has this itinerary here;"
-    " change the parameters or search without a guess",
+    NEGATIVE: "a dwell time is not positive, or is zero within its error: no motion has this"
+    " itinerary here; change the parameters or search without a guess",
     OUTSIDE: "a parameter that was solved for is outside its domain: no such system exists;"
     " change what is given",
     SINGULAR: "singular: at these parameters (a resonance) the equations do not determine an"

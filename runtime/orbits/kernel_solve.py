@@ -19,6 +19,7 @@ from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.shooting.kernel_newton import (
+    DETERMINED,
     Full,
     equations_at,
     error_bound,
@@ -26,7 +27,7 @@ from nonsmooth.runtime.shooting.kernel_newton import (
     solve_full,
     solve_reduced,
 )
-from nonsmooth.runtime.shooting.newton import CONVERGED, OUTSIDE, UNSURE
+from nonsmooth.runtime.shooting.newton import CONVERGED, OUTSIDE, judged
 
 __all__ = ["search", "solve_kernels"]
 
@@ -204,9 +205,14 @@ def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: 
     if not all(in_domain(kernels.tables[name], unknowns[name]) for name in kernels.solved_for):
         status = OUTSIDE
     if status == CONVERGED:
-        residual, error = _quality(kernels, np.concatenate([solved.unknowns, parameters]))
+        x = np.concatenate([solved.unknowns, parameters])
+        equations = equations_at(kernels, x)
+        residual = float(np.abs(equations.residual).max())
+        errors = error_bound(kernels, x, slice(len(kernels.unknowns)), equations)
+        spread = float(frequency_spread(kernels, equations.spectrum))
+        error = max(errors.largest, 4 * float(np.finfo(float).eps) * spread)
         digits = _digits(error)
-        status = CONVERGED if digits else UNSURE
+        status = int(judged(errors.dwell, errors.of_dwell, error, DETERMINED))
     return Orbit(
         KernelProblem(kernels),
         point.values,
@@ -217,18 +223,6 @@ def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: 
         int(solved.iterations),
         status,
     )
-
-
-def _quality(kernels: OrbitKernels, x: np.ndarray) -> tuple[float, float]:
-    """Residual of the full equations, and a bound on the error of the unknowns by J^-1.
-
-    At unknowns, then parameters (n + p,).
-    """
-    equations = equations_at(kernels, x)
-    places = slice(len(kernels.unknowns))
-    rounding = 4 * np.finfo(float).eps * float(frequency_spread(kernels, equations.spectrum))
-    error = max(error_bound(kernels, x, places, equations), rounding)
-    return float(np.abs(equations.residual).max()), error
 
 
 def _digits(error: float) -> int:

@@ -12,9 +12,9 @@ from nonsmooth.runtime.model.factored_flows import FactoredFlows
 from nonsmooth.runtime.model.time_functions import functions_at
 from nonsmooth.runtime.orbits.orbit import DOUBLE
 from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
-from nonsmooth.runtime.shooting.newton import CONVERGED, NEGATIVE, UNSURE
+from nonsmooth.runtime.shooting.newton import CONVERGED, SHORTEST, judged
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape, Numbers, numbers_in, shoot
-from nonsmooth.runtime.shooting.table_newton import SHORTEST, TableSolution, sizes
+from nonsmooth.runtime.shooting.table_newton import TableSolution, sizes
 from nonsmooth.runtime.shooting.translations import directions_of, up_to_shift
 from nonsmooth.runtime.shooting.variational import Shooting
 
@@ -102,10 +102,7 @@ def _judged(
     dwell, start = found.dwell[places], found.starts[places, 0]
     with np.errstate(all="ignore"):
         errors, of_dwell = _errors(cycle, flat[places], dwell, start, period[places])
-    lost = ~(dwell > of_dwell)
-    vanishes = lost & (dwell <= SHORTEST * dwell.sum(axis=-1, keepdims=True))
-    status = np.where(errors < most, np.where(lost.any(axis=-1), NEGATIVE, CONVERGED), UNSURE)
-    return errors, np.where(vanishes.any(axis=-1), NEGATIVE, status)
+    return errors, judged(dwell, of_dwell, errors, most)
 
 
 def _far_apart(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) -> np.ndarray:

@@ -35,7 +35,7 @@ from nonsmooth.runtime.shooting.derivatives import (
     dependent_variational,
     shooting_derivatives,
 )
-from nonsmooth.runtime.shooting.newton import NEGATIVE
+from nonsmooth.runtime.shooting.newton import NEGATIVE, SHORTEST
 from nonsmooth.runtime.shooting.section_map import mechanical_states, stroboscopic_maps
 from nonsmooth.runtime.shooting.shooting_map import (
     Numbers,
@@ -43,7 +43,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
     shoot,
 )
 from nonsmooth.runtime.shooting.symmetric_orbit import closing, closing_matrix
-from nonsmooth.runtime.shooting.table_newton import SHORTEST
 from nonsmooth.runtime.shooting.table_newton import sizes as sizes_along
 from nonsmooth.runtime.simulation.trajectory import Trajectory
 

@@ -132,7 +132,9 @@ def found_html(found: Found) -> str:
     rows = [
         (
             f"{place}",
-            [f"period {orbit.period:.8g}, {orbit.verdict}", itinerary_text(orbit.itinerary)],
+            [orbit.solved]
+            if isinstance(orbit.solved, str)
+            else [f"period {orbit.period:.8g}, {orbit.verdict}", itinerary_text(orbit.itinerary)],
             orbit.share,
         )
         for place, orbit in enumerate(found.orbits, 1)

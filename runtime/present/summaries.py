@@ -233,7 +233,12 @@ def _sweep(sweep: Sweep) -> Summary:
 
 
 def _found(found: Found) -> Summary:
-    orbits = [f"period {o.period:.8g}, {o.verdict}, {100 * o.share:.3g} %" for o in found.orbits]
+    orbits = [
+        "refused"
+        if isinstance(o.solved, str)
+        else f"period {o.period:.8g}, {o.verdict}, {100 * o.share:.3g} %"
+        for o in found.orbits
+    ]
     equilibria = [
         f"{e.equilibrium.configuration}, {e.equilibrium.verdict}, {100 * e.share:.3g} %"
         for e in found.equilibria

@@ -24,9 +24,12 @@ from nonsmooth.runtime.shooting.newton import (
     TOLERANCE,
     damping,
     iterate,
+    judged,
 )
 
 __all__ = [
+    "DETERMINED",
+    "Errors",
     "Full",
     "LinearisedEquations",
     "Solved",
@@ -204,13 +207,12 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
     if status == CONVERGED:
         equations = equations_at(kernels, x)
         residual, jacobian = equations.residual, equations.jacobian
-        error = error_bound(kernels, x, places, equations)
+        errors = error_bound(kernels, x, places, equations)
+        error = errors.largest
         if not error < DETERMINED:
             size = np.maximum(np.abs(x[places]), 1)
             raise _undetermined(solved_for, float(np.linalg.cond(jacobian[:, places] * size)))
-        durations = kernels.durations(dict(zip(names, x, strict=True)))
-        if any(durations[n] <= 0 for n in durations if n not in kernels.table["vanishing"]):
-            status = NEGATIVE
+        status = int(judged(errors.dwell, errors.of_dwell, error, DETERMINED))
     found = {name: float(value) for name, value in zip(names, x, strict=True)}
     return Full(found, float(np.abs(residual).max()), iterations, status, error)
 
@@ -254,13 +256,25 @@ def equations_at(kernels: OrbitKernels, x: np.ndarray) -> LinearisedEquations:
     return LinearisedEquations(residual, jacobian, spectrum)
 
 
+class Errors(NamedTuple):
+    """Bounds on errors of what was solved for, and dwell times of phases that take time.
+
+    `largest` (...) is of all numbers in units of max(1, |x|), inf where nothing is known; `dwell`
+    (..., p) has errors of at most `of_dwell` (..., p).
+    """
+
+    largest: Any
+    dwell: np.ndarray
+    of_dwell: np.ndarray
+
+
 def error_bound(
     kernels: OrbitKernels,
     x: np.ndarray,
     places: Sequence[int] | slice,
     equations: LinearisedEquations,
-) -> float:
-    """Bound on the error of the numbers at some places of x, in units of max(1, |x|).
+) -> Errors:
+    """Bounds on the errors of the numbers at some places of x.
 
     By J^-1, from the residual and the rounding of all that enters the equations: parameters
     and unknowns, and the states along the orbit, of which they are differences.
@@ -275,27 +289,28 @@ def error_bound(
 
     Returns
     -------
-    float
+    Errors
         inf where J is singular.
     """
     residual, jacobian, spectrum = equations
     unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
     states = kernels.evaluate("states", parameters, spectrum, unknowns)
-    size = np.abs(x)
-    scale = size[places] = np.maximum(size[places], 1.0)
-    rounding = np.vecdot(np.abs(jacobian), size) + np.abs(states).max()
-    noise = np.abs(residual) + 4 * _EPSILON * rounding
+    sizes = np.array([np.abs(x)] * 2)
+    sizes[0, places] = np.maximum(sizes[0, places], 1.0)
+    rounding = np.abs(jacobian) @ sizes.T + np.abs(states).max()
+    noise = np.abs(residual)[:, None] + 4 * _EPSILON * rounding
+    errors = np.zeros((len(x), 2))
     with np.errstate(all="ignore"):
         try:
-            inverse = np.linalg.inv(jacobian[:, places])
+            errors[places] = np.abs(np.linalg.inv(jacobian[:, places])) @ noise
         except np.linalg.LinAlgError:
-            return math.inf
-        error = np.vecdot(np.abs(inverse), noise) / scale
-    worst = float(error.max())
-    return worst if math.isfinite(worst) else math.inf
+            errors[places] = math.inf
+        largest = float((errors[places, 0] / sizes[0, places]).max())
+        waits = _waits(kernels, x, errors[:, 1])
+    return Errors(largest if math.isfinite(largest) else math.inf, *waits)
 
 
-def error_bounds(kernels: OrbitKernels, unknowns: np.ndarray, parameters: np.ndarray) -> np.ndarray:
+def error_bounds(kernels: OrbitKernels, unknowns: np.ndarray, parameters: np.ndarray) -> Errors:
     """Give `error_bound` of all unknowns at many points.
 
     Parameters
@@ -306,8 +321,8 @@ def error_bounds(kernels: OrbitKernels, unknowns: np.ndarray, parameters: np.nda
 
     Returns
     -------
-    array (count,)
-        In units of max(1, |x|); inf where nothing is known.
+    Errors
+        inf where nothing is known.
     """
     with np.errstate(all="ignore"):
         spectrum, derivatives = kernels.spectrum(parameters)
@@ -319,15 +334,35 @@ def error_bounds(kernels: OrbitKernels, unknowns: np.ndarray, parameters: np.nda
         )
         states = np.abs(kernels.evaluate("states", parameters, spectrum, unknowns))
         scale = np.maximum(np.abs(unknowns), 1)
-        rounding = (np.abs(jacobian) @ scale[..., None])[..., 0]
-        rounding += (np.abs(by_parameters) @ np.abs(parameters)[..., None])[..., 0]
-        rounding += states.reshape(len(unknowns), -1).max(axis=-1, keepdims=True)
-        noise = np.abs(residual) + 4 * _EPSILON * rounding
+        sizes = np.stack([scale, np.abs(unknowns)], axis=-1)
+        rounding = np.abs(jacobian) @ sizes
+        rounding += np.abs(by_parameters) @ np.abs(parameters)[..., None]
+        rounding += states.reshape(len(unknowns), -1).max(axis=-1)[:, None, None]
+        noise = np.abs(residual)[..., None] + 4 * _EPSILON * rounding
         sound = np.isfinite(jacobian).all(axis=(-2, -1)) & (np.linalg.det(jacobian) != 0)
-        found = np.full(len(unknowns), np.inf)
+        x = np.concatenate([unknowns, parameters], axis=-1)
+        errors = np.zeros((*x.shape, 2))
+        errors[:, : unknowns.shape[1]] = np.inf
         inverse = np.abs(np.linalg.inv(jacobian[sound]))
-        found[sound] = ((inverse @ noise[sound, :, None])[..., 0] / scale[sound]).max(axis=-1)
-    return np.where(np.isfinite(found), found, np.inf)
+        errors[sound, : unknowns.shape[1]] = inverse @ noise[sound]
+        largest = (errors[:, : unknowns.shape[1], 0] / scale).max(axis=-1)
+        waits = _waits(kernels, x, errors[..., 1])
+    return Errors(np.where(np.isfinite(largest), largest, np.inf), *waits)
+
+
+def _waits(
+    kernels: OrbitKernels, x: np.ndarray, errors: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Dwell times (..., p) of the phases that take time, and their errors by those of x."""
+    names = (*kernels.unknowns, *kernels.parameter_names)
+    durations = kernels.durations(dict(zip(names, np.moveaxis(x, -1, 0), strict=True)))
+    own = dict(zip(names, np.moveaxis(errors, -1, 0), strict=True))
+    dwell, of_dwell = [], []
+    for name, terms in zip(kernels.dwell_times, kernels.table["durations"], strict=True):
+        if name not in kernels.table["vanishing"]:
+            dwell.append(durations[name])
+            of_dwell.append(sum(abs(factor) * own[term] for term, factor in terms.items()))
+    return np.stack(dwell, axis=-1), np.stack(of_dwell, axis=-1)
 
 
 def frequency_spread(kernels: OrbitKernels, spectrum: np.ndarray) -> np.ndarray | float:

@@ -24,6 +24,7 @@ __all__ = [
     "MARGIN",
     "NEGATIVE",
     "OUTSIDE",
+    "SHORTEST",
     "SINGULAR",
     "STALLED",
     "TOLERANCE",
@@ -31,6 +32,7 @@ __all__ = [
     "climb",
     "damping",
     "iterate",
+    "judged",
     "lost",
     "precisions",
 ]
@@ -46,6 +48,7 @@ BEYOND = (
     " sure digits; change their ratios"
 )
 TOLERANCE = 1e-9  # of the last step, which Newton's method squares
+SHORTEST = 1e-6  # in units of the period: a dwell time on its way to zero
 LEAST = 1e-10  # relative singular value below which equations are dependent
 MARGIN = 10  # decimals that the linear algebra of a step may lose
 _MOST_ITERATIONS = 32
@@ -102,6 +105,32 @@ def damping(dwell: np.ndarray, change: np.ndarray, growth: float = math.inf) -> 
     """
     bound = np.where(change < 0, _MOST_LOST, growth) * dwell / np.abs(change)
     return np.minimum(1.0, bound.min(axis=-1, initial=math.inf))
+
+
+def judged(dwell: np.ndarray, of_dwell: np.ndarray, errors: Any, most: float) -> np.ndarray:
+    """Status (...) of orbits that have converged, by bounds on their errors.
+
+    Parameters
+    ----------
+    dwell : array (..., p)
+        Of the phases that take time, in any unit.
+    of_dwell : array (..., p)
+        Bounds on their errors, in the same unit.
+    errors : array (...)
+        Of all that was solved for, in units of max(1, |x|).
+    most : float
+        Errors from which on nothing is sure.
+
+    Returns
+    -------
+    array (...) of int
+        `UNSURE` where an error is too large; `NEGATIVE` where a dwell time is not larger than
+        its own error.
+    """
+    lost = ~(dwell > of_dwell)
+    vanishes = lost & (dwell <= SHORTEST * dwell.sum(axis=-1, keepdims=True))
+    status = np.where(errors < most, np.where(lost.any(axis=-1), NEGATIVE, CONVERGED), UNSURE)
+    return np.where(vanishes.any(axis=-1), NEGATIVE, status)
 
 
 def precisions(digits: int, start: int) -> list[int]:

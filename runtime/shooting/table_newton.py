@@ -21,6 +21,7 @@ from nonsmooth.runtime.shooting.newton import (
     INVALID,
     LEAST,
     NEGATIVE,
+    SHORTEST,
     SINGULAR,
     STALLED,
     TOLERANCE,
@@ -36,7 +37,6 @@ from nonsmooth.runtime.shooting.shooting_map import (
 from nonsmooth.runtime.shooting.variational import Shooting
 
 __all__ = [
-    "SHORTEST",
     "TableSolution",
     "message_of",
     "sizes",
@@ -47,7 +47,6 @@ __all__ = [
 # the compiled solver's numbers
 MOST_RESIDUAL = 1e-9  # in units of the terms that cancel
 NOTHING = 1e-18  # of the largest state: rounding of rounding is smaller
-SHORTEST = 1e-6  # in units of the period: a dwell time on its way to zero
 
 _MESSAGES = {
     CONVERGED: "converged",

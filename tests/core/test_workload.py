@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from typer.testing import CliRunner
 
@@ -63,6 +65,20 @@ def test_yes_begins_what_takes_long(monkeypatch) -> None:
     monkeypatch.setitem(workload.SECONDS, "transition", 1e9)
     assert CliRunner().invoke(app, command).exit_code == 2
     assert CliRunner().invoke(app, [*command, "--yes"]).exit_code == 0
+
+
+def test_a_long_graph_says_how_long_before_it_begins(monkeypatch) -> None:
+    start = "--from x1=5,x2=4,v1=0.5,v2=0.25 --region x2=2:14"
+    command = f"graph dry-friction V=1 {DATA} {start} --boxes 16".split()
+    told = r"images of (\d+) boxes take at least"
+    assert not re.search(told, CliRunner().invoke(app, command).stderr)
+    monkeypatch.setitem(workload.SECONDS, "image", 1e3)
+    result = CliRunner().invoke(app, command)
+    found = re.search(told + r" ([\d.]+) hours here", result.stderr)
+    assert result.exit_code == 0
+    assert found
+    assert int(found[1]) >= 16
+    assert float(found[2]) == pytest.approx(int(found[1]) / 3.6, rel=1e-2)
 
 
 @pytest.mark.compiled

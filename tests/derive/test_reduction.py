@@ -1,5 +1,8 @@
 """Reduced structures against the whole ones and closed forms; files of matrices; bad input."""
 
+import gzip
+import zipfile
+
 import numpy as np
 import pytest
 import scipy.io
@@ -9,6 +12,7 @@ from scipy.optimize import brentq
 from scipy.sparse.linalg import spsolve
 
 from nonsmooth.derive import DeclarationError, oscillator, read_matrices, reduce_structure
+from nonsmooth.derive.building import matrix_files
 from tests.beams import beam, cantilever
 
 METHODS = ("craig-bampton", "free-interface")
@@ -250,3 +254,24 @@ def test_bad_files_are_one_line(tmp_path):
     assert message("objects.npz").startswith("cannot be read: ")
     np.savez(tmp_path / "empty.npz", v=np.ones(3))
     assert message("empty.npz") == "holds no matrix"
+
+
+def test_what_a_small_file_unpacks_to_is_bounded(tmp_path, monkeypatch):
+    monkeypatch.setattr(matrix_files, "_SMALL", 1 << 20)
+    names = ("large.npz", "large.mat", "large.mtx.gz")
+    zeros = {"K": np.zeros((1000, 1000))}
+    np.savez_compressed(tmp_path / names[0], **zeros)
+    scipy.io.savemat(tmp_path / names[1], zeros, do_compression=True)
+    scipy.io.mmwrite(tmp_path / "large.mtx", zeros["K"])
+    (tmp_path / names[2]).write_bytes(gzip.compress((tmp_path / "large.mtx").read_bytes()))
+    with zipfile.ZipFile(tmp_path / "told.npz", "w") as file:  # its header says what is not there
+        header = {"descr": "<f8", "fortran_order": False, "shape": (30_000, 30_000)}
+        with file.open("K.npy", "w") as entry:
+            np.lib.format.write_array_header_1_0(entry, header)
+    np.savez_compressed(tmp_path / "small.npz", K=np.eye(300))
+    scipy.sparse.save_npz(tmp_path / "wide.npz", scipy.sparse.eye_array(20_000).tocsc())
+    for name in ("small.npz", "wide.npz"):
+        assert read_matrices(tmp_path / name)
+    for name in (*names, "told.npz"):
+        with pytest.raises(DeclarationError, match=r"take [\d.e+]+ MB, packed into .*sparse"):
+            read_matrices(tmp_path / name)

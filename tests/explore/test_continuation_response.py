@@ -7,6 +7,7 @@ import sympy as sp
 import nonsmooth as ns
 from nonsmooth.derive import Parameter, SoftStop, oscillator
 from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.explore.continuation.energy import energy_of
 from nonsmooth.runtime.simulation.observables import observe
 from tests.places import GALLERY
 
@@ -92,6 +93,7 @@ def test_energies_of_two_masses(name: str) -> None:
         pressed = k3 * max(x1 - 1, 0) ** 2
         doubled = m1 * v1**2 + m2 * v2**2 + k1 * (x1 - x2) ** 2 + k2 * x2**2 + pressed
         assert found == pytest.approx(doubled / (2 * m1), rel=1e-8)
+        assert energy_of(orbit) == pytest.approx(found, rel=1e-12)
 
 
 def test_no_energy_is_kept() -> None:
@@ -102,6 +104,8 @@ def test_no_energy_is_kept() -> None:
         branch = ns.continue_orbit(orbit, name, interval, step=0.5)
         with pytest.raises(InputError, match="no energy is kept along"):
             branch.quantity("energy")
+        with pytest.raises(InputError, match=f"no energy is kept along {orbit.name}"):
+            energy_of(orbit)
 
 
 def test_picture_of_frequency_over_energy() -> None:

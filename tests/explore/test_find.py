@@ -361,7 +361,7 @@ def test_edited_and_foreign_files_are_refused(saved, tmp_path):
         (signed(edited(text, lambda c: c.update(system="none"))), "unknown system 'none'"),
         (
             signed(edited(text, lambda c: c["parameters"].update(chi="0.41"))),
-            r"orbit 1.*not a solution",
+            "no such equilibrium",
         ),
     ]
     for content, match in cases:
@@ -387,7 +387,6 @@ def test_edited_and_foreign_files_are_refused(saved, tmp_path):
         lambda c: c.update(labels=[99] * len(c["labels"])),
         lambda c: c.update(start_states=[["0", "0"]]),
         lambda c: c["orbits"][0].update(share="most"),
-        lambda c: c["orbits"][0]["itinerary"][0]["start"].pop("x1"),
         lambda c: c["box"].pop("x1"),
         lambda c: c.update(parameters=[]),
     ],
@@ -397,6 +396,26 @@ def test_signed_nonsense_is_refused_too(saved, tmp_path, edit):
     path.write_text(signed(edited(saved.read_text(), edit)))
     with pytest.raises(InputError, match=r"nonsense\.json"):
         load_found(path)
+
+
+@pytest.mark.parametrize(
+    ("edit", "reason"),
+    [
+        (lambda c: c["orbits"][0]["itinerary"][0].update(dwell_time="1.5"), "not a solution"),
+        (lambda c: c["orbits"][0]["itinerary"][0]["start"].pop("x1"), "none of the states"),
+        (lambda c: c["orbits"][0]["itinerary"][0].update(boundary="none"), "none"),
+        (lambda c: c["orbits"][0].update(itinerary=[]), "none of the states"),
+    ],
+)
+def test_an_orbit_that_is_none_of_its_system_is_refused_when_asked_for(
+    saved, tmp_path, edit, reason
+):
+    path = tmp_path / "other.json"
+    path.write_text(signed(edited(saved.read_text(), edit)))
+    entry = load_found(path).orbits[0]
+    for asked in (lambda: entry.orbit, lambda: solve(f"{path}:1")):
+        with pytest.raises(InputError, match=rf"other\.json: orbit 1, of period .*{reason}"):
+            asked()
 
 
 def test_a_file_that_cannot_be_written_is_named(tmp_path):

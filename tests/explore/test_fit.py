@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import tracemalloc
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +20,7 @@ from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.explore.fitting import minimise
 from nonsmooth.runtime.explore.fitting.local_maxima import local_maxima
+from nonsmooth.runtime.explore.fitting.tables import read_table
 from nonsmooth.runtime.simulation.phase_functions import phases_of
 
 k, m, r, c = sp.symbols("k m r c")
@@ -478,3 +481,21 @@ def test_no_local_maximum_is_missed() -> None:
     np.testing.assert_allclose([m.value for m in each], values[tops], atol=1e-6)
     rates = motion([m.since for m in each])[:, 2:] @ row[:2]
     assert abs(rates).max() < 1e-12
+
+
+def test_what_a_small_archive_unpacks_to_is_bounded(tmp_path: Path) -> None:
+    """No table of 160 MB is made of an archive of 160 kB, nor of the header that says so."""
+    count, path = 20_000_000, tmp_path / "data.npz"
+    header = {"descr": "<f8", "fortran_order": False, "shape": (count,)}
+    for pieces in (0, count // 1_000_000):
+        archive = zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED)
+        with archive, archive.open("t.npy", "w") as entry:
+            np.lib.format.write_array_header_1_0(entry, header)
+            for _ in range(pieces):
+                entry.write(bytes(8_000_000))
+        told = "not unpacked" if pieces else "not as long as its header says"
+        tracemalloc.start()
+        with pytest.raises(InputError, match=rf"data\.npz: 't\.npy' .*{told}"):
+            read_table(path)
+        assert tracemalloc.get_traced_memory()[1] < 1e8
+        tracemalloc.stop()

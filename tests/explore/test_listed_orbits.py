@@ -22,6 +22,7 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.present.pictures.found import found_figure
 
 pytestmark = pytest.mark.compiled
 
@@ -163,9 +164,26 @@ def test_one_bad_orbit_of_a_file_leaves_the_others(tmp_path):
     content["orbits"][0]["itinerary"][0]["dwell_time"] = "1e-16"
     content["sha256"] = checksum_of({k: v for k, v in content.items() if k != "sha256"})
     file.write_text(json.dumps(content))
-    for broken in (lambda: ns.load(file), lambda: ns.solve(f"{file}:1")):
-        with pytest.raises(ns.InputError, match=r"orbit 1, of period.*not a solution"):
-            broken()
-    other = ns.solve(f"{file}:2")
-    assert other.itinerary == found.orbits[1].itinerary
-    assert other.period == pytest.approx(found.orbits[1].period, rel=1e-12)
+    loaded = ns.load(file)
+    bad, *others = loaded.orbits
+    asked = (
+        lambda: ns.solve(f"{file}:1"),
+        lambda: bad.orbit,
+        lambda: bad.verdict,
+        lambda: loaded.save(tmp_path / "again.json"),
+    )
+    for asking in asked:
+        with pytest.raises(ns.InputError, match=r"found\.json: orbit 1, of period.*not a solution"):
+            asking()
+    assert "refused" in str(loaded)
+    assert "orbit 1, of period" in loaded._repr_html_()
+    for number, (kept, entry) in enumerate(zip(others, found.orbits[1:], strict=True), 2):
+        assert (kept.itinerary, kept.starts) == (entry.itinerary, entry.starts)
+        assert kept.orbit.unknowns == entry.orbit.unknowns
+        other = ns.solve(f"{file}:{number}")
+        assert other.itinerary == entry.itinerary
+        assert other.period == pytest.approx(entry.period, rel=1e-12)
+    np.testing.assert_array_equal(loaded.labels, found.labels)
+    pytest.importorskip("matplotlib")
+    titles = [axes.get_title(loc="left") for axes in found_figure(loaded, "phase").axes]
+    assert [title.partition(":")[0] for title in titles] == ["2"]

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 
+import mpmath
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 from scipy.linalg import expm
 
 from nonsmooth.derive.systems import dry_friction
@@ -295,3 +296,22 @@ def test_the_first_phase_of_no_length_has_no_flow() -> None:
     assert piece.dwell == 0
     assert_allclose(expm(piece.field * piece.dwell), np.eye(5))
     assert_allclose(orbit.states[0], orbit.states[1], atol=1e-15)
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_dwell_time_within_its_error_is_none(side: int) -> None:
+    """Beside the border an orbit is told where its short phase is longer than its own error."""
+    border = refine(solve(BORDER), 40).unknowns
+    near = {name: float(x) for name, x in border.items() if name != "e1"} | {"ta": 1e-3}
+    slope = solve(STICK, {"e1": float(border["e1"]) + 1e-5}, near).sensitivity("e1").unknowns["ta"]
+    offsets = side * np.logspace(-16, -8, 33)
+    with mpmath.workdps(40):
+        limits = [mpmath.nstr(border["e1"] + mpmath.mpf(offset), 40) for offset in offsets]
+    orbits = [solve(STICK, {"e1": limit}, near, throw=False) for limit in limits]
+    many = solve_many(STICK, e1=np.array(limits, dtype=float))
+    told = np.array([orbit.converged for orbit in orbits])
+    assert_array_equal(told, many.converged & many.admissible)
+    assert_array_equal(told, [orbit.admissibility.verdict == "conditional" for orbit in orbits])
+    assert (told == (offsets > 0))[abs(offsets) > 1e-12].all()
+    times = np.array([orbit.unknowns["ta"] for orbit in orbits])
+    assert (abs(times - slope * offsets) < times)[told].all()

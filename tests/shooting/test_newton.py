@@ -70,7 +70,7 @@ class Line:
 
     def __init__(self, slope: float = 1.0, ahead: float = 0.0, size: float = 1.0) -> None:
         self.slope, self.ahead, self.size = slope, ahead, size
-        self.table: dict[str, Any] = {"vanishing": []}
+        self.table: dict[str, Any] = {"vanishing": [], "durations": [{"tau": 1}]}
 
     def spectrum(self, parameters: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return parameters[..., :0], parameters[..., :0]

@@ -29,7 +29,7 @@ from nonsmooth.runtime.explore.continuation.stepping import (
 )
 from nonsmooth.runtime.model.saved_system import check_same_system
 from nonsmooth.runtime.orbits.orbit import Orbit, check_converged
-from nonsmooth.runtime.shooting.table_newton import SHORTEST
+from nonsmooth.runtime.shooting.newton import SHORTEST
 
 __all__ = ["STEP", "check_steps", "continue_orbit"]
 

@@ -45,9 +45,11 @@ def energy_of(orbit: Orbit) -> float:
     InputError
         If no energy is kept along the orbit.
     """
-    cycle, states = orbit.tables.cycle, orbit.states.astype(float)
+    by_tables = orbit.problem.by_tables(orbit)  # kernels may have other parameters and states
+    cycle, states = by_tables.tables.cycle, by_tables.states.astype(float)
     time, units = _units(states, float(orbit.period))
-    numbers = _measured(numbers_in(piecewise(orbit.system, orbit.parameters)), time, units)
+    numbers = numbers_in(piecewise(by_tables.system, by_tables.parameters))
+    numbers = _measured(numbers, time, units)
     states = states / units
     forms = _forms(cycle, numbers, states.shape[1])
     if forms is None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value
@@ -23,9 +24,9 @@ class FoundOrbit:
 
     Attributes
     ----------
-    orbit : Orbit
+    solved : Orbit or str
         Over its primitive period; of one phase that ends with ``forcing-phase`` where it
-        reaches no boundary.
+        reaches no boundary. Or why an entry of a file is no orbit of its system.
     starts : int
     share : float
         Of all starts; 0 for an orbit that no start led to.
@@ -33,10 +34,23 @@ class FoundOrbit:
         Place of the orbit before it whose mirror image it is; its own where it is its own.
     """
 
-    orbit: Orbit
+    solved: Orbit | str
     starts: int
     share: float
     mirror: int | None = None
+
+    @property
+    def orbit(self) -> Orbit:
+        """The orbit.
+
+        Raises
+        ------
+        InputError
+            Where a file holds what is no orbit of its system; so does all that is told of it.
+        """
+        if isinstance(self.solved, str):
+            raise InputError(self.solved)
+        return self.solved
 
     @property
     def itinerary(self) -> tuple[tuple[str, str], ...]:

@@ -6,6 +6,7 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -167,7 +168,10 @@ def save_found(found: Found, path: str | os.PathLike[str]) -> None:
 
 
 def load_found(path: str | os.PathLike[str]) -> Found:
-    """Read what `Found.save` wrote, with the same numbers: each orbit has to be one still.
+    """Read what `Found.save` wrote, with the same numbers.
+
+    Each orbit has to be one still: one that is not is refused, with its reason, where it is
+    asked for, and leaves the others.
 
     Parameters
     ----------
@@ -181,8 +185,7 @@ def load_found(path: str | os.PathLike[str]) -> Found:
     Raises
     ------
     InputError
-        For a file that cannot be read, is cut, edited or foreign, or holds what is no orbit
-        of the system that is installed. The message names the file.
+        For a file that cannot be read, is cut, edited or foreign. The message names the file.
 
     Examples
     --------
@@ -194,7 +197,7 @@ def load_found(path: str | os.PathLike[str]) -> Found:
     """
     with naming(path) as file:
         entries = FOUND.read(file)
-        return _found(entries, system_in(entries.system, entries.tables))
+        return _found(file, entries, system_in(entries.system, entries.tables))
 
 
 def found_orbit(path: str | os.PathLike[str], number: int | None = None) -> Orbit:
@@ -251,7 +254,7 @@ def held_found(path: str | os.PathLike[str]) -> str:
     """
     with naming(path) as file:
         entries = FOUND.read(file)
-        found = _found(entries, system_in(entries.system, entries.tables))
+        found = _found(file, entries, system_in(entries.system, entries.tables))
         first = replace(found, starts=found.starts[:1], labels=found.labels[:1])
         return json.dumps(encode(_entries(first)))
 
@@ -275,7 +278,7 @@ def found_held(text: str) -> tuple[SystemKernels, Found]:
     """
     entries = decode(FoundEntries, json.loads(text))
     kernels = system_in(entries.system, entries.tables)
-    return kernels, _found(entries, kernels)
+    return kernels, _found("attractors", entries, kernels)
 
 
 def _summary(found: Found) -> FoundSummary:
@@ -369,11 +372,17 @@ def _mirror_of(mirror: int | None, place: int, before: int) -> int | None:
     return None if mirror in (None, place) else mirror + before + 1
 
 
-def _found(entries: FoundEntries, kernels: SystemKernels) -> Found:
+def _found(where: str | Path, entries: FoundEntries, kernels: SystemKernels) -> Found:
+    """What entries tell, with the reason in place of an orbit that is none."""
     parameters = system_parameters(kernels, entries.parameters)
     orbits: list[FoundOrbit] = []
     for place, entry in enumerate(entries.orbits):
-        orbit = _orbit(entries, place, kernels, parameters)
+        orbit: Orbit | str
+        try:
+            with naming(where):
+                orbit = _orbit(entries, place, kernels, parameters)
+        except InputError as problem:
+            orbit = str(problem)
         orbits.append(FoundOrbit(orbit, entry.starts, entry.share, _mirror(entry, place, 0)))
     steady = _equilibria(entries.equilibria, piecewise(kernels, parameters), len(orbits))
     names = tuple(kernels.table["states"])
@@ -409,12 +418,12 @@ def _orbit(
     entry = entries.orbits[place]
     names = tuple(kernels.table["states"])
     itinerary = tuple((phase.configuration, phase.boundary) for phase in entry.itinerary)
-    if not itinerary or any(tuple(phase.start) != names for phase in entry.itinerary):
-        raise InputError(f"orbit {place + 1} is none of the states of {kernels.name}")
     dwell = np.array([phase.dwell_time for phase in entry.itinerary])
-    states = np.array([list(phase.start.values()) for phase in entry.itinerary])
-    orbit = known_orbit(kernels, parameters, itinerary, dwell, states, entry.residual)
     try:
+        if not itinerary or any(tuple(phase.start) != names for phase in entry.itinerary):
+            raise InputError(f"none of the states of {kernels.name}")
+        states = np.array([list(phase.start.values()) for phase in entry.itinerary])
+        orbit = known_orbit(kernels, parameters, itinerary, dwell, states, entry.residual)
         check_solves(orbit)
         if not orbit.converged:
             raise InputError(orbit.message)

@@ -21,6 +21,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
+from nonsmooth.runtime.core.archives import DAMAGED, array_in
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.files import check_target, read_file, write_file
 from nonsmooth.runtime.core.json_codec import AnyDigits, Digits, one_of
@@ -40,7 +41,6 @@ __all__ = ["ENDINGS", "load_trajectory", "save_trajectory"]
 
 ENDINGS = (".npz", ".csv")
 _TOLERANCE = 1e-8  # of motions by another derivation
-_PIECE = 1 << 20  # bytes that are unpacked at a time
 # How many times as large as what is stored: of times, which differ; of text. Names repeat.
 _LOOSEST = {"times": 16, "header": 100}
 _LONGEST_NAME = 1 << 12  # characters, of boundaries that are reached together
@@ -263,7 +263,7 @@ def _from_npz(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
             if sum(entry.file_size for entry in file.infolist()) > MOTION.most:
                 raise InputError("too large for a saved motion")
             if sum(entry.compress_size for entry in file.infolist()) > len(found):
-                raise InputError("cut, damaged, or not an .npz file")
+                raise InputError(DAMAGED)
             if sorted(file.namelist()) != sorted(f"{name}.npy" for name in names):
                 raise InputError("not a saved motion, such as Trajectory.save writes")
             text = str(_array(file, "header", "U", ()))
@@ -280,7 +280,7 @@ def _from_npz(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
     except InputError:
         raise
     except Exception:  # what a damaged archive raises is not one kind
-        raise InputError("cut, damaged, or not an .npz file") from None
+        raise InputError(DAMAGED) from None
     return entries, header, table
 
 
@@ -290,31 +290,18 @@ def _array(
     """An array of an archive, of that kind and shape (None for any length that is not zero).
 
     No more is unpacked than the archive says, nor than is there, nor a thousandfold of what is
-    stored. What is compressed is unpacked piece by piece: all at once it may be a thousand times
-    as large as what the archive says of it.
+    stored.
     """
-    told = file.getinfo(f"{name}.npy")
-    with file.open(told) as entry:
-        if np.lib.format.read_magic(entry) != (1, 0):
-            raise InputError(f"'{name}.npy' is of another format of arrays")
-        found, by_columns, dtype = np.lib.format.read_array_header_1_0(entry)
+
+    def expected(found: tuple[int, ...], dtype: np.dtype[Any]) -> bool:
         fits = len(found) == len(shape) and all(
             n == wanted if wanted is not None else n for n, wanted in zip(found, shape, strict=True)
         )
         wide = name != "header" and kind == "U" and dtype.itemsize > 4 * _LONGEST_NAME
-        if not fits or dtype.kind != kind or wide:
-            raise InputError(f"{name!r} is not an array of its shape and type")
-        size = math.prod(found) * dtype.itemsize
-        if size != told.file_size - entry.tell():
-            raise InputError(f"'{name}.npy' is not as long as its header says")
-        if size > _SMALL + _LOOSEST.get(name, math.inf) * told.compress_size:
-            raise InputError(f"'{name}.npy' holds too little for its length")
-        content = bytearray()
-        while len(content) <= size and (piece := entry.read(_PIECE)):
-            content += piece
-    if len(content) != size:
-        raise InputError("cut, damaged, or not an .npz file")
-    return np.frombuffer(content, dtype).reshape(found, order="F" if by_columns else "C")
+        return bool(fits) and dtype.kind == kind and not wide
+
+    stored = file.getinfo(f"{name}.npy").compress_size
+    return array_in(file, name, expected, _SMALL + _LOOSEST.get(name, math.inf) * stored)
 
 
 def _trajectory(header: MotionHeader, table: _Table) -> Trajectory:

@@ -49,12 +49,16 @@ def found_figure(found: Found, kind: str = "all", *, periods: int = 1) -> Figure
         If matplotlib is not installed.
     """
     check_picture(kind, KINDS)
-    if not found.orbits:
+    known = [k for k, entry in enumerate(found.orbits) if not isinstance(entry.solved, str)]
+    if not known:
         told = f", but {len(found.equilibria)} equilibria" if found.equilibria else ""
-        raise InputError(f"no orbit of {found.system} was found{told}: there is nothing to draw")
+        told = "; ".join(str(entry.solved) for entry in found.orbits) or (
+            f"no orbit of {found.system} was found{told}"
+        )
+        raise InputError(f"{told}: there is nothing to draw")
     from matplotlib.figure import Figure
 
-    shown = found.orbits[:_MOST_ROWS]
+    shown = known[:_MOST_ROWS]
     kinds = ("phase", "time") if kind == "all" else (kind,)
     widths = [_WIDTHS[one] for one in kinds]
     figure = Figure(figsize=(sum(widths), _ROW * len(shown)))
@@ -62,19 +66,20 @@ def found_figure(found: Found, kind: str = "all", *, periods: int = 1) -> Figure
     if len(shown) < len(found.orbits):
         figure.suptitle(f"{shown_name(found.system)}: {len(shown)} of {len(found.orbits)} orbits")
     grid = figure.add_gridspec(len(shown), len(kinds), width_ratios=widths)
-    for row, entry in enumerate(shown):
+    for row, place in enumerate(shown):
+        entry = found.orbits[place]
         for column, one in enumerate(kinds):
             view = orbit_view(entry.orbit, periods, 600, None)
-            title = _title(row, entry) if column == 0 else " "
+            title = _title(place, entry) if column == 0 else " "
             draw(replace(view, name=title), one, [figure.add_subplot(grid[row, column])])
     return figure
 
 
-def _title(row: int, entry: FoundOrbit) -> str:
+def _title(place: int, entry: FoundOrbit) -> str:
     share = f"{100 * entry.share:.3g} % of the starts" if entry.starts else "no start leads there"
     turns = ", ".join(map(str, entry.forcing_periods))
     count = "" if not turns else f" = {turns} forcing period{'' if turns == '1' else 's'}"
     mirror = ""
-    if entry.mirror is not None and entry.mirror != row:
+    if entry.mirror is not None and entry.mirror != place:
         mirror = f", mirror image of {entry.mirror + 1}"
-    return f"{row + 1}: period {entry.period:.6g}{count}, {entry.verdict}, {share}{mirror}"
+    return f"{place + 1}: period {entry.period:.6g}{count}, {entry.verdict}, {share}{mirror}"

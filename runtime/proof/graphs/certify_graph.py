@@ -104,7 +104,7 @@ def certify_graph(
         What was proved before on the same region: images that are unknown are enclosed again,
         and boxes are divided up to `levels`.
     progress : callable
-        Told how many boxes of how many were mapped.
+        Told how many boxes of how many were mapped: none before the first, at each level.
     keep : function of a GraphCertificate, optional
         Is given the state every ten seconds.
 
@@ -228,6 +228,7 @@ class _BoxImages:
         size = max(1, min(_AT_ONCE, -(-len(left) // self.workers)))
         batches = [left[first : first + size] for first in range(0, len(left), size)]
         sets, done = map(graph.grid.sets, batches), 0
+        self.progress(done, len(left))
         with closing(in_processes(_begin_images, self.question, sets, self.workers)) as found:
             for numbers, (_, leaves) in zip(batches, found, strict=True):
                 graph = graph.seen(numbers, leaves)

@@ -1,0 +1,82 @@
+"""What a clock of doubles cannot tell apart is one event, long after a start and behind no time."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import (
+    Boundary,
+    Condition,
+    Configuration,
+    FirstOrder,
+    Parameter,
+    System,
+    Transition,
+)
+
+FREQUENCY, SPEED = 1000, sp.Rational(1, 20)  # many radians pass before the event
+
+
+@pytest.fixture(params=[pytest.param("c", marks=pytest.mark.compiled), "numpy"])
+def runs(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> int:
+    monkeypatch.setenv("NONSMOOTH_BACKEND", request.param)
+    return 8 if request.param == "c" else 2
+
+
+@cache
+def shaken(kind: str) -> System:
+    """Two oscillators on one slope: the functions of both are zero at one instant.
+
+    Together both are boundaries of `early`; else the first one's is, a phase without duration
+    follows, and of the second one it is asked whether it rises then.
+    """
+    u, a, _, p, _, k = states = sp.symbols("u a b p q k", real=True)
+    height = sp.Symbol("height", positive=True)
+    turns = sp.Matrix([[0, FREQUENCY], [-FREQUENCY, 0]])
+    matrix = sp.diag(sp.zeros(1), turns, turns, sp.zeros(1))
+    moving = FirstOrder(matrix, [SPEED, 0, 0, 0, 0, 0])
+    first, second = a + u - height, p + 3 * u - 3 * height
+    one, two, now = Boundary("one", first), Boundary("two", second), Boundary("now", k)
+    back = FirstOrder(-matrix, [-SPEED, 0, 0, 0, 0, 0])
+    names = ("right", "wrong") if kind == "falls" else ("wrong", "right")
+    fields = zip(names, (back, moving), strict=True)
+    ends = tuple(Configuration(name, field, ()) for name, field in fields)
+    if kind == "together":
+        begins = (Configuration("early", moving, (one, two)),)
+        transitions = (
+            Transition("early", {"one"}, "wrong"),
+            Transition("early", {"two"}, "wrong"),
+            Transition("early", {"one", "two"}, "right"),
+        )
+    else:
+        still = FirstOrder(sp.zeros(6), [0, 0, 0, 0, 0, 1])
+        begins = Configuration("early", moving, (one,)), Configuration("still", still, (now,))
+        rises = Condition(second, along="right")
+        transitions = (
+            Transition("early", {"one"}, "still"),
+            Transition("still", {"now"}, names[1], conditions=(rises,)),
+            Transition("still", {"now"}, names[0]),
+        )
+    return System(
+        name="shaken",
+        description="two oscillators that a slope lifts",
+        states=states,
+        parameters=(Parameter("height", "of the slope"),),
+        configurations=(*begins, *ends),
+        transitions=transitions,
+    )
+
+
+@pytest.mark.parametrize("kind", ["together", "rises", "falls"])
+def test_what_is_zero_at_one_instant_is_one_event(kind: str, runs: int) -> None:
+    rng = np.random.default_rng(3)
+    for height, angle in rng.uniform([1.8, 0], [2.2, 6], (runs, 2)):
+        cosine, sine = np.cos(angle), np.sin(angle)
+        start = dict(u=0, a=cosine, b=sine, p=3 * cosine, q=3 * sine, k=0)
+        motion = ns.simulate(shaken(kind), {"height": height}, start, until=30)
+        assert motion.configurations[-1] == "right"
