@@ -29,6 +29,7 @@
 `orbit_to_prove`            what is to be proved: an orbit of any kind as a cycle of its system
 `parameter_derivatives`     how a proved orbit moves with its parameters
 `parametric_declaration`    the declaration of a file, as functions of its parameters
+`refusals`                  what the checker does not prove, asked before it is stated
 `sign_along_phase`          whether an affine function stays negative along a phase
 `statement`                 the exact system, as a certificate states it and the checker reads it
 `vanishing`                 affine functions that vanish along one orbit because it closes
