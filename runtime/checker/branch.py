@@ -16,7 +16,7 @@ from nonsmooth.runtime.checker.exact import Failure, demand, exact
 from nonsmooth.runtime.checker.parameters import independent, values_of
 from nonsmooth.runtime.core.jets import part_of
 
-__all__ = ["check_joint", "checked_tiles", "curve_of"]
+__all__ = ["check_ends", "check_joint", "checked_tiles", "curve_of"]
 
 _FINISHED, _VANISHED = "end of the interval", "a phase vanishes"
 
@@ -46,7 +46,7 @@ def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
     curve = curve_of(content)
     with ctx.workprec(BITS):
         found = [CheckedTile(curve, tile) for tile in tiles]
-        _ends(found, content)
+        check_ends(found, content["ends"])
         for number, tile in enumerate(found, 1):
             try:
                 tile.check_sharply()
@@ -165,12 +165,25 @@ def _meets(tile: CheckedTile, point: Sequence[Any], *, entering: bool) -> None:
         demand(value < low if below else value > high, "an event is left out")
 
 
-def _ends(tiles: Sequence[CheckedTile], content: dict[str, Any]) -> None:
-    """Where it is said to reach an end of the interval it does."""
+def check_ends(tiles: Sequence[CheckedTile], ends: Sequence[str]) -> None:
+    """Prove that a branch reaches an end of the interval where that is said.
+
+    Parameters
+    ----------
+    tiles : sequence of CheckedTile
+        Its first and its last one at least.
+    ends : sequence of str
+        Why it ends.
+
+    Raises
+    ------
+    Failure
+        If that is not proved.
+    """
     curve = tiles[0].curve
     reached = (tiles[0].begin, tiles[0].place), (tiles[-1].end, tiles[-1].place)
     outside = (tiles[0], tiles[0].tile["before"]), (tiles[-1], tiles[-1].tile["after"])
-    for why, (value, place), (tile, verdict) in zip(content["ends"], reached, outside, strict=True):
+    for why, (value, place), (tile, verdict) in zip(ends, reached, outside, strict=True):
         if why == _VANISHED:
             vanishes = tile.event is not None and tile.event["kind"] == "vanishing-phase"
             demand(vanishes and verdict == "not admissible", "no phase vanishes at its end")

@@ -6,6 +6,8 @@ out, orbits without a certificate, undecided boxes.
 """
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from itertools import combinations
 from typing import Any
 
@@ -22,7 +24,7 @@ from nonsmooth.runtime.checker.parameters import number_in
 from nonsmooth.runtime.checker.points import check
 from nonsmooth.runtime.checker.shape import CENSUS, check_bits, check_shape
 
-__all__ = ["check_census"]
+__all__ = ["check_census", "check_listed"]
 
 _SIDE = re.compile(r"(?P<low>.+?) (?P<strict><=?) (?P<name>\w+)(?: <= (?P<high>.+))?")
 _GUARD = 96
@@ -45,20 +47,36 @@ def check_census(content: dict[str, Any]) -> None:
     """
     check_shape(content, CENSUS)
     check_sum(content)
-    bits, orbits = check_bits(content), content["orbits"]
+    check_bits(content)
+    check_listed(content)
+    for number, orbit in enumerate(content["orbits"], 1):
+        if orbit["certificate"] is not None:
+            with _of_orbit(number):
+                check(orbit["certificate"])
+
+
+def check_listed(content: dict[str, Any]) -> None:
+    """Prove that certificates, if they hold, are of different orbits that the census counts.
+
+    Parameters
+    ----------
+    content : dict
+        Entries of a census, in their shape.
+
+    Raises
+    ------
+    Failure
+        If that is not proved.
+    """
+    bits, orbits = content["bits"], content["orbits"]
     demand(content["count"] == len(orbits), "the count is not that of the orbits")
     demand(content["decided"] == (not content["undecided"]), "undecided boxes of a decided census")
     for number, orbit in enumerate(orbits, 1):
         found = orbit["certificate"]
         demand(bool(orbit["reason"]) == (found is None), "a reason for another orbit")
-        if found is None:
-            continue
-        try:
-            _check_place(content, orbit, found)
-            check(found)
-        except Failure as problem:
-            problem.args = (f"orbit {number}: {problem}",)
-            raise
+        if found is not None:
+            with _of_orbit(number):
+                _check_place(content, orbit, found)
     certified = [orbit["certificate"] for orbit in orbits if orbit["certificate"] is not None]
     for name in ("parameters", "given_period", "declaration"):
         same = all(found[name] == certified[0][name] for found in certified)
@@ -68,6 +86,16 @@ def check_census(content: dict[str, Any]) -> None:
     with ctx.workprec(bits + _GUARD):
         apart = all(_apart(*pair) for pair in combinations(certified, 2))
     demand(apart, "two orbits may be one")
+
+
+@contextmanager
+def _of_orbit(number: int) -> Iterator[None]:
+    """What fails tells of which orbit."""
+    try:
+        yield
+    except Failure as problem:
+        problem.args = (f"orbit {number}: {problem}",)
+        raise
 
 
 def _check_place(content: dict[str, Any], orbit: dict[str, Any], found: dict[str, Any]) -> None:

@@ -35,7 +35,7 @@ from nonsmooth.runtime.core.taylor_averages import (
 )
 from nonsmooth.runtime.core.taylor_models import TaylorModel, matrix, middle_of, range_of, space_of
 
-__all__ = ["check_cascade"]
+__all__ = ["check_cascade", "check_doubling"]
 
 _BITS, _SHARP = 64, 192
 _ORDER = 5  # of the models: that of the polynomials
@@ -81,11 +81,35 @@ def check_cascade(content: dict[str, Any]) -> None:
     for number, doubling in enumerate(doublings, 1):
         pair = slice(number - 1, number + 1)
         try:
-            _same_system(*branches[pair])
-            with ctx.workprec(_BITS):
-                _CheckedDoubling(doubling, branches[number], *tiles[pair]).check()
+            check_doubling(doubling, branches[pair], tiles[pair])
         except Failure as failure:
             raise Failure(f"doubling {number}: {failure}") from None
+
+
+def check_doubling(
+    doubling: dict[str, Any],
+    branches: Sequence[dict[str, Any]],
+    tiles: Sequence[Sequence[CheckedTile]],
+) -> None:
+    """Prove one doubling of branches that are proved; Failure says what cannot be.
+
+    Parameters
+    ----------
+    doubling : dict
+        Its entries.
+    branches : sequence of dict
+        The branch with the flip, and the one that begins there.
+    tiles : sequence of sequence of CheckedTile
+        Of both.
+
+    Raises
+    ------
+    Failure
+        If a claim is not proved.
+    """
+    _same_system(*branches)
+    with ctx.workprec(_BITS):
+        _CheckedDoubling(doubling, branches[1], *tiles).check()
 
 
 def _same_system(branch: dict[str, Any], beyond: dict[str, Any]) -> None:

@@ -27,7 +27,7 @@ from nonsmooth.runtime.checker.shape import MAP, check_shape
 from nonsmooth.runtime.checker.stability import stability
 from nonsmooth.runtime.core.taylor_models import Space, TaylorModel, middle_of, range_of, space_of
 
-__all__ = ["check_tiles"]
+__all__ = ["CheckedBox", "MapTile", "check_tiles", "check_whole"]
 
 _BITS = 64
 _ORDERS = {1: 5, 2: 3}  # of the models, by the number of parameters; 2 for more
@@ -63,43 +63,138 @@ def check_tiles(content: dict[str, Any]) -> None:
     check_shape(content, MAP)
     check_sum(content)
     tiles = content["tiles"]
-    box = [(exact(low), exact(high)) for low, high in content["box"].values()]
-    demand(box and all(low < high for low, high in box), "the box is empty")
-    places = [[(step, level) for step, level in tile["place"]] for tile in tiles]
-    demand(all(0 <= level <= _SMALLEST for place in places for _, level in place), "tiny tiles")
-    demand(all(len(place) == len(box) for place in places), "a tile has no place in the box")
-    demand(_fill(places), "the tiles do not fill the box")
-    _total(content)
+    check_whole(content)
     if not content["declaration"]:
         told = any(tile["claims"]["existence"] != "undecided" for tile in tiles)
         demand(not (told or content["closing"]), "claims about no declaration")
         demand(not any(tile["enclosures"] for tile in tiles), "enclosures of no orbit")
         demand(content["stability"] == "stable", "stability of another kind")
         return
-    with ctx.workprec(_BITS):
+    box = CheckedBox(content)
+    seen: list[MapTile] = []
+    for tile in tiles:
+        checked = box.proved(tile)
+        for other in seen if len(box.ends) == _PLANE else ():
+            box.check_joint(checked, other)
+        if _verdict(tile) != "undecided":
+            seen.append(checked)
+    box.check_divisors()
+
+
+def check_whole(content: dict[str, Any]) -> None:
+    """Prove that tiles fill their box, and what is said of all of it by what is said of them.
+
+    Parameters
+    ----------
+    content : dict
+        Entries of a map, in their shape.
+
+    Raises
+    ------
+    Failure
+        If that is not so.
+    """
+    box = _ends_of(content)
+    demand(box and all(low < high for low, high in box), "the box is empty")
+    places = [[(step, level) for step, level in tile["place"]] for tile in content["tiles"]]
+    demand(all(0 <= level <= _SMALLEST for place in places for _, level in place), "tiny tiles")
+    demand(all(len(place) == len(box) for place in places), "a tile has no place in the box")
+    demand(_fill(places), "the tiles do not fill the box")
+    _total(content)
+
+
+def _ends_of(content: dict[str, Any]) -> list[Interval]:
+    return [(exact(low), exact(high)) for low, high in content["box"].values()]
+
+
+class CheckedBox:
+    """A box of parameters, the tiles of which are proved one by one.
+
+    Parameters
+    ----------
+    content : dict
+        Entries of a map, in their shape.
+
+    Raises
+    ------
+    Failure
+        If its declaration is not exact, or states a stability of another kind.
+    """
+
+    def __init__(self, content: dict[str, Any]) -> None:
+        self.names, self.ends = [*content["box"]], _ends_of(content)
         told = content["declaration"].get("constants", [])
-        values, stated, constants = values_of(content["parameters"], [*content["box"]], told)
-        declared = StatedSystem(content, values, stated)
-        demand(declared.bound and declared.rational, "the declaration is not exact")
-        demand(content["stability"] == declared.stability, "stability of another kind")
-        energies = declared.closes()
-        seen: list[_Tile] = []
-        for tile, place in zip(tiles, places, strict=True):
-            where = [_interval(*step, *ends) for step, ends in zip(place, box, strict=True)]
-            checked = _Tile(declared, energies, constants, tile, [*content["box"]])
+        with ctx.workprec(_BITS):
+            values, stated, self.constants = values_of(content["parameters"], self.names, told)
+            self.declared = StatedSystem(content, values, stated)
+            demand(self.declared.bound and self.declared.rational, "the declaration is not exact")
+            demand(content["stability"] == self.declared.stability, "stability of another kind")
+            self.energies = self.declared.closes()
+
+    def proved(self, tile: dict[str, Any]) -> "MapTile":
+        """A tile of which all claims are proved.
+
+        Parameters
+        ----------
+        tile : dict
+            Its entries.
+
+        Returns
+        -------
+        MapTile
+
+        Raises
+        ------
+        Failure
+            If a claim is not proved.
+        """
+        pairs = zip(tile["place"], self.ends, strict=True)
+        where = [_interval(step, level, *ends) for (step, level), ends in pairs]
+        with ctx.workprec(_BITS):
+            found = MapTile(self.declared, self.energies, self.constants, tile, self.names)
             try:
-                checked.check(where)
-                for other in seen if len(box) == _PLANE else ():
-                    checked.meets(other)
+                found.check(where)
             except Failure as failure:
-                shown = ", ".join(f"{float(low):.6g}:{float(high):.6g}" for low, high in where)
-                raise Failure(f"in the tile {shown}: {failure}") from None
-            if _verdict(tile) != "undecided":
-                seen.append(checked)
-        independent(declared, constants, box)
+                raise Failure(f"{_in_tile(where)}: {failure}") from None
+        return found
+
+    def check_joint(self, tile: "MapTile", other: "MapTile") -> None:
+        """Prove that two tiles of two parameters have the same orbits where they meet.
+
+        Parameters
+        ----------
+        tile, other : MapTile
+            Proved.
+
+        Raises
+        ------
+        Failure
+            If that is not proved.
+        """
+        with ctx.workprec(_BITS):
+            try:
+                tile.meets(other)
+            except Failure as failure:
+                raise Failure(f"{_in_tile(tile.where)}: {failure}") from None
+
+    def check_divisors(self) -> None:
+        """Prove that nothing that was divided by is zero in the box.
+
+        Raises
+        ------
+        Failure
+            If that is not proved.
+        """
+        with ctx.workprec(_BITS):
+            independent(self.declared, self.constants, self.ends)
 
 
-class _Tile:
+def _in_tile(where: Sequence[Interval]) -> str:
+    shown = ", ".join(f"{float(low):.6g}:{float(high):.6g}" for low, high in where)
+    return f"in the tile {shown}"
+
+
+class MapTile:
     """What is claimed for a tile."""
 
     def __init__(
@@ -115,6 +210,7 @@ class _Tile:
         if event is not None and event["kind"] != "fold":
             self.division = Division(event, self.claims, names, tile["place"])
         self.where: Sequence[Interval] = ()
+        self.deepest = 0  # halvings, at most
 
     def check(self, where: Sequence[Interval]) -> None:
         """Prove it, on smaller tiles if need be."""
@@ -131,6 +227,8 @@ class _Tile:
         low = _ORDERS.get(len(where), 2)
         orders = [low] if len(where) != _PLANE else [_SHARP] if self.division else [low, _SHARP]
         for order in orders:
+            # smaller tiles cost more than a high order
+            self.deepest = _DEEPEST if order == orders[-1] else 0
             try:
                 self.space = space_of(len(where), order)
                 self._all(where)
@@ -173,7 +271,7 @@ class _Tile:
         sides = zip(found, self.centre, self.radii, strict=True)
         return all(abs(x - _at(c, point)) < r for x, c, r in sides)
 
-    def meets(self, other: "_Tile") -> None:
+    def meets(self, other: "MapTile") -> None:
         """Where tiles with verdicts have an edge in common their orbits are the same."""
         pairs = zip(self.where, other.where, strict=True)
         both = [(max(a[0], b[0]), min(a[1], b[1])) for a, b in pairs]
@@ -245,7 +343,7 @@ class _Tile:
                 self.division.prove(orbit, self.energies, values, self.constants, part)
             return
         except Failure as failure:
-            if depth == _DEEPEST or isinstance(failure, _Contradicted):
+            if depth == self.deepest or isinstance(failure, _Contradicted):
                 raise
         axis = depth % len(where)
         for half in (0, 1):

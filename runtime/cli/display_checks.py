@@ -70,7 +70,7 @@ def show_check(found: Check) -> None:
         case CertifiedCascade() as cascade:
             _show_cascade(out, cascade, compared=found.compared)
         case Census() as census:
-            _show_census(out, census, compared=found.compared)
+            _show_census(out, census, found.claims["listed"], compared=found.compared)
         case BasinCertificate() as basin:
             _show_basin(out, basin)
         case GraphCertificate() as graph:
@@ -160,29 +160,28 @@ def _show_events(out: Console, events: Sequence[EventCertificate], *, compared: 
         out.print(f"{left} of {len(events)} events {'is' if left == 1 else 'are'} not claimed")
 
 
-def _show_census(out: Console, census: Census, *, compared: bool) -> None:
+def _show_census(out: Console, census: Census, listed: str, *, compared: bool) -> None:
     found = [orbit.certificate for orbit in census.orbits if orbit.certificate is not None]
-    many = "1 orbit is" if census.count == 1 else f"{census.count} orbits are"
-    out.print(Text(f"{many} listed, of which {len(found)} proved again", style="bold"))
+    many = "1 orbit is" if len(found) == 1 else f"{len(found)} orbits are"
+    out.print(Text(f"{many} proved again", style="bold"))
+    if listed != "proved":
+        out.print("others are listed without a certificate: nothing is claimed of them")
     for certificate in found[:1]:
         out.print(Text(_called(certificate.orbit, compared=compared)))
         _show_cycle(out, certificate.itinerary)
         out.print(Text("in the box " + ", ".join(census.box)))
     names = found[0].dwell_names if found else ()
     table = listing("orbit", *names, "admissible", "stability")
-    for number, orbit in enumerate(census.orbits, 1):
-        if orbit.certificate is None:
-            table.add_row(str(number), *("" for _ in names), "not proved", "again")
-            continue
-        claims = orbit.certificate.claims
-        words = {"proved": orbit.certificate.stability, "refuted": "unstable"}
+    for number, certificate in enumerate(found, 1):
+        claims = certificate.claims
+        words = {"proved": certificate.stability, "refuted": "unstable"}
         table.add_row(
             str(number),
-            *(f"{float(orbit.certificate.enclosures[name]):.9f}" for name in names),
+            *(f"{float(certificate.enclosures[name]):.9f}" for name in names),
             {"proved": "yes", "refuted": "no"}.get(claims["admissibility"], "not claimed"),
             words.get(claims["stability"], "not claimed"),
         )
-    if census.orbits:
+    if found:
         show_table(table, out)
     for certificate in found[:1]:
         _show_point_values(out, certificate, compared=compared)

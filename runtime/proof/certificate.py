@@ -26,6 +26,7 @@ __all__ = [
     "Stated",
     "Unknown",
     "balls_json",
+    "file_json",
     "orbit_json",
 ]
 
@@ -238,6 +239,23 @@ class Certificate(Kept):
             "box": [asdict(x) for x in self.box],
             **told,
         }
+
+
+def file_json(found: Any) -> dict[str, Any]:
+    """What a file states of an orbit, a map, a branch or an event, but for the system's data.
+
+    Parameters
+    ----------
+    found : Certificate, BoxCertificate, CertifiedBranch or EventCertificate
+        What is proved.
+
+    Returns
+    -------
+    dict
+        Its JSON, and the system as it was taken.
+    """
+    own = {"declaration": dict(found.declaration), "closing": dict(found.closing)}
+    return {**found.to_json(), "tables": None, **own}
 
 
 def orbit_json(found: Any) -> dict[str, Any]:

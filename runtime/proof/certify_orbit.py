@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.checker.points import check
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.orbits.orbit import Orbit
@@ -17,6 +18,7 @@ from nonsmooth.runtime.proof.certificate import (
     NO_ORBIT,
     Certificate,
     Stated,
+    file_json,
 )
 from nonsmooth.runtime.proof.enclosure import IsolatedOrbit, Missing, locate
 from nonsmooth.runtime.proof.orbit_claims import MapClaim, claim_of_map, judged, named_numbers
@@ -33,6 +35,7 @@ from nonsmooth.runtime.proof.parameter_derivatives import (
     directions,
 )
 from nonsmooth.runtime.proof.parametric_declaration import PERIOD, system_declaration
+from nonsmooth.runtime.proof.refusals import accepted, as_file
 from nonsmooth.runtime.proof.statement import closing_json, decimals
 from nonsmooth.runtime.proof.vanishing import vanishing_along
 
@@ -101,6 +104,60 @@ def certify(
         subject = subject_of(orbit)
     except NotCovered as reason:
         return _uncovered(orbit, bits, str(reason), by)
+    found = _proved(orbit, subject, bits, by, begin)
+    begin("check")
+    parts = [name for name, verdict in found.claims.items() if verdict != "undecided"]
+    parts += ["derivatives"] * bool(found.derivatives)
+    return accepted(found, parts, _without, lambda found: check(as_file(file_json(found))))
+
+
+def _without(found: Certificate, left: Mapping[str, str]) -> Certificate:
+    """A certificate without claims, by the reason of each; without existence there is no other."""
+    by = (*found.directions, *found.no_derivatives)
+    if "existence" in left:
+        return replace(
+            found,
+            claims=dict.fromkeys(CLAIMS, "undecided"),
+            stability="stable",
+            reasons={"existence": left["existence"]} | dict.fromkeys(CLAIMS[1:], NO_ORBIT),
+            enclosures={},
+            multipliers=(),
+            other_multipliers="",
+            margins=(),
+            box=(),
+            given_period=None,
+            declaration={},
+            closing={},
+            derivatives={},
+            directions={},
+            no_derivatives=dict.fromkeys(by, NO_ORBIT),
+        )
+    judged = {name: why for name, why in left.items() if name in CLAIMS}
+    found = replace(
+        found,
+        claims={**found.claims, **dict.fromkeys(judged, "undecided")},
+        reasons={**found.reasons, **judged},
+    )
+    if "admissibility" in left:
+        found = replace(found, margins=())
+    if "stability" in left:
+        enclosures = {name: x for name, x in found.enclosures.items() if name != "trace"}
+        found = replace(found, enclosures=enclosures, multipliers=(), other_multipliers="")
+    if "derivatives" in left or "stability" in left:
+        why = left.get("derivatives", left.get("stability", ""))
+        missing = {**dict.fromkeys(found.directions, why), **found.no_derivatives}
+        found = replace(found, derivatives={}, directions={}, no_derivatives=missing)
+    return found
+
+
+def _proved(
+    orbit: Orbit,
+    subject: Subject,
+    bits: int,
+    by: Sequence[str],
+    begin: Callable[[str], object],
+) -> Certificate:
+    """What is proved of an orbit."""
     work = bits + GUARD
     with flint_precision(work):
         region = None
@@ -203,11 +260,11 @@ def _certificate(
         multipliers=multipliers,
         other_multipliers=others,
         margins=margins,
-        box=root.box,
+        box=root.box if declaration else (),
         bits=bits,
         start_names=subject.start_names,
         dwell_names=subject.dwell_names,
-        given_period=None if region is None else region.closing.period,
+        given_period=region.closing.period if region is not None and declaration else None,
         declaration=declaration,
         closing=how,
         derivatives={

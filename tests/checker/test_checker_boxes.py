@@ -20,7 +20,7 @@ import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_tiles
 from nonsmooth.runtime.checker.parameters import independent
-from nonsmooth.runtime.checker.tiles import _Tile
+from nonsmooth.runtime.checker.tiles import MapTile
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.rational_functions import symbols
@@ -341,9 +341,9 @@ def test_the_orbit_is_the_same_on_all_of_a_tile(monkeypatch: pytest.MonkeyPatch)
     check_tiles(content)
 
     box = [low + step * width, low + (step + 1) * width]
-    orbit, seen = _Tile._orbit, []
+    orbit, seen = MapTile._orbit, []
 
-    def exchanged(self: _Tile, where: Any, guess: Any) -> Any:
+    def exchanged(self: MapTile, where: Any, guess: Any) -> Any:
         here = [Fraction(int(x.p), int(x.q)) for x in where[0]]
         if self.tile is tile and here != box:
             seen.append(here)
@@ -351,7 +351,7 @@ def test_the_orbit_is_the_same_on_all_of_a_tile(monkeypatch: pytest.MonkeyPatch)
             guess = [arb(x) for x in tile["guess"]]
         return orbit(self, where, guess)
 
-    monkeypatch.setattr(_Tile, "_orbit", exchanged)
+    monkeypatch.setattr(MapTile, "_orbit", exchanged)
     refused(content, "another orbit is found on a part of it")
     assert seen
 

@@ -67,7 +67,7 @@ from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate
 from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.certificate import Certificate
 from nonsmooth.runtime.proof.chaos.chaos_certificate import ChaosCertificate
-from nonsmooth.runtime.proof.counting.census import Census
+from nonsmooth.runtime.proof.counting.census import Census, Counted, Open
 from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate, events_claim
 from nonsmooth.runtime.proof.graphs.graph_certificate import GraphCertificate
@@ -89,6 +89,7 @@ _HELD = "{} is the system as the file holds it: no declaration was run"
 _NOT_CALLED = "what the orbit and its unknowns are called was not compared"
 _NOT_TOLD = "why is not proved again"
 _NOT_COUNTED = "that there are no other orbits was NOT proved again"
+_NOT_ASKED = "nor what else they were asked for: {}"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -105,7 +106,9 @@ class Check(Shown):
         ChaosCertificate, BasinCertificate, GraphCertificate, tuple, or None
         What was read, of events a tuple of EventCertificate; None if something is wrong with it.
         Its reasons why something is undecided are left out: nothing proves them. Which
-        parameters were chosen, and of a census all but its orbits, are as the file says.
+        parameters were chosen is as the file says. Of a census there are the orbits that have
+        a certificate, without the boxes in which they are alone, nor what else they were asked
+        for; it is undecided, as the search was not repeated.
     claims : dict of str to {"proved", "refuted", "undecided"}
         What was proved again. Of a census "listed" says whether each of its orbits was;
         "no others" is undecided.
@@ -232,7 +235,19 @@ def check_certificate(
     except WRONG_SHAPE as problem:
         return Check(f"the file is not in order: {type(problem).__name__}: {problem}")
     note = _note(content, found, compared, held=declared is None)
-    return Check(None, note, _without_reasons(found), kind.claims(found), compared)
+    shown = _listed_alone(found) if isinstance(found, Census) else found
+    return Check(None, note, _without_reasons(shown), kind.claims(found), compared)
+
+
+def _listed_alone(census: Census) -> Census:
+    """A census without what its search alone tells."""
+    certified = (orbit.certificate for orbit in census.orbits)
+    return replace(
+        census,
+        conditions=(),
+        orbits=tuple(Counted({}, each) for each in certified if each is not None),
+        undecided=(Open({}, _NOT_TOLD),),
+    )
 
 
 def _without_reasons(found: Any) -> Any:
@@ -282,7 +297,10 @@ def _told(content: Mapping[str, Any]) -> list[Mapping[str, Any]]:
 
 def _note(content: Mapping[str, Any], found: Proven, compared: bool, *, held: bool) -> str | None:
     """What was not checked."""
-    notes = [_NOT_COUNTED] if isinstance(found, Census) else []
+    notes = []
+    if isinstance(found, Census):
+        notes.append(_NOT_COUNTED)
+        notes += [_NOT_ASKED.format(", ".join(found.conditions))] if found.conditions else []
     told = _told(content)
     names = dict.fromkeys(entry["system"] for entry in told if entry["tables"] is not None)
     if names and held:

@@ -31,7 +31,7 @@ from nonsmooth.runtime.proof.certificate import (
 )
 from nonsmooth.runtime.proof.statement import rational
 
-__all__ = ["DIGITS", "VERDICTS", "BoxCertificate", "Tile"]
+__all__ = ["DIGITS", "VERDICTS", "BoxCertificate", "Tile", "tile_json"]
 
 _PLANE = 2  # parameters of a box that has regions and curves
 DIGITS = 6  # of the radii that are stated: they are as wide as the box
@@ -281,7 +281,7 @@ class BoxCertificate(Kept):
             "reasons": self.reasons,
             "shares": {name: float(share) for name, share in self.shares.items()},
             "enclosures": balls_json(self.enclosures),
-            "tiles": [_tile_json(tile, tuple(self.box)) for tile in self.tiles],
+            "tiles": [tile_json(tile, tuple(self.box)) for tile in self.tiles],
         }
 
     def plot(self, axes: Any = None) -> Any:
@@ -322,7 +322,20 @@ def _hull(found: Sequence[Stated]) -> Stated:
         return Stated.around(middle + arb(0, radius), found[0].bits, DIGITS)
 
 
-def _tile_json(tile: Tile, axes: Sequence[str]) -> dict[str, Any]:
+def tile_json(tile: Tile, axes: Sequence[str]) -> dict[str, Any]:
+    """Give a tile as JSON.
+
+    Parameters
+    ----------
+    tile : Tile
+    axes : sequence of str
+        The parameters of its box.
+
+    Returns
+    -------
+    dict
+        Ready for `json.dumps`.
+    """
     return {
         "place": [list(step) for step in tile.place.steps],
         "claims": dict(tile.claims),

@@ -23,6 +23,7 @@ from nonsmooth.runtime.proof.boxes.orbit_over_box import (
     region_of,
     with_open_ones,
 )
+from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals, unproved, whole_map
 from nonsmooth.runtime.proof.boxes.tile import Anchor, TileProof, Tube, prove
 from nonsmooth.runtime.proof.boxes.tile_edges import edges_of, meeting_point
 from nonsmooth.runtime.proof.boxes.tile_event import TileEvent
@@ -30,7 +31,6 @@ from nonsmooth.runtime.proof.boxes.tile_fold import FoldTube, fold_on, fold_tube
 from nonsmooth.runtime.proof.boxes.tile_places import Interval, Place
 from nonsmooth.runtime.proof.certificate import CLAIMS, Stated
 from nonsmooth.runtime.proof.exact_tables import rational_of
-from nonsmooth.runtime.proof.krawczyk import joined
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, system_of
 
 if TYPE_CHECKING:
@@ -43,7 +43,6 @@ _PLANE = 2  # parameters of a box in which events are curves
 _DEEPEST = 12  # halvings along each axis
 _EVERY = 10.0  # seconds between states that are kept
 _NOT_TRIED = "not looked at yet"
-_APART = "it may be another orbit than that of a tile beside it"
 _MEET = "two orbits meet there"
 
 
@@ -110,15 +109,16 @@ def certify_box(
     try:
         orbit, chosen = with_open_ones(orbit, ends)
         region = region_of(orbit, ends)
+        empty = record(region, [unproved(whole, _NOT_TRIED, looked_at=False)])
+        refusals = BoxRefusals(empty)
     except NotCovered as reason:
-        nothing = record(None, [_unproved(whole, str(reason), looked_at=True)])
+        nothing = record(None, [unproved(whole, str(reason), looked_at=True)])
         if resume is not None:
             _check_same(nothing, resume)
         return nothing
-    empty = record(region, [_unproved(whole, _NOT_TRIED, looked_at=False)])
     if resume is not None:
         _check_same(empty, resume)
-    work = _Work(region, resume or empty)
+    work = _Work(region, resume or empty, refusals)
     kept = time.monotonic()
     try:
         for looked_at in range(_looked_at(work.state) + 1, tiles + 1):
@@ -126,11 +126,11 @@ def certify_box(
                 break
             progress(work.decided, looked_at)
             if keep is not None and time.monotonic() - kept > _EVERY:
-                keep(record(region, work.joined_tiles()))
+                keep(whole_map(record(region, work.stated())))
                 kept = time.monotonic()
     except KeyboardInterrupt:
-        raise Interrupted(record(region, work.joined_tiles())) from None
-    return record(region, work.joined_tiles())
+        raise Interrupted(whole_map(record(region, work.stated()))) from None
+    return whole_map(record(region, work.stated(whole=True)))
 
 
 class _Work:
@@ -140,8 +140,8 @@ class _Work:
     that holds it, from a tile to its halves, and to tiles that touch it.
     """
 
-    def __init__(self, region: Region, state: BoxCertificate) -> None:
-        self.region, self.state = region, state
+    def __init__(self, region: Region, state: BoxCertificate, refusals: BoxRefusals) -> None:
+        self.region, self.state, self.refusals = region, state, refusals
         # tiles with verdicts whose orbits are known to be the same where they meet
         self.known = {tile.place for tile in state.tiles if tile.verdict != "undecided"}
         self.same: set[frozenset[Place]] = set()
@@ -167,41 +167,36 @@ class _Work:
         done, waiting, stranded = self._settled
         return [*done, *(tile for *_, tile in sorted(waiting, key=_by_order)), *stranded]
 
-    def joined_tiles(self) -> list[Tile]:
-        """The tiles; of two parameters those with verdicts have the same orbits where they meet.
+    def stated(self, whole: bool = False) -> list[Tile]:
+        """The tiles as the checker proves them: it is asked of all that it was not, or of none.
 
-        Of two that may have different ones the second is undecided.
+        Of two parameters those with verdicts have the same orbits where they meet; of two that
+        may have different ones the second is undecided.
         """
+        tiles = [self._stated(tile, whole) for tile in self.tiles]
         if len(self.region.names) != _PLANE:
-            return self.tiles
-        tiles = self.tiles
+            return tiles
         for edge in edges_of([tile.place for tile in tiles]):
             first, second = tiles[edge.first], tiles[edge.second]
             pair = frozenset((first.place, second.place))
             if "undecided" in (first.verdict, second.verdict) or pair in self.same:
                 continue
-            if pair <= self.known or self._meet(first, second):
-                self.same.add(pair)
+            reason = "" if pair <= self.known else self.refusals.of_joint(second, first)
+            if reason:
+                tiles[edge.second] = unproved(second.place, reason, looked_at=True)
             else:
-                tiles[edge.second] = _unproved(second.place, _APART, looked_at=True)
+                self.same.add(pair)
         return tiles
 
-    def _meet(self, first: Tile, second: Tile) -> bool:
-        """Whether the orbits of two tiles that touch are the same where they do."""
-        point = meeting_point(first, second, self.region.box)
-        if point is None:
-            return True  # on their common edge there are no orbits, or it is not claimed
-        tubes = self._tube(first), self._tube(second)
-        if tubes[0] is None or tubes[1] is None:
-            return False
-        one, other = (tube.at(point) for tube in tubes if tube is not None)
-        if one is None or other is None:
-            return False
-        if tubes[0].holds(point, other) or tubes[1].holds(point, one):
-            return True
-        with flint_precision(BITS):
-            number = self.region.tables.number_at(_point(point))
-            return joined(self.region.equations(number), one, other)
+    def _stated(self, tile: Tile, whole: bool) -> Tile:
+        """A tile with what the checker proves of it."""
+        nothing = "proved" not in tile.claims.values() and tile.event is None
+        if nothing or tile.place in self.known or self.refusals.has_proved(tile):
+            return tile
+        if not (whole or tile.looked_at):
+            return replace(unproved(tile.place, _NOT_TRIED, looked_at=False), guess=tile.guess)
+        reason = self.refusals.of_tile(tile)
+        return unproved(tile.place, reason, looked_at=tile.looked_at) if reason else tile
 
     def look(self) -> bool:
         """Look at the largest tile that waits and is reached; tell whether there is one."""
@@ -226,11 +221,17 @@ class _Work:
                 folded = fold_on(self.region, tile.place, anchor.point, anchor.numbers)
                 if folded is not None:
                     self.tubes[tile.place], event = folded
-                    self._finish(_folded(tile, event, folded[0]))
+                    self._take(_folded(tile, event, folded[0]))
                     return True
-            self._finish(_judged(tile, proof, self.region))
+            self._take(_judged(tile, proof, self.region))
             return True
         return False
+
+    def _take(self, tile: Tile) -> None:
+        """Keep a tile as far as the checker proves it, or go on with its halves."""
+        final = tile.verdict != "undecided" or min(_levels(tile)) == _DEEPEST
+        reason = self.refusals.of_tile(tile) if final else ""
+        self._finish(unproved(tile.place, reason, looked_at=True) if reason else tile)
 
     def _proved(self, tile: Tile, anchor: Anchor) -> TileProof:
         """What is proved on a tile: where a low order decides nothing, by a high one."""
@@ -289,7 +290,7 @@ class _Work:
             self.stranded = [other for other in self.stranded if other not in freed]
             for other in freed:
                 self._wait(other)
-        levels = [level for _, level in place.steps]
+        levels = _levels(tile)
         axis = levels.index(min(levels))
         if tile.verdict != "undecided" or levels[axis] == _DEEPEST:
             self.done.append(tile)
@@ -313,17 +314,9 @@ def _looked_at(state: BoxCertificate) -> int:
     return len(state.tiles) - 1 + sum(tile.looked_at for tile in state.tiles)
 
 
-def _unproved(place: Place, reason: str, *, looked_at: bool) -> Tile:
-    """A tile of which nothing is proved."""
-    return Tile(
-        place=place,
-        claims=dict.fromkeys(CLAIMS, "undecided"),
-        reasons={"existence": reason},
-        enclosures={},
-        guess=(),
-        looked_at=looked_at,
-        event=None,
-    )
+def _levels(tile: Tile) -> list[int]:
+    """How often the box was halved along each axis."""
+    return [level for _, level in tile.place.steps]
 
 
 def _by_order(entry: tuple[Fraction, int, Tile]) -> tuple[Fraction, int]:

@@ -245,7 +245,17 @@ class _Following:
         self.state = state
         if end:
             self._end(side, end)
+        if tile is not None:
+            self._settle()
         self._tell(side, step)
+
+    def _settle(self) -> None:
+        """State ends as the checker proves them."""
+        reached = {FINISHED, VANISHED}
+        reason = self.refusals.of_ends(self.state) if reached & {*self.state.ends} else ""
+        if reason:
+            first, last = (reason if why in reached else why for why in self.state.ends)
+            self.state = replace(self.state, ends=(first, last))
 
     def _end(self, side: int, why: str) -> None:
         ends = [*self.state.ends]

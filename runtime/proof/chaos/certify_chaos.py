@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
+from nonsmooth.runtime.checker.chaos import check_chaos
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
@@ -21,6 +22,7 @@ from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart
 from nonsmooth.runtime.proof.chaos.search import Horseshoe, candidates, orbits_on
 from nonsmooth.runtime.proof.chaos.section_choice import sampled_sections
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem, enclosed_system
+from nonsmooth.runtime.proof.refusals import as_file, refusal
 from nonsmooth.runtime.proof.sets.images import PassedTransition, SectionMap
 from nonsmooth.runtime.proof.sets.sections import MapSection
 from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
@@ -198,6 +200,10 @@ class _ChaosQuestion:
         own = [sets[k] for k in kept]
         between = [(number[i], number[j]) for i, j in inner]
         whole = self._certificate(mapped, bound, own, between, [found[k] for k in kept])
+        reason = _refused(whole)
+        if reason:
+            self.tried.append(f"{told}: {reason}")
+            return None
         return self._with_cones(whole, mapped, between) if self.exponents else whole
 
     def _with_cones(
@@ -207,13 +213,17 @@ class _ChaosQuestion:
         most = _CONE_PARTS * self.parts
         try:
             cones = cone_condition(mapped, proved.h_sets, edges, most, self._tick)
+            with_cones = replace(proved, cones=cones)
+            reason = _refused(with_cones)
+            if not reason:
+                return with_cones
         except Undecided as trouble:
-            self.tried.append(f"no cone condition: {trouble.reason}")
-            cones = None
+            reason = trouble.reason
         except KeyboardInterrupt:
             told = (*self.tried, "no cone condition: interrupted")
             raise Interrupted(replace(proved, tried=told)) from None
-        return replace(proved, cones=cones, tried=tuple(self.tried))
+        self.tried.append(f"no cone condition: {reason}")
+        return replace(proved, tried=tuple(self.tried))
 
     def _tick(self) -> None:
         self.images += 1
@@ -290,6 +300,14 @@ class _ChaosQuestion:
             bits=self.system.bits,
             declaration={},
         )
+
+
+def _refused(found: ChaosCertificate) -> str:
+    """Why the checker does not prove a certificate; "" where it does, or no file can state it."""
+    if not found.declaration:
+        return ""
+    told = {**found.to_json(), "tables": None, "declaration": dict(found.declaration)}
+    return refusal(lambda: check_chaos(as_file(told)))
 
 
 def _joined(system: EnclosedSystem, source: int, boundaries: Sequence[int]) -> str:

@@ -6,12 +6,13 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.checker.census import check_listed
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.core.workload import TooLarge
 from nonsmooth.runtime.model.kernels import SystemKernels
 from nonsmooth.runtime.model.loading.declared import DeclaredOrbit, DeclaredSystem
-from nonsmooth.runtime.proof.certificate import Certificate
+from nonsmooth.runtime.proof.certificate import Certificate, file_json
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, certify
 from nonsmooth.runtime.proof.counting.branch_and_prune import (
     Problem,
@@ -25,6 +26,7 @@ from nonsmooth.runtime.proof.counting.contraction import Sides
 from nonsmooth.runtime.proof.counting.dwell_box import Side
 from nonsmooth.runtime.proof.counting.problems import Question
 from nonsmooth.runtime.proof.counting.question import Asked, asked_of
+from nonsmooth.runtime.proof.refusals import as_read, refusal
 
 if TYPE_CHECKING:
     from flint import arb
@@ -194,7 +196,6 @@ def _judged(
         halted, inside, beyond = True, [], 0
         edges = [Open(_texts(question.unknowns(p), root.sides), _STOPPED) for p, root in roots]
     undecided = [*left, *edges]
-    certificates: list[Certificate] = []
     for number, (problem, root, dwell) in enumerate(inside, 1):
         certificate, reason = None, _STOPPED
         if not halted:
@@ -203,32 +204,51 @@ def _judged(
                 certificate, reason = _certified(question, problem, root, bits)
             except KeyboardInterrupt:
                 halted = True
-        if certificate is not None and not (
-            _is_of(certificate, dwell, asked.sides)
-            and all(_apart(certificate, c) for c in certificates)
-        ):
-            certificate, reason = None, _OTHER
-        if certificate is not None:
-            certificates.append(certificate)
         names = question.unknowns(problem)
+        unique = _texts(names, root.unique)
+        if certificate is not None:
+            listed = [*counted, Counted(unique, certificate)]
+            reason = _OTHER
+            if _is_of(certificate, dwell, asked.sides):
+                reason = _refused(_census(asked, listed, undecided, beyond, looked, bits))
+            certificate = None if reason else certificate
         if certificate is None and question.surplus:
             undecided.append(Open(_texts(names, root.sides), reason))
         else:
-            counted.append(Counted(_texts(names, root.unique), certificate, reason))
-    census = Census(
+            counted.append(Counted(unique, certificate, reason))
+    return _census(asked, counted, undecided, beyond, looked, bits), halted
+
+
+def _census(
+    asked: Asked,
+    counted: Sequence[Counted],
+    undecided: Sequence[Open],
+    beyond: int,
+    looked: int,
+    bits: int,
+) -> Census:
+    return Census(
         orbit=asked.label,
         system=asked.system,
         parameters=asked.parameters,
         itinerary=asked.itinerary,
         box=tuple(str(side) for side in asked.sides),
-        conditions=question.conditions,
+        conditions=asked.question.conditions,
         orbits=tuple(counted),
         beyond=beyond,
         undecided=tuple(undecided),
         looked=looked,
         bits=bits,
     )
-    return census, halted
+
+
+def _refused(census: Census) -> str:
+    """Why the checker does not count the orbits of a census, each of which it proves."""
+    told = as_read(census.to_json())
+    for entry, orbit in zip(told["orbits"], census.orbits, strict=True):
+        if orbit.certificate is not None:
+            entry["certificate"] = as_read(file_json(orbit.certificate))
+    return refusal(lambda: check_listed(told))
 
 
 def _inside(
@@ -291,12 +311,6 @@ def _is_of(certificate: Certificate, dwell: Mapping[str, arb], sides: Sequence[S
     return all(found[n].overlaps(t) for n, t in dwell.items()) and all(
         side.holds(found[side.name]) for side in sides
     )
-
-
-def _apart(one: Certificate, other: Certificate) -> bool:
-    """Whether two certificates are of orbits that differ in a dwell time or at the start."""
-    names = (*one.dwell_names, *one.start_names)
-    return any(not one.enclosures[n].ball.overlaps(other.enclosures[n].ball) for n in names)
 
 
 def _share(

@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
 
+from nonsmooth.runtime.checker.branch import curve_of
+from nonsmooth.runtime.checker.branch_tile import CheckedTile
+from nonsmooth.runtime.checker.doubling import check_doubling
 from nonsmooth.runtime.core.errors import Interrupted
 from nonsmooth.runtime.core.taylor_models import range_of
 from nonsmooth.runtime.core.values import as_value
@@ -24,7 +27,7 @@ from nonsmooth.runtime.proof.branch.certified_branch import BranchTile, Certifie
 from nonsmooth.runtime.proof.branch.certify_branch import MOST_TILES, STATED, certify_branch
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
-from nonsmooth.runtime.proof.certificate import Stated
+from nonsmooth.runtime.proof.certificate import Stated, file_json
 from nonsmooth.runtime.proof.doubling.beside_flip import (
     begin_of_branch,
     begins_with,
@@ -39,10 +42,12 @@ from nonsmooth.runtime.proof.doubling.certified_cascade import (
     CertifiedCascade,
     CertifiedDoubling,
     Ended,
+    doubling_json,
 )
 from nonsmooth.runtime.proof.doubling.doubling_tube import ProvedTube, proved_tube
 from nonsmooth.runtime.proof.exact_tables import rational_of
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
+from nonsmooth.runtime.proof.refusals import as_read, refusal
 
 if TYPE_CHECKING:
     from flint import arb
@@ -317,12 +322,16 @@ class CascadeSteps:
             far = doubled.value + away * (1 + _BEHIND) * (1 if above else -1)
             ends = (doubled.value, min(far, high)) if above else (max(far, low), doubled.value)
 
+        kept: list[CertifiedDoubling] = []
+
         def with_doubled(found: CertifiedBranch) -> CertifiedCascade:
             if not found.tiles:
                 return state
+            if not kept:  # it is the first tile of the branch that matters
+                kept.append(_accepted(doubled.doubling, state.branches[-1], found))
             return replace(
                 state,
-                doublings=(*state.doublings, doubled.doubling),
+                doublings=(*state.doublings, kept[0]),
                 branches=(*state.branches, found),
             )
 
@@ -370,6 +379,28 @@ class CascadeSteps:
         if not found.converged:
             raise _Stopped("no orbit is found on the branch")
         return found
+
+
+def _accepted(
+    doubling: CertifiedDoubling, branch: CertifiedBranch, beyond: CertifiedBranch
+) -> CertifiedDoubling:
+    """A doubling as the checker proves it; _Stopped where it does not, even without a verdict."""
+
+    def check(stated: CertifiedDoubling) -> None:
+        told = [as_read(file_json(each)) for each in (branch, beyond)]
+        tiles = [
+            [CheckedTile(curve, tile) for tile in each["tiles"]]
+            for each, curve in zip(told, map(curve_of, told), strict=True)
+        ]
+        check_doubling(as_read(doubling_json(stated)), told, tiles)
+
+    reason = refusal(lambda: check(doubling))
+    if not reason:
+        return doubling
+    stated = replace(doubling, verdict=UNDECIDED, reason=reason)
+    if doubling.verdict == UNDECIDED or refusal(lambda: check(stated)):
+        raise _Stopped(reason)
+    return stated
 
 
 def _floats(interval: Interval) -> tuple[float, float]:

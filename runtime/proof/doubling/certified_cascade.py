@@ -17,7 +17,7 @@ from nonsmooth.runtime.proof.branch.certified_branch import (
 from nonsmooth.runtime.proof.branch.look import UNDECIDED
 from nonsmooth.runtime.proof.certificate import Stated
 
-__all__ = ["CertifiedCascade", "CertifiedDoubling", "told_cascade_json"]
+__all__ = ["CertifiedCascade", "CertifiedDoubling", "doubling_json", "told_cascade_json"]
 
 _RATIO_BITS = 80
 
@@ -198,7 +198,7 @@ class CertifiedCascade(DrawnOverParameter):
             "asked": self.asked,
             "ended": self.ended,
             "end": self.end,
-            "doublings": [_doubling_json(doubling) for doubling in self.doublings],
+            "doublings": [doubling_json(doubling) for doubling in self.doublings],
             "branches": [branch.to_json() for branch in self.branches],
         }
 
@@ -240,7 +240,18 @@ def _reach(branch: CertifiedBranch) -> tuple[float, float]:
     return branch.parameter_at(last)[1], branch.parameter_at(first)[0]
 
 
-def _doubling_json(doubling: CertifiedDoubling) -> dict[str, Any]:
+def doubling_json(doubling: CertifiedDoubling) -> dict[str, Any]:
+    """Give a doubling as JSON.
+
+    Parameters
+    ----------
+    doubling : CertifiedDoubling
+
+    Returns
+    -------
+    dict
+        Ready for `json.dumps`.
+    """
     return {
         "tile": doubling.tile + 1,
         "scaled": doubling.scaled,

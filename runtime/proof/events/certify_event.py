@@ -8,13 +8,14 @@ Brouwer's theorem (1911), which is a root; and every root of the box lies in -c/
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.checker.events import check_events
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
@@ -24,12 +25,13 @@ from nonsmooth.runtime.model.saved_system import same_system
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.physical_parameters import chosen_parameters
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region, given_of, region_of
-from nonsmooth.runtime.proof.certificate import GUARD, Unknown
+from nonsmooth.runtime.proof.certificate import GUARD, Unknown, file_json
 from nonsmooth.runtime.proof.certify_orbit import FEWEST_BITS, MOST_BITS, stated
 from nonsmooth.runtime.proof.enclosure import unknown_names
 from nonsmooth.runtime.proof.events.augmented_system import Augmented, augmented, instant_of
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, guess_of, system_of
+from nonsmooth.runtime.proof.refusals import accepted, as_file
 from nonsmooth.runtime.proof.statement import decimals, rational
 
 if TYPE_CHECKING:
@@ -97,7 +99,15 @@ def certify_event(branch: Branch, event: Event, bits: int = 128) -> EventCertifi
         return replace(undecided, reason=str(reason))
     with flint_precision(bits + GUARD):
         told = {n: stated(x, bits) for n, x in zip(names, enclosures, strict=True)}
-    return replace(found, claim="proved", enclosures=told, box=box)
+    found = replace(found, claim="proved", enclosures=told, box=box)
+
+    def without(_: EventCertificate, left: Mapping[str, str]) -> EventCertificate:
+        return replace(undecided, reason=left["event"])
+
+    def check(found: EventCertificate) -> None:
+        check_events(as_file({"events": [file_json(found)]}))
+
+    return accepted(found, ["event"], without, check)
 
 
 def certify_events(

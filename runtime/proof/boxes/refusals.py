@@ -1,0 +1,98 @@
+"""What the checker refuses of a map: it is asked before anything is stated."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from nonsmooth.runtime.checker.tiles import CheckedBox, MapTile, check_whole
+from nonsmooth.runtime.proof.boxes.box_certificate import BoxCertificate, Tile, tile_json
+from nonsmooth.runtime.proof.boxes.tile_places import Place
+from nonsmooth.runtime.proof.certificate import CLAIMS, file_json
+from nonsmooth.runtime.proof.orbit_to_prove import NotCovered
+from nonsmooth.runtime.proof.refusals import accepted, as_read, refusal
+
+__all__ = ["BoxRefusals", "unproved", "whole_map"]
+
+
+class BoxRefusals:
+    """Why the checker does not prove what is stated of tiles; "" where it does."""
+
+    box: CheckedBox
+
+    def __init__(self, empty: BoxCertificate) -> None:
+        content = as_read(file_json(empty))
+
+        def begin() -> None:
+            self.box = CheckedBox(content)
+
+        reason = refusal(begin)
+        if reason:
+            raise NotCovered(reason)
+        self._checked: dict[Place, tuple[Tile, MapTile]] = {}
+
+    def has_proved(self, tile: Tile) -> bool:
+        """Whether the checker was asked about a tile, and proved what is stated of it."""
+        return tile.place in self._checked and self._checked[tile.place][0] is tile
+
+    def of_tile(self, tile: Tile) -> str:
+        """Of a tile by itself."""
+        return refusal(lambda: self._proved(tile))
+
+    def of_joint(self, tile: Tile, other: Tile) -> str:
+        """Of the edge that two tiles of two parameters have in common."""
+        return refusal(lambda: self.box.check_joint(self._proved(tile), self._proved(other)))
+
+    def _proved(self, tile: Tile) -> MapTile:
+        if not self.has_proved(tile):
+            told = as_read(tile_json(tile, tuple(self.box.names)))
+            found = self.box.proved(told)
+            self.box.check_divisors()
+            self._checked[tile.place] = tile, found
+        return self._checked[tile.place][1]
+
+
+def whole_map(found: BoxCertificate) -> BoxCertificate:
+    """A map of tiles that are proved, if all that is said of the whole follows from them.
+
+    Parameters
+    ----------
+    found : BoxCertificate
+        With tiles of which the checker proves what is stated.
+
+    Returns
+    -------
+    BoxCertificate
+        The same, or one undecided tile with the reason of the checker.
+    """
+
+    def without(found: BoxCertificate, left: Mapping[str, str]) -> BoxCertificate:
+        whole = Place(((0, 0),) * len(found.box))
+        return replace(found, tiles=(unproved(whole, left["map"], looked_at=True),))
+
+    return accepted(found, ["map"], without, lambda found: check_whole(as_read(file_json(found))))
+
+
+def unproved(place: Place, reason: str, *, looked_at: bool) -> Tile:
+    """A tile of which nothing is proved.
+
+    Parameters
+    ----------
+    place : Place
+    reason : str
+    looked_at : bool
+        Whether it was tried.
+
+    Returns
+    -------
+    Tile
+    """
+    return Tile(
+        place=place,
+        claims=dict.fromkeys(CLAIMS, "undecided"),
+        reasons={"existence": reason},
+        enclosures={},
+        guess=(),
+        looked_at=looked_at,
+        event=None,
+    )

@@ -1,0 +1,214 @@
+"""What the checker refuses is undecided, with its reason, and the file holds nothing of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import nonsmooth as ns
+from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker.tiles import CheckedBox
+from nonsmooth.runtime.proof.boxes import refusals as of_tiles
+from nonsmooth.runtime.proof.branch import refusals as of_branches
+from nonsmooth.runtime.proof.chaos import certify_chaos
+from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
+from nonsmooth.runtime.proof.chaos.coverings import Coverings
+from nonsmooth.runtime.proof.counting import certify_all
+from nonsmooth.runtime.proof.doubling import cascade_steps
+from nonsmooth.runtime.proof.events import certify_event
+from nonsmooth.runtime.proof.refusals import refusal
+from tests.horseshoes import friction_horseshoe
+
+ORBIT, SYMMETRIC = "dry-friction/global-stick", "dry-friction/symmetric"
+PLANTED = "the checker refuses it: planted"
+
+pytestmark = pytest.mark.usefixtures("_restored")
+
+
+@pytest.fixture
+def _restored(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    yield
+    monkeypatch.undo()
+
+
+def refusing(
+    check: Callable[..., Any], claimed: Callable[..., object] = lambda *told: True
+) -> Callable[..., Any]:
+    """The same check, that refuses what is claimed, too."""
+
+    def planted(*told: Any) -> Any:
+        found = check(*told)
+        if claimed(*told):
+            raise Failure("planted")
+        return found
+
+    return planted
+
+
+def passes(found: Any, folder: Path) -> ns.Check:
+    """The check of the file of what was found."""
+    path = folder / "found.json"
+    found.save(path)
+    check = ns.check_certificate(path)
+    assert check.difference is None
+    return check
+
+
+@cache
+def orbit() -> ns.Orbit:
+    return ns.solve(ORBIT)
+
+
+@cache
+def branch() -> ns.Branch:
+    return ns.continue_orbit(ns.solve(SYMMETRIC, {"V": "1.078"}), "V", (1.075, 1.085))
+
+
+@pytest.mark.parametrize("claim", ["existence", "admissibility", "stability", "derivatives"])
+def test_a_claim_of_an_orbit(claim: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import nonsmooth.runtime.proof.certify_orbit as proving
+
+    def claimed(content: dict[str, Any]) -> object:
+        if claim == "derivatives":
+            return content.get(claim)
+        return content["claims"][claim] != "undecided"
+
+    with monkeypatch.context() as planted:
+        planted.setattr(proving, "check", refusing(proving.check, claimed))
+        found = ns.certify(orbit(), derivatives="eta")
+    whole = ns.certify(orbit(), derivatives="eta")
+    assert whole.proved
+    assert "eta" in whole.derivatives["trace"]
+    if claim == "derivatives":
+        assert found.proved
+        assert not found.derivatives
+        assert found.no_derivatives == {"eta": PLANTED}
+    else:
+        left = {n for n, verdict in found.claims.items() if verdict == "undecided"}
+        assert left == ({*found.claims} if claim == "existence" else {claim})
+        assert found.reasons[claim] == PLANTED
+        assert bool(found.derivatives) == (claim == "admissibility")
+    assert passes(found, tmp_path).claims == found.claims
+
+
+def test_an_orbit_of_which_the_check_cannot_be_made(monkeypatch: pytest.MonkeyPatch) -> None:
+    import nonsmooth.runtime.proof.certify_orbit as proving
+
+    monkeypatch.setattr(proving, "check", lambda content: content["no such entry"])
+    found = ns.certify(orbit())
+    assert {*found.claims.values()} == {"undecided"}
+    assert found.reasons["existence"] == "the checker refuses it: KeyError: 'no such entry'"
+
+
+def test_an_event(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (event,) = branch().events
+    assert ns.certify_event(branch(), event).proved
+    with monkeypatch.context() as planted:
+        claimed = refusing(certify_event.check_events, lambda c: c["events"][0]["box"])
+        planted.setattr(certify_event, "check_events", claimed)
+        found = ns.certify_event(branch(), event)
+    assert (found.claim, found.reason) == ("undecided", PLANTED)
+    assert passes(found, tmp_path).claims == {"events": "undecided"}
+
+
+def test_a_tile_of_a_box_is_halved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The check refuses the whole box, and all tiles at one of its corners."""
+    with monkeypatch.context() as planted:
+        proved = refusing(CheckedBox.proved, lambda _, tile: tile["place"][0][0] == 0)
+        planted.setattr(CheckedBox, "proved", proved)
+        found = ns.certify_box(orbit(), {"V": ("0.999", "1.001")}, tiles=9)
+    verdicts = {tile.place.steps[0]: tile.verdict for tile in found.tiles}
+    assert verdicts.pop((0, 5)) == verdicts.pop((1, 5), "undecided") == "undecided"
+    assert {*verdicts.values()} == {"proved"}
+    assert found.claims["existence"] == "undecided"
+    reasons = [t.reasons["existence"] for t in found.tiles if t.verdict == "undecided"]
+    assert {*reasons} <= {PLANTED, "not looked at yet"}
+    assert passes(found, tmp_path).claims == found.claims
+
+
+def test_tiles_that_do_not_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    box = {"V": ("0.999", "1.001"), "eta": ("0.999", "1.001")}
+    with monkeypatch.context() as planted:
+        whole = refusing(CheckedBox.proved, lambda _, tile: tile["place"] == [[0, 0], [0, 0]])
+        planted.setattr(CheckedBox, "proved", whole)
+        planted.setattr(CheckedBox, "check_joint", refusing(CheckedBox.check_joint))
+        found = ns.certify_box(orbit(), box)
+    assert sorted(tile.verdict for tile in found.tiles) == ["proved", "undecided"]
+    assert found.reasons["existence"].endswith(PLANTED)
+    assert passes(found, tmp_path).claims == found.claims
+
+
+def test_what_is_said_of_a_whole_box(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with monkeypatch.context() as planted:
+        told = refusing(of_tiles.check_whole, lambda content: content["enclosures"])
+        planted.setattr(of_tiles, "check_whole", told)
+        found = ns.certify_box(orbit(), {"V": ("0.999", "1.001")})
+    assert found.reasons["existence"].endswith(PLANTED)
+    assert passes(found, tmp_path).claims == found.claims
+
+
+def test_an_end_of_a_branch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with monkeypatch.context() as planted:
+        planted.setattr(of_branches, "check_ends", refusing(of_branches.check_ends))
+        found = ns.certify_branch(branch(), interval=("1.077", "1.079"))
+    assert found.ends == (PLANTED, PLANTED)
+    assert not found.complete
+    assert passes(found, tmp_path).claims == {"branch": "undecided"}
+
+
+@pytest.mark.parametrize("what", ["verdict", "doubling"])
+def test_a_doubling(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def claimed(doubling: dict[str, Any], *_: Any) -> object:
+        return what == "doubling" or doubling["verdict"] != "undecided"
+
+    with monkeypatch.context() as planted:
+        checked = refusing(cascade_steps.check_doubling, claimed)
+        planted.setattr(cascade_steps, "check_doubling", checked)
+        found = ns.certify_cascade(branch(), tiles=1)
+    if what == "verdict":
+        (doubling,) = found.doublings
+        assert (doubling.verdict, doubling.reason) == ("undecided", PLANTED)
+    else:
+        assert (found.ended, found.end) == ("not proved", f"doubling 1: {PLANTED}")
+        assert not found.doublings
+    assert passes(found, tmp_path).claims == {"doublings": "undecided"}
+
+
+def test_chaos(monkeypatch: pytest.MonkeyPatch) -> None:
+    def believed(mapped: Any, h_set: Any, others: Any, wanted: Any, *rest: Any) -> Coverings:
+        return Coverings(tuple(wanted), (), (), "")
+
+    monkeypatch.setattr(certify_chaos, "coverings", believed)
+    with pytest.raises(AssertionError, match="the checker refuses it: "):
+        friction_horseshoe(exponents=False)  # which is to be proved
+
+
+def test_cones(monkeypatch: pytest.MonkeyPatch) -> None:
+    false = ConeCondition({"A": ("1",), "B": ("1",)}, (), "9", "0", "1")
+    monkeypatch.setattr(certify_chaos, "cone_condition", lambda *told: false)
+    found = friction_horseshoe(exponents=True)
+    assert found.proved
+    assert found.cones is None
+    (told,) = found.tried
+    assert told.startswith("no cone condition: the checker refuses it: ")
+
+
+def test_an_orbit_that_is_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with monkeypatch.context() as planted:
+        planted.setattr(certify_all, "check_listed", refusing(certify_all.check_listed))
+        found = ns.certify_all(ORBIT, box={"tau": 3, "tau1": 3})
+    (counted,) = found.orbits
+    assert (counted.certificate, counted.reason) == (None, PLANTED)
+    assert passes(found, tmp_path).claims == {"listed": "undecided", "no others": "undecided"}
+
+
+def test_ctrl_c_is_no_refusal() -> None:
+    def stopped() -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        refusal(stopped)
