@@ -32,10 +32,8 @@ def show_fit(fit: Fit) -> None:
     errors = fit.standard_errors.tolist()
     for place, name in enumerate(fit.names):
         ends = f"{_number(fit.lower[place])} ... {_number(fit.upper[place])}"
-        told = "at its bound" if name in fit.at_bound else ends
-        if math.isinf(errors[place]):
-            told = "not told by the data"
-        table.add_row(name, f"{fit.estimates[place]:.10g}", f"{errors[place]:.2g}", told)
+        error = f"{errors[place]:.2g}" if math.isfinite(errors[place]) else ""
+        table.add_row(name, f"{fit.estimates[place]:.10g}", error, fit.untold.get(name, ends))
     show_table(table, out)
     out.print(f"chi2 {fit.chi2:.6g} with {fit.degrees_of_freedom} degrees of freedom")
     for name, size in fit.noise.items():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from itertools import islice
@@ -266,7 +267,7 @@ def _experiment(experiment: Experiment) -> Summary:
 def _fit(fit: Fit) -> Summary:
     errors = fit.standard_errors.tolist()
     found = [
-        f"{name} = {value:.8g} +- {error:.2g}"
+        f"{name} = {value:.8g}" + (f" +- {error:.2g}" if math.isfinite(error) else "")
         for name, value, error in zip(fit.names, fit.estimates.tolist(), errors, strict=True)
     ]
     left = f"chi2 {fit.chi2:.6g} with {_many(fit.degrees_of_freedom, 'degree')} of freedom"
@@ -276,7 +277,7 @@ def _fit(fit: Fit) -> Summary:
         ("found", found),
         ("left", [left, *(f"noise of {n} {x:.3g}" for n, x in fit.noise.items())]),
         ("not told", list(fit.unidentified)),
-        ("at a bound", list(fit.at_bound)),
+        ("no error", [f"{name}: {why}" for name, why in fit.untold.items()]),
         ("events", sequence[fit.same_sequence]),
         (
             "grazing",

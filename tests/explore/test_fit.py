@@ -242,6 +242,24 @@ def test_bounds_hold_and_are_told() -> None:
     assert found["k"] == pytest.approx(3.9, rel=1e-5)
     assert math.isnan(found.standard_errors[0])
     assert found.standard_errors[1] > 0
+    assert found.untold == {"k": "at its bound"}
+    assert "k: at its bound" in str(found)
+    assert "nan" not in str(found)
+
+
+def test_without_a_degree_of_freedom_no_error_is_told() -> None:
+    """Of as many numbers as there are free ones; a loss that heeds outliers needs one more."""
+    exact, robust = (
+        fitted({WALL: impacts(2, 1e-3, 1)}, "k", "r", parameters=GUESS, sigma=1e-3, loss=loss)
+        for loss in ("linear", "huber")
+    )
+    assert exact.degrees_of_freedom == robust.degrees_of_freedom == 0
+    assert np.isfinite(exact.standard_errors).all()
+    assert exact.untold == {}
+    assert np.isinf([robust.standard_errors, robust.lower, robust.upper]).all()
+    assert robust.untold == dict.fromkeys("kr", "no degree of freedom tells its error")
+    assert "no degree of freedom" in str(robust)
+    assert "nan" not in str(robust)
 
 
 # --- several starts

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -136,7 +137,8 @@ class Fit(Kept):
     lower, upper : array (q,)
         Ends of the 95 % intervals: by Student's t with the degrees of freedom, or by the normal
         law where all standard deviations were given and the loss is linear. Infinite where the
-        data do not tell; NaN at a bound.
+        data do not tell, or leave no degree of freedom to tell the noise; NaN at a bound, see
+        `untold`.
     covariance : array (q, q)
         To first order, at the estimates.
     bounds : array (q, 2)
@@ -207,6 +209,19 @@ class Fit(Kept):
     def standard_errors(self) -> np.ndarray:
         """Standard errors of the estimates, (q,)."""
         return np.sqrt(np.diag(self.covariance))
+
+    @property
+    def untold(self) -> dict[str, str]:
+        """Why free numbers have no standard error, by their names."""
+        why = "not told by the data"
+        if not self.unidentified:
+            why = "no degree of freedom tells its error"
+        lost = {
+            name: why
+            for name, error in zip(self.names, self.standard_errors.tolist(), strict=True)
+            if not math.isfinite(error)
+        }
+        return lost | {name: "at its bound" for name in self.at_bound}
 
     @property
     def correlation(self) -> np.ndarray:

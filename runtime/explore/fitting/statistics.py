@@ -30,8 +30,8 @@ class Statistics:
     Attributes
     ----------
     covariance : array (q, q)
-        Infinite variances where the data do not tell an unknown, NaN beside these; NaN for
-        unknowns at a bound.
+        Infinite variances where the data do not tell an unknown, or no degree of freedom is
+        left to tell the noise, NaN beside these; NaN for unknowns at a bound.
     half_widths : array (q,)
         Of the 95 % intervals.
     singular_values : array (q,)
@@ -94,8 +94,10 @@ def statistics(
     freedom = len(residuals) - len(free)
     factor = _factor(residuals, data, freedom, loss, given=given)
     covariance = np.full((size, size), np.nan)
-    inner = factor * (rows.T * inverse) @ rows * np.outer(scale[free], scale[free])
-    unknown = (abs(rows[lost]) > _TAKES_PART).any(axis=0)
+    told = math.isfinite(factor)
+    inner = (rows.T * inverse) @ rows * np.outer(scale[free], scale[free])
+    inner *= factor if told else 1.0
+    unknown = (abs(rows[lost]) > _TAKES_PART).any(axis=0) | (not told)
     inner[unknown, :] = inner[:, unknown] = np.nan
     inner[unknown, unknown] = np.inf
     covariance[np.ix_(free, free)] = inner

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -186,7 +187,10 @@ def _finish(fit: Fit, number: int, upper: Axes, lower: Axes, along: str) -> None
 
 def _title(fit: Fit) -> str:
     found = zip(fit.names, fit.estimates.tolist(), fit.standard_errors.tolist(), strict=True)
-    told = [f"{name} = {value:.5g} ± {error:.1g}" for name, value, error in found]
+    told = [
+        f"{name} = {value:.5g}" + (f" ± {error:.1g}" if math.isfinite(error) else "")
+        for name, value, error in found
+    ]
     more = ", ..." if len(told) > _TOLD else ""
     return f"{shown_name(fit.system)}: {', '.join(told[:_TOLD])}{more}"
 
