@@ -24,6 +24,7 @@ The table is in the order in which to read.
 `tiles`         a map of tiles in a box of parameters
 `branch_curve`  the equations along a branch, its roots and derivatives
 `divided`       a tile that the curve of an event divides
+`edges`         which tiles of a plane have an edge in common
 `folded`        a tile with the curve at which two orbits meet
 `events`        bifurcations and limits of admissibility
 `branch_tile`   one tile of a branch: a verdict, or an event
