@@ -24,7 +24,7 @@ from nonsmooth.runtime.checker.exact import (
 )
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import number_at, values_of
-from nonsmooth.runtime.checker.shape import EVENTS, check_bits, check_shape
+from nonsmooth.runtime.checker.shape import EVENTS, check_bits, check_shape, check_sharp
 from nonsmooth.runtime.checker.stability import (
     characteristic,
     paired,
@@ -71,6 +71,7 @@ def _check(event: dict[str, Any]) -> None:
         demand(event["reason"] and not any(told), "numbers of no event")
         return
     demand(not event["reason"], "a reason why it is undecided")
+    check_sharp(event["box"], event["bits"])
     told = event["declaration"].get("constants", [])
     values, numbers, constants = values_of(event["parameters"], [event["parameter"]], told)
     declared = StatedSystem(event, values, numbers)

@@ -266,7 +266,10 @@ class FoldedTile:
 
 
 def beyond_folds(
-    tiles: Sequence[dict[str, Any]], verdicts: Sequence[str], names: Sequence[str]
+    tiles: Sequence[dict[str, Any]],
+    verdicts: Sequence[str],
+    names: Sequence[str],
+    beside: Sequence[Sequence[int]],
 ) -> list[bool]:
     """Which undecided tiles are beside nothing but each other and what is beyond folds.
 
@@ -278,6 +281,8 @@ def beyond_folds(
         Of each by itself.
     names : sequence of str
         Parameters of the box.
+    beside : sequence of sequence of int
+        Of each tile those with which it has an edge in common.
 
     Returns
     -------
@@ -292,16 +297,12 @@ def beyond_folds(
     parts: dict[int, list[int]] = {k: [] for k in open_ones}
     behind, left = dict.fromkeys(open_ones, False), dict.fromkeys(open_ones, False)
     for k in open_ones:
-        for other, place in enumerate(where):
-            both = [(max(a[0], b[0]), min(a[1], b[1])) for a, b in
-                    zip(where[k], place, strict=True)]  # fmt: skip
-            if other == k or sum(low < high for low, high in both) != 1:
-                continue
-            if any(low > high for low, high in both):
-                continue
+        for other in beside[k]:
+            pairs = zip(where[k], where[other], strict=True)
+            both = [(max(a[0], b[0]), min(a[1], b[1])) for a, b in pairs]
             if other in parts:
                 parts[k].append(other)
-            elif _is_beyond(tiles[other], names, place, both):
+            elif _is_beyond(tiles[other], names, where[other], both):
                 behind[k] = True
             else:
                 left[k] = True

@@ -17,7 +17,7 @@ from nonsmooth.runtime.checker.exact import (
 from nonsmooth.runtime.checker.motion import admissibility
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import independent, number_at, values_of
-from nonsmooth.runtime.checker.shape import CERTIFICATE, check_bits, check_shape
+from nonsmooth.runtime.checker.shape import CERTIFICATE, check_bits, check_shape, check_sharp
 from nonsmooth.runtime.checker.stability import check_multipliers, stability
 
 __all__ = ["check"]
@@ -53,6 +53,8 @@ def check(content: dict[str, Any]) -> None:
         told = [content[name] for name in ("box", "declaration", "closing", "given_period")]
         demand(not any(told) and content["stability"] == "stable", "numbers of no claim")
         return
+    if exists == "proved":
+        check_sharp(content["box"], bits)
     with ctx.workprec(bits + _GUARD):
         period = {"period": content["given_period"]} if content["given_period"] else {}
         demand(not period.keys() & content["parameters"].keys(), "two periods are given")

@@ -23,6 +23,7 @@ __all__ = [
     "Malformed",
     "check_bits",
     "check_shape",
+    "check_sharp",
 ]
 
 
@@ -49,6 +50,7 @@ class Either(NamedTuple):
 
 
 _FEWEST, _MOST = 53, 400_000  # bits
+_MOST_TO_DIGIT = 8  # bits: a box is as wide as half of them at most, which are 6.6 to a digit
 _VERDICT = re.compile("proved|refuted|undecided")
 _BALL = {"mid": NUMBER, "rad": NUMBER}
 _BALLS = Named(_BALL)
@@ -483,6 +485,26 @@ def check_bits(content: dict[str, Any]) -> int:
     if not _FEWEST <= bits <= _MOST:
         raise Malformed(f"{bits} bits are not from {_FEWEST} to {_MOST}")
     return bits
+
+
+def check_sharp(box: list[dict[str, str]], bits: int) -> None:
+    """Refuse more bits than a box of unknowns has digits for: they would be for nothing, and long.
+
+    Parameters
+    ----------
+    box : list of dict
+        With a "mid" for each unknown.
+    bits : int
+        Of the enclosures.
+
+    Raises
+    ------
+    Failure
+        If they are too many.
+    """
+    digits = max((len(side["mid"]) for side in box), default=0)
+    if bits > _MOST_TO_DIGIT * digits + _FEWEST:
+        raise Failure(f"{bits} bits are more than the {digits} digits of its unknowns are for")
 
 
 def _either(entry: Any, shapes: Any, where: str) -> None:

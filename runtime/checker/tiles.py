@@ -11,6 +11,7 @@ from flint import arb, ctx, fmpq
 
 from nonsmooth.runtime.checker.declared import StatedSystem
 from nonsmooth.runtime.checker.divided import Division
+from nonsmooth.runtime.checker.edges import SMALLEST, neighbours
 from nonsmooth.runtime.checker.exact import (
     Failure,
     agreed_claims,
@@ -34,7 +35,6 @@ _ORDERS = {1: 5, 2: 3}  # of the models, by the number of parameters; 2 for more
 _SHARP, _PLANE = 6, 2  # order where a curve divides a tile, or the low one tells too little
 _DEEPEST = 4  # halvings of a tile whose claims take smaller ones
 _NEAR = 0.0625  # how far from the stated numbers the orbit may be in the middle of a tile
-_SMALLEST = 60  # halvings of the box along an axis
 _SHARES = tuple(fmpq(k, 32) for k in (16, 8, 24, 4, 28, 1, 31, 0, 32))  # of an edge
 _NEWTON = 3  # steps to the orbit in the middle of a tile
 
@@ -71,14 +71,24 @@ def check_tiles(content: dict[str, Any]) -> None:
         demand(content["stability"] == "stable", "stability of another kind")
         return
     box = CheckedBox(content)
-    seen: list[MapTile] = []
-    for tile in tiles:
+    beside = _neighbours(tiles)
+    seen: dict[int, MapTile] = {}
+    for number, tile in enumerate(tiles):
         checked = box.proved(tile)
-        for other in seen if len(box.ends) == _PLANE else ():
-            box.check_joint(checked, other)
-        if _verdict(tile) != "undecided":
-            seen.append(checked)
+        if _verdict(tile) == "undecided":
+            continue
+        for other in beside[number]:
+            if other in seen:
+                box.check_joint(checked, seen[other])
+        seen[number] = checked
     box.check_divisors()
+
+
+def _neighbours(tiles: Sequence[dict[str, Any]]) -> Sequence[Sequence[int]]:
+    """Of each tile those with which it has an edge in common; of two parameters."""
+    if len(tiles[0]["place"]) != _PLANE:
+        return [()] * len(tiles)
+    return neighbours([[(step, level) for step, level in tile["place"]] for tile in tiles])
 
 
 def check_whole(content: dict[str, Any]) -> None:
@@ -97,7 +107,7 @@ def check_whole(content: dict[str, Any]) -> None:
     box = _ends_of(content)
     demand(box and all(low < high for low, high in box), "the box is empty")
     places = [[(step, level) for step, level in tile["place"]] for tile in content["tiles"]]
-    demand(all(0 <= level <= _SMALLEST for place in places for _, level in place), "tiny tiles")
+    demand(all(0 <= level <= SMALLEST for place in places for _, level in place), "tiny tiles")
     demand(all(len(place) == len(box) for place in places), "a tile has no place in the box")
     demand(_fill(places), "the tiles do not fill the box")
     _total(content)
@@ -272,13 +282,9 @@ class MapTile:
         return all(abs(x - _at(c, point)) < r for x, c, r in sides)
 
     def meets(self, other: "MapTile") -> None:
-        """Where tiles with verdicts have an edge in common their orbits are the same."""
+        """On the edge that it has in common with another tile their orbits are the same."""
         pairs = zip(self.where, other.where, strict=True)
         both = [(max(a[0], b[0]), min(a[1], b[1])) for a, b in pairs]
-        if _verdict(self.tile) == "undecided" or any(low > high for low, high in both):
-            return
-        if all(low == high for low, high in both):
-            return  # a corner
         for share in _SHARES:
             point = [low + share * (high - low) for low, high in both]
             own, its = (
@@ -444,7 +450,7 @@ def _total(content: dict[str, Any]) -> None:
     verdicts = [_verdict(tile) for tile in tiles]
     beyond = [False] * len(tiles)
     if len(content["box"]) == _PLANE:
-        beyond = beyond_folds(tiles, verdicts, [*content["box"]])
+        beyond = beyond_folds(tiles, verdicts, [*content["box"]], _neighbours(tiles))
     for tile, verdict, behind in zip(tiles, verdicts, beyond, strict=True):
         shares[BEYOND if behind else verdict] += fmpq(
             1, 2 ** sum(level for _, level in tile["place"])

@@ -19,6 +19,7 @@ from typer.testing import CliRunner
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_tiles
+from nonsmooth.runtime.checker.edges import neighbours
 from nonsmooth.runtime.checker.parameters import independent
 from nonsmooth.runtime.checker.tiles import MapTile
 from nonsmooth.runtime.cli.program import app
@@ -477,3 +478,32 @@ def test_a_map_with_tiles_of_no_orbit_passes(tmp_path: Path) -> None:
     tile = next(t for t in content["tiles"] if t["claims"]["existence"] == "undecided")
     tile["reasons"] = {"stability": "so"}
     refused(content, "reasons for other claims")
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_neighbours_are_the_tiles_with_an_edge_in_common(seed: int) -> None:
+    drawn = random.Random(seed)
+    places = [[(0, 0), (0, 0)]]
+    for _ in range(60):
+        place = places.pop(drawn.randrange(len(places)))
+        axis = drawn.randrange(2)
+        (step, level), other = place[axis], place[1 - axis]
+        for half in (0, 1):
+            cut = (2 * step + half, level + 1)
+            places.append([cut, other] if axis == 0 else [other, cut])
+
+    def ends(part: tuple[int, int]) -> tuple[Fraction, Fraction]:
+        step, level = part
+        return Fraction(step, 2**level), Fraction(step + 1, 2**level)
+
+    def overlap(one: tuple[int, int], other: tuple[int, int]) -> Fraction:
+        (low, high), (least, most) = ends(one), ends(other)
+        return min(high, most) - max(low, least)
+
+    for k, found in enumerate(neighbours(places)):
+        wanted = [
+            other
+            for other, place in enumerate(places)
+            if (shared := sorted(map(overlap, places[k], place)))[0] == 0 < shared[1]
+        ]
+        assert sorted(found) == wanted

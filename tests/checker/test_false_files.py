@@ -229,3 +229,13 @@ def test_what_is_undecided_has_no_numbers() -> None:
     certificate = ns.certify(ns.solve("dry-friction/solution-ii"))
     with pytest.raises(InputError, match="existence is undecided"):
         _ = certificate.trace
+
+
+@pytest.mark.parametrize("name", ["point", "events"])
+def test_more_bits_than_digits_are_refused_before_anything_is_proved(
+    name: str, folder: Path
+) -> None:
+    content = json.loads(written(name, folder))
+    for told in content.get("events", [content]):
+        told["bits"] *= 1000
+    assert "128000 bits are more than the" in str(refusal(content, folder / "bits.json"))

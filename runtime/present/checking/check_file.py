@@ -88,8 +88,10 @@ Proven = (
 _HELD = "{} is the system as the file holds it: no declaration was run"
 _NOT_CALLED = "what the orbit and its unknowns are called was not compared"
 _NOT_TOLD = "why is not proved again"
-_NOT_COUNTED = "that there are no other orbits was NOT proved again"
-_NOT_ASKED = "nor what else they were asked for: {}"
+_NOT_COUNTED = (
+    "that there are no other orbits was NOT proved again,"
+    " nor what they were asked for beside the box"
+)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -297,10 +299,7 @@ def _told(content: Mapping[str, Any]) -> list[Mapping[str, Any]]:
 
 def _note(content: Mapping[str, Any], found: Proven, compared: bool, *, held: bool) -> str | None:
     """What was not checked."""
-    notes = []
-    if isinstance(found, Census):
-        notes.append(_NOT_COUNTED)
-        notes += [_NOT_ASKED.format(", ".join(found.conditions))] if found.conditions else []
+    notes = [_NOT_COUNTED] if isinstance(found, Census) else []
     told = _told(content)
     names = dict.fromkeys(entry["system"] for entry in told if entry["tables"] is not None)
     if names and held:
