@@ -28,10 +28,6 @@ def register(modules: Mapping[str, str]) -> None:
 def registered(name: str) -> Any:
     """Give what stands under a name, and import its module if need be.
 
-    Parameters
-    ----------
-    name : str
-
     Raises
     ------
     KeyError

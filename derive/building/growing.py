@@ -177,14 +177,6 @@ class GrowingSystem(System):
     def configuration(self, name: str) -> Configuration:
         """See `System`: the one of that name is made.
 
-        Parameters
-        ----------
-        name : str
-
-        Returns
-        -------
-        Configuration
-
         Raises
         ------
         DeclarationError
@@ -194,14 +186,6 @@ class GrowingSystem(System):
 
     def transition(self, source: str, boundary: str, target: str) -> Transition:
         """See `System`: those of that configuration are made.
-
-        Parameters
-        ----------
-        source, boundary, target : str
-
-        Returns
-        -------
-        Transition
 
         Raises
         ------
@@ -219,16 +203,7 @@ class GrowingSystem(System):
         return tuple((part.name, part.regimes) for part in self.assembly.parts)
 
     def has(self, name: str) -> bool:
-        """Whether there is a configuration of a name.
-
-        Parameters
-        ----------
-        name : str
-
-        Returns
-        -------
-        bool
-        """
+        """Whether there is a configuration of a name."""
         return any(map(self.assembly.exists, self._split(name, 0)))
 
     def piece(self, name: str, boundaries: Collection[str] = ()) -> str:

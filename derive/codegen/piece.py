@@ -50,10 +50,6 @@ def emit_piece(
     led : names of further configurations that transitions lead to
     conditions : for each part a mapping of regime to two rows of functions
         Those that are not positive in it, and those that vanish.
-
-    Returns
-    -------
-    str
     """
     told = [f for part in conditions for both in part.values() for group in both for f in group]
     form = SimulationForm(system, beside=(*told, sp.S.One))

@@ -30,10 +30,6 @@ def transition_unshown(itinerary: Itinerary, system: System) -> str | None:
     itinerary : Itinerary
     system : System
         In whose states and parameters it is written.
-
-    Returns
-    -------
-    str or None
     """
     for place, phase in enumerate(itinerary.phases):
         taken = itinerary.transition_after(system, place)

@@ -78,10 +78,6 @@ def resolvent(
     known : dict
         Resolvents of blocks, found for other configurations of the system; it grows.
 
-    Returns
-    -------
-    tuple of Fraction
-
     Raises
     ------
     DerivationError

@@ -69,10 +69,6 @@ def curve_of(content: dict[str, Any]) -> CheckedCurve:
     content : dict
         Entries of a branch, in their shape.
 
-    Returns
-    -------
-    CheckedCurve
-
     Raises
     ------
     Failure

@@ -126,12 +126,7 @@ class Division:
         self.signs: set[bool] = set()
 
     def phases(self, orbit: CheckedOrbit) -> None:
-        """The phases of borders are those of the orbit.
-
-        Parameters
-        ----------
-        orbit : CheckedOrbit
-        """
+        """The phases of borders are those of the orbit."""
         steps = orbit.declared.steps
         demand(all(0 <= border.phase < len(steps) for border in self.borders), "no such phase")
         if self.borders:
@@ -263,10 +258,6 @@ def _power(bound: Any, power: int) -> Any:
 
 def fraction(number: float) -> Any:
     """The exact value of a number in a file.
-
-    Parameters
-    ----------
-    number : float
 
     Returns
     -------

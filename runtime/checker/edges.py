@@ -17,10 +17,6 @@ def neighbours(places: Sequence[Sequence[tuple[int, int]]]) -> list[list[int]]:
     ----------
     places : sequence of ((int, int), (int, int))
         Along each axis, which of 2^level parts. Tiles do not overlap.
-
-    Returns
-    -------
-    list of list of int
     """
     ends = [
         [(step << SMALLEST - level, step + 1 << SMALLEST - level) for step, level in place]

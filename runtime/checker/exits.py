@@ -267,14 +267,5 @@ def rounded(row: Sequence[Any]) -> Rounded:
 
 
 def negative(row: Rounded) -> Rounded:
-    """The function with the other sign.
-
-    Parameters
-    ----------
-    row : Rounded
-
-    Returns
-    -------
-    Rounded
-    """
+    """The function with the other sign."""
     return Rounded(-row.middle, row.radius)

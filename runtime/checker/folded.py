@@ -193,10 +193,6 @@ class FoldedTile:
         Parameters
         ----------
         point : sequence of fmpq
-
-        Returns
-        -------
-        bool
         """
         away = point[self.axis] - _sum(self.centre, point[1 - self.axis])
         return bool(away * self.sign > self.radius)
@@ -247,10 +243,6 @@ class FoldedTile:
             From -1 to 1 over the tile.
         found : sequence of arb
             Its unknowns.
-
-        Returns
-        -------
-        bool
         """
         other = arb(point[1 - self.axis])
         low, high = self.where[self.axis]

@@ -27,10 +27,6 @@ def stated_grid(entries: Any, size: int) -> BoxGrid:
     size : int
         How many coordinates.
 
-    Returns
-    -------
-    BoxGrid
-
     Raises
     ------
     Failure
@@ -56,10 +52,6 @@ def stated_divided_grid(entries: Any, levels: Sequence[Any], size: int) -> Divid
         Which cells of each level are divided.
     size : int
         How many coordinates.
-
-    Returns
-    -------
-    DividedGrid
 
     Raises
     ------

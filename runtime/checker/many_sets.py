@@ -114,10 +114,6 @@ class ManyMotions:
         ----------
         starts : ManySets
             Of its coordinates and 1.
-
-        Returns
-        -------
-        Arrivals
         """
         with ctx.workprec(_BITS):
             lifted = starts.mapped(self.lift(self.facts, timed=False))
@@ -139,10 +135,6 @@ class ManyMotions:
             What is exactly zero for them; of a forcing also that it has the section's phase.
         whole : int, optional
             Portions of all sets together: beyond so many all sets are lost.
-
-        Returns
-        -------
-        Arrivals
 
         Raises
         ------
@@ -193,10 +185,6 @@ class ManyMotions:
         known : callable
             Of numbers (L,) of the sets and of boxes (L, d) whether parts of these sets may come
             to these boxes.
-
-        Returns
-        -------
-        bool
         """
         origin, most = np.arange(len(starts)), 2 * len(starts) + _HALVES
         left = self.most * (len(starts) / _SHARE + 1)
@@ -399,16 +387,7 @@ class ManyMotions:
         return Rounded.of(found)
 
     def flow(self, configuration: str) -> FloatFlow:
-        """The flow of a configuration.
-
-        Parameters
-        ----------
-        configuration : str
-
-        Returns
-        -------
-        FloatFlow
-        """
+        """The flow of a configuration."""
         if configuration not in self._flows:
             matrix = matrix_of(self.system.fields[configuration], runs=True)
             rates = [abs(complex(x)) for x in arb_mat(matrix.mid()).eig(algorithm="approx")]

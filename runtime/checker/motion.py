@@ -95,10 +95,6 @@ class Border(NamedTuple):
     def condition(self, orbit: CheckedOrbit) -> tuple[Any, bool]:
         """Its condition.
 
-        Parameters
-        ----------
-        orbit : CheckedOrbit
-
         Returns
         -------
         tuple of (row, bool)
@@ -121,14 +117,6 @@ class Border(NamedTuple):
 
     def watched(self, orbit: CheckedOrbit) -> StatedBoundary:
         """Its boundary.
-
-        Parameters
-        ----------
-        orbit : CheckedOrbit
-
-        Returns
-        -------
-        StatedBoundary
 
         Raises
         ------

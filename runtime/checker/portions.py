@@ -60,10 +60,6 @@ class Portions(NamedTuple):
         Parameters
         ----------
         which : mask or indices
-
-        Returns
-        -------
-        Portions
         """
         return Portions(self.states[which], self.origin[which], self.passed[which])
 
@@ -74,10 +70,6 @@ class Portions(NamedTuple):
         ----------
         states : ManySets
         which : mask or indices
-
-        Returns
-        -------
-        Portions
         """
         return Portions(states, self.origin[which], self.passed[which])
 
@@ -87,10 +79,6 @@ class Portions(NamedTuple):
         Parameters
         ----------
         row : Rounded (1, n)
-
-        Returns
-        -------
-        Portions
         """
         states, alive = self.states.cut(row)
         return self.changed(states[alive], alive)
@@ -173,10 +161,6 @@ class DividingPhase:
         portions : Portions
         remaining : Remaining
             Where sets are lost.
-
-        Yields
-        ------
-        Departure
         """
         if self.outside:
             remaining.lose(portions.origin)
@@ -236,13 +220,7 @@ class Remaining:
         self._left: dict[KnownStart, list[Portions]] = {}
 
     def add(self, known: KnownStart, portions: Portions) -> None:
-        """Follow some more.
-
-        Parameters
-        ----------
-        known : KnownStart
-        portions : Portions
-        """
+        """Follow some more."""
         self.count(portions.origin)
         self._left.setdefault(known, []).append(portions)
 
@@ -285,16 +263,7 @@ class Remaining:
 
 
 def joined_portions(several: list[Portions]) -> Portions:
-    """Portions of several lists in one.
-
-    Parameters
-    ----------
-    several : list of Portions
-
-    Returns
-    -------
-    Portions
-    """
+    """Portions of several lists in one."""
     origin = np.concatenate([own.origin for own in several])
     passed = np.concatenate([own.passed for own in several])
     return Portions(joined_sets([own.states for own in several]), origin, passed)

@@ -93,10 +93,6 @@ class StateSet(NamedTuple):
         Parameters
         ----------
         matrix : arb_mat
-
-        Returns
-        -------
-        StateSet
         """
         tangents = tuple(own.through(matrix) for own in self.tangents)
         moved = matrix * self.centre, matrix * self.sides, matrix * self.box
@@ -182,10 +178,6 @@ class CarryingPhase:
         row : arb_mat (1, N + 2)
         latest : float
             Not looked for beyond.
-
-        Returns
-        -------
-        float or None
         """
         step, ahead = self._ahead
         state = [float(x.mid()) for x in centre.entries()]

@@ -41,10 +41,6 @@ def short_phase(declared: StatedSystem, place: int) -> Short:
     place : int
         Counted from 0.
 
-    Returns
-    -------
-    Short
-
     Raises
     ------
     Failure

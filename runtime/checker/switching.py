@@ -116,11 +116,6 @@ class StatedSection(NamedTuple):
     def facts(self, system: SwitchingSystem, exactly: Elimination) -> tuple[Any, list[Any]]:
         """What is exactly zero on it, and where a forcing has the phase.
 
-        Parameters
-        ----------
-        system : SwitchingSystem
-        exactly : Elimination
-
         Returns
         -------
         tuple of (list of row, list of row)

@@ -149,10 +149,6 @@ class CheckedBox:
         tile : dict
             Its entries.
 
-        Returns
-        -------
-        MapTile
-
         Raises
         ------
         Failure

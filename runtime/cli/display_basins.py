@@ -34,16 +34,7 @@ def show_basin(found: BasinCertificate) -> None:
 
 
 def basin_lines(found: BasinCertificate) -> list[str]:
-    """What is proved of a basin, in lines.
-
-    Parameters
-    ----------
-    found : BasinCertificate
-
-    Returns
-    -------
-    list of str
-    """
+    """What is proved of a basin, in lines."""
     if not found.proved or found.core is None or found.grid is None:
         return []
     if found.phase:

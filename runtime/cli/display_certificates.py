@@ -266,10 +266,6 @@ def show_branch(found: CertifiedBranch) -> None:
 def branch_table(found: CertifiedBranch) -> Table:
     """Intervals and events in the order of the branch.
 
-    Parameters
-    ----------
-    found : CertifiedBranch
-
     Returns
     -------
     Table
@@ -326,10 +322,6 @@ def show_cascade(found: CertifiedCascade) -> None:
 def cascade_table(found: CertifiedCascade) -> Table:
     """Flips and doubled orbits in their order.
 
-    Parameters
-    ----------
-    found : CertifiedCascade
-
     Returns
     -------
     Table
@@ -380,10 +372,6 @@ def chaos_lines(found: ChaosCertificate) -> list[str]:
     ----------
     found : ChaosCertificate
         A proved one.
-
-    Returns
-    -------
-    list of str
     """
     lines = [
         f"the map P {section_words(found)}",

@@ -17,12 +17,7 @@ __all__ = ["show_fit"]
 
 
 def show_fit(fit: Fit) -> None:
-    """Show estimates with their uncertainties, what is left, and what the fitted motion does.
-
-    Parameters
-    ----------
-    fit : Fit
-    """
+    """Show estimates with their uncertainties, what is left, and what the fitted motion does."""
     out = console_as_wide()
     count = f"{len(fit.experiments)} experiment{'s' * (len(fit.experiments) != 1)}"
     out.print(Text(f"{shown_name(fit.system)}, {fit.data} numbers of {count}", style="bold"))

@@ -34,13 +34,7 @@ def show_graph(found: GraphCertificate) -> None:
 
 
 def show_boxes(out: Console, found: GraphCertificate) -> None:
-    """Show what `show_graph` does below the name of the system.
-
-    Parameters
-    ----------
-    out : Console
-    found : GraphCertificate
-    """
+    """Show what `show_graph` does below the name of the system."""
     grid = found.graph.grid
     region = ", ".join(f"{name} = {a:g}:{b:g}" for name, (a, b) in found.region.items())
     out.print(f"the map P {section_words(found)}")
@@ -63,16 +57,7 @@ def show_boxes(out: Console, found: GraphCertificate) -> None:
 
 
 def section_words(found: ChaosCertificate | GraphCertificate) -> str:
-    """Say what the map of a section is.
-
-    Parameters
-    ----------
-    found : ChaosCertificate or GraphCertificate
-
-    Returns
-    -------
-    str
-    """
+    """Say what the map of a section is."""
     if found.phase:
         cosine, sine = found.phase
         where = f"in {found.configuration} where the forcing has the phase ({cosine}, {sine})"

@@ -72,12 +72,7 @@ def show_motion(motion: Trajectory) -> None:
 
 
 def show_derivatives(found: MotionDerivatives) -> None:
-    """Show the derivatives of the last transition's time, and of the state behind it.
-
-    Parameters
-    ----------
-    found : MotionDerivatives
-    """
+    """Show the derivatives of the last transition's time, and of the state behind it."""
     out = console_as_wide()
     motion = found.trajectory
     names = ["time", *(f"{name} behind it" for name in motion.names)]

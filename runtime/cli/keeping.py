@@ -113,12 +113,7 @@ def heed_interrupts() -> None:
 
 @contextmanager
 def heeding() -> Iterator[None]:
-    """Let Ctrl-C end a part of what follows work; after it, it is taken as before.
-
-    Yields
-    ------
-    None
-    """
+    """Let Ctrl-C end a part of what follows work; after it, it is taken as before."""
     ignored = signal.getsignal(signal.SIGINT) is _keep_first
     heed_interrupts()
     try:

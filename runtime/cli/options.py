@@ -84,10 +84,6 @@ def known_orbits(incomplete: str) -> list[str]:
     ----------
     incomplete : str
         What was typed.
-
-    Returns
-    -------
-    list of str
     """
     from nonsmooth.runtime.model.kernels import orbit_names
 
@@ -101,10 +97,6 @@ def known_systems(incomplete: str) -> list[str]:
     ----------
     incomplete : str
         What was typed.
-
-    Returns
-    -------
-    list of str
     """
     from nonsmooth.runtime.model.kernels import system_names
 

@@ -65,10 +65,6 @@ def motion_json(motion: Trajectory) -> dict[str, Any]:
 def derivatives_json(found: MotionDerivatives) -> dict[str, Any]:
     """Derivatives of a motion: for each transition and state one number by each of `by`.
 
-    Parameters
-    ----------
-    found : MotionDerivatives
-
     Returns
     -------
     dict

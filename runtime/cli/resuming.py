@@ -86,10 +86,6 @@ def resumable(question: str, anew: str = "") -> Callable[[Callable[..., int]], C
 def command_to_resume(path: Path) -> str:
     """The command line that goes on with a file of the command that is running.
 
-    Parameters
-    ----------
-    path : Path
-
     Returns
     -------
     str

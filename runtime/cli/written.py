@@ -64,10 +64,6 @@ class Written:
         ----------
         path : Path or None
             The file that was asked for.
-
-        Returns
-        -------
-        Path or None
         """
         return path if str(path) in self.files else None
 

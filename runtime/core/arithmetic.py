@@ -51,16 +51,7 @@ class Floats:
 
     @staticmethod
     def rational(numerator: int, denominator: int) -> float:
-        """Quotient of two integers.
-
-        Parameters
-        ----------
-        numerator, denominator : int
-
-        Returns
-        -------
-        float
-        """
+        """Quotient of two integers."""
         return numerator / denominator
 
     @staticmethod
@@ -88,10 +79,6 @@ class Floats:
         ----------
         text : str
             As `nonsmooth.runtime.core.values.parse` takes it.
-
-        Returns
-        -------
-        float
         """
         return float(parse(text))
 
@@ -119,10 +106,6 @@ class Mpmath:
         ----------
         digits : int
             Decimals.
-
-        Yields
-        ------
-        None
         """
         before, self.mp.dps = self.mp.dps, digits
         try:
@@ -132,10 +115,6 @@ class Mpmath:
 
     def number(self, value: Value) -> Any:
         """A parameter at the working precision.
-
-        Parameters
-        ----------
-        value : Value
 
         Returns
         -------
@@ -161,10 +140,6 @@ class Mpmath:
 
     def rational(self, numerator: int, denominator: int) -> Any:
         """Quotient of two integers.
-
-        Parameters
-        ----------
-        numerator, denominator : int
 
         Returns
         -------
@@ -244,24 +219,11 @@ class Balls:
 
     @staticmethod
     def working(bits: int) -> AbstractContextManager[None]:
-        """Compute with that many bits inside the block; other threads wait.
-
-        Parameters
-        ----------
-        bits : int
-
-        Returns
-        -------
-        context manager
-        """
+        """Compute with that many bits inside the block; other threads wait."""
         return flint_precision(bits)
 
     def number(self, value: Value) -> Any:
         """A ball around a parameter, at the working precision.
-
-        Parameters
-        ----------
-        value : Value
 
         Returns
         -------
@@ -333,10 +295,6 @@ class Balls:
 
     def rational(self, numerator: int, denominator: int) -> Any:
         """Ball around the quotient of two integers.
-
-        Parameters
-        ----------
-        numerator, denominator : int
 
         Returns
         -------

@@ -48,12 +48,7 @@ class BoxGrid:
         self.check_levels(0)
 
     def check_levels(self, levels: int) -> None:
-        """InputError unless doubles hold all coordinates, after sides were halved so often.
-
-        Parameters
-        ----------
-        levels : int
-        """
+        """InputError unless doubles hold all coordinates, after sides were halved so often."""
         ends = (*self.first, *(f + n for f, n in zip(self.first, self.counts, strict=True)))
         if max(map(abs, ends)) << levels > _FARTHEST:
             raise InputError("so far from 0 boxes have longer sides: take longer ones")
@@ -68,10 +63,6 @@ class BoxGrid:
             Its ends.
         exponents : sequence of int (d,)
             Of 2, of the sides.
-
-        Returns
-        -------
-        BoxGrid
 
         Raises
         ------
@@ -93,10 +84,6 @@ class BoxGrid:
         low, high, sides : array (d,)
         most : int
             Boxes.
-
-        Returns
-        -------
-        BoxGrid
 
         Raises
         ------

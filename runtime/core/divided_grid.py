@@ -40,16 +40,7 @@ class DividedGrid:
 
     @staticmethod
     def of(grid: BoxGrid) -> DividedGrid:
-        """The boxes of a grid, none of them divided.
-
-        Parameters
-        ----------
-        grid : BoxGrid
-
-        Returns
-        -------
-        DividedGrid
-        """
+        """The boxes of a grid, none of them divided."""
         return DividedGrid(grid, (np.zeros(len(grid), dtype=bool),))
 
     def __len__(self) -> int:

@@ -410,10 +410,6 @@ def written(
     takes : sequence of sequence of str
         Names of the entries of each argument.
     inputs, outputs : sequence of shape
-
-    Returns
-    -------
-    Function
     """
     writer = _Writer()
     arguments = [

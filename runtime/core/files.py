@@ -35,10 +35,6 @@ PARTIAL = ".partial"  # ending of what a killed process left
 def check_target(out: Path) -> None:
     """Refuse a file that cannot be written, before the work is done.
 
-    Parameters
-    ----------
-    out : Path
-
     Raises
     ------
     InputError
@@ -61,10 +57,6 @@ def check_target(out: Path) -> None:
 
 def check_folder(out: Path) -> None:
     """Refuse a folder that cannot be written, before the work is done.
-
-    Parameters
-    ----------
-    out : Path
 
     Raises
     ------
@@ -122,11 +114,6 @@ def write_file(path: Path, content: bytes) -> None:
     """Write a file; what was there stays until the new content is complete.
 
     Folders above it are made.
-
-    Parameters
-    ----------
-    path : Path
-    content : bytes
 
     Raises
     ------
@@ -210,14 +197,6 @@ def fill_file(file: Path, content: bytes, instead: Path | None = None) -> None:
 def folder_made(folder: Path) -> Iterator[None]:
     """Make a folder and those above it; what was made goes again if what follows fails.
 
-    Parameters
-    ----------
-    folder : Path
-
-    Yields
-    ------
-    None
-
     Raises
     ------
     InputError
@@ -247,10 +226,6 @@ def read_file(path: Path, largest: int, kind: str) -> bytes:
         Bytes.
     kind : str
         What the file holds, in words, for the message.
-
-    Returns
-    -------
-    bytes
 
     Raises
     ------

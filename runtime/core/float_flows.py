@@ -34,10 +34,6 @@ class Windows:
     def bounds(self, states: ManySets) -> tuple[Floats, Floats, Floats, Floats, Floats]:
         """Of each function and window (B, k * j).
 
-        Parameters
-        ----------
-        states : ManySets
-
         Returns
         -------
         tuple of arrays
@@ -118,10 +114,6 @@ class FloatFlow:
         rows : arb_mat (j, n)
         numbers : range
             Of the windows: number k is from k to k + 1 steps.
-
-        Returns
-        -------
-        Windows
         """
         from flint import arb
 
@@ -178,10 +170,6 @@ class FloatFlow:
         ----------
         states : ManySets
         begin, end : array (B,)
-
-        Returns
-        -------
-        tuple of ManySets
         """
         middle = (begin + end) / 2
         half = upward(np.maximum(end - middle, middle - begin))

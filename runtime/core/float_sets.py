@@ -67,10 +67,6 @@ class Rounded(NamedTuple):
         Parameters
         ----------
         matrix : arb_mat (k, n)
-
-        Returns
-        -------
-        Rounded
         """
         from flint import arb
 
@@ -94,10 +90,6 @@ class Rounded(NamedTuple):
         Parameters
         ----------
         chosen : index
-
-        Returns
-        -------
-        Rounded
         """
         return Rounded(self.middle[..., chosen, :], self.radius[..., chosen, :])
 
@@ -413,16 +405,7 @@ def within(box: tuple[Floats, Floats], row: Rounded) -> tuple[Floats, Floats]:
 
 
 def joined_sets(parts: list[ManySets]) -> ManySets:
-    """Sets of several lists in one; those with fewer sides get sides of no length.
-
-    Parameters
-    ----------
-    parts : list of ManySets
-
-    Returns
-    -------
-    ManySets
-    """
+    """Sets of several lists in one; those with fewer sides get sides of no length."""
     most = max(part.sides.shape[2] for part in parts)
     sides = [
         np.pad(part.sides, ((0, 0), (0, 0), (0, most - part.sides.shape[2]))) for part in parts

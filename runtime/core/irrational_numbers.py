@@ -68,10 +68,6 @@ def irrationals(
     evaluate : callable
         From an expression to a ball around it, which tells what is certainly not zero.
 
-    Returns
-    -------
-    Irrationals
-
     Raises
     ------
     ArithmeticError

@@ -72,12 +72,7 @@ class Jet(TaylorModel):
         return range_of(self.parts[0])
 
     def reciprocal(self) -> Jet:
-        """One over a number; balls without bounds where that may be zero.
-
-        Returns
-        -------
-        Jet
-        """
+        """One over a number; balls without bounds where that may be zero."""
         first = 1 / self.parts[0]
         found: list[Any] = [first]
         for k in range(1, len(self.parts)):
@@ -120,10 +115,6 @@ class Jet(TaylorModel):
         Parameters
         ----------
         rows : sequence of sequence of number, arb, TaylorModel or Jet
-
-        Returns
-        -------
-        Jet
         """
 
         def parts(k: int) -> Any:
@@ -138,12 +129,7 @@ class Jet(TaylorModel):
         return Jet(self.space, tuple(map(parts, range(len(self.parts)))))
 
     def exp(self) -> Jet:
-        """Exponential of a matrix: jets are block matrices with equal diagonals.
-
-        Returns
-        -------
-        Jet
-        """
+        """Exponential of a matrix: jets are block matrices with equal diagonals."""
         size, count = self.nrows(), len(self.parts)
         if all(part is None for part in self.parts[1:]):
             return Jet(self.space, (self.parts[0].exp(), *self.parts[1:]))
@@ -168,10 +154,6 @@ def jet(*parts: Any) -> Jet:
     ----------
     *parts : arb, TaylorModel or None
         At least two; None is zero, but for the value.
-
-    Returns
-    -------
-    Jet
     """
     return Jet(space_of(1, len(parts) - 1), parts)
 

@@ -106,10 +106,6 @@ def encode(record: Any) -> dict[str, Any]:
     ----------
     record : dataclass
         Its annotations say how each field is written.
-
-    Returns
-    -------
-    dict of str to object
     """
     kind: Any = type(record)
     entries: dict[str, Any] = _codec(kind).write(record)
@@ -125,10 +121,6 @@ def decode(kind: type[Record], entries: Any) -> Record:
         Of the record.
     entries : object
         What a JSON parser gave.
-
-    Returns
-    -------
-    Record
 
     Raises
     ------
@@ -148,10 +140,6 @@ def given_value(name: str, text: str) -> Value:
     name : str
         What the value is of, for the message.
     text : str
-
-    Returns
-    -------
-    Value
 
     Raises
     ------
@@ -362,10 +350,6 @@ def _record(kind: Any) -> Codec:
 
 def one_of(known: tuple[str, ...]) -> Codec:
     """A text that is one of those that are known.
-
-    Parameters
-    ----------
-    known : tuple of str
 
     Returns
     -------

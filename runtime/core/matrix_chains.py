@@ -58,10 +58,6 @@ def framed_phases(
     fields, resets, flows : list of matrices (N + 1, N + 1)
         That act on (y, 1).
     rows : list of matrices (1, N + 1)
-
-    Returns
-    -------
-    FramedPhases
     """
     unit = _unit(fields[0].nrows())
     if len(fields) <= _SHORT:

@@ -39,10 +39,6 @@ class _Raised(NamedTuple):
 def check_workers(workers: int) -> None:
     """Refuse what is no number of processes.
 
-    Parameters
-    ----------
-    workers : int
-
     Raises
     ------
     InputError

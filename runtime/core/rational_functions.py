@@ -36,16 +36,7 @@ class Extension:
     relations: tuple[fmpq_mpoly, ...] = ()
 
     def reduced(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        """The same number with no higher powers than the relations leave.
-
-        Parameters
-        ----------
-        polynomial : fmpq_mpoly
-
-        Returns
-        -------
-        fmpq_mpoly
-        """
+        """The same number with no higher powers than the relations leave."""
         for relation in self.relations:
             polynomial = polynomial % relation
         return polynomial

@@ -30,10 +30,6 @@ def register(module: str, names: Mapping[str, str]) -> None:
 def registered(name: str) -> Any:
     """Give the function of a name.
 
-    Parameters
-    ----------
-    name : str
-
     Returns
     -------
     callable

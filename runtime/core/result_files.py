@@ -73,11 +73,6 @@ class FileFormat(Generic[Entries]):
     def write(self, path: str | os.PathLike[str], entries: Entries) -> None:
         """Write a file; what was there stays until the new content is complete.
 
-        Parameters
-        ----------
-        path : str or path
-        entries : Entries
-
         Raises
         ------
         InputError
@@ -99,10 +94,6 @@ class FileFormat(Generic[Entries]):
             Numbers that are kept beside the entries.
         request : mapping of str to object, optional
             What a command was asked.
-
-        Returns
-        -------
-        dict of str to object
         """
         head = {"format": self.name, "version": self.version, "package": version("nonsmooth")}
         asked = {} if request is None else {"request": request}
@@ -111,14 +102,6 @@ class FileFormat(Generic[Entries]):
 
     def read(self, path: Path) -> Entries:
         """Read the entries of a file.
-
-        Parameters
-        ----------
-        path : Path
-
-        Returns
-        -------
-        Entries
 
         Raises
         ------
@@ -174,10 +157,6 @@ class FileFormat(Generic[Entries]):
         content : object
             What a JSON parser gave.
 
-        Returns
-        -------
-        Entries
-
         Raises
         ------
         InputError
@@ -194,10 +173,6 @@ class FileFormat(Generic[Entries]):
         ----------
         content : object
             What a JSON parser gave.
-
-        Returns
-        -------
-        Entries
 
         Raises
         ------
@@ -268,11 +243,6 @@ def check_follows(entries: Any, given: Mapping[str, Any]) -> None:
 def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
     """Hash of a file's other entries, and of numbers that are kept beside them.
 
-    Parameters
-    ----------
-    content : mapping of str to object
-    *numbers : bytes
-
     Returns
     -------
     str
@@ -287,16 +257,7 @@ def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
 
 @contextmanager
 def stating(request: Mapping[str, Any]) -> Iterator[None]:
-    """Let the files that the block writes state what was asked, ready for JSON.
-
-    Parameters
-    ----------
-    request : mapping of str to object
-
-    Yields
-    ------
-    None
-    """
+    """Let the files that the block writes state what was asked, ready for JSON."""
     token = _REQUEST.set(request)
     try:
         yield
@@ -306,14 +267,6 @@ def stating(request: Mapping[str, Any]) -> Iterator[None]:
 
 def content_of(path: Path) -> dict[str, Any]:
     """All that a result file holds.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    dict of str to object
 
     Raises
     ------
@@ -369,14 +322,6 @@ def format_in(path: Path) -> str | None:
 
     A file that was written here begins with it; one whose entries stand in another order is
     read as a whole.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    str or None
     """
     try:
         if not path.is_file():  # a pipe would be waited for
@@ -396,14 +341,6 @@ def format_in(path: Path) -> str | None:
 @contextmanager
 def naming(path: str | os.PathLike[str]) -> Iterator[Path]:
     """Name the file in what is said of it; entries of the wrong shape are an InputError too.
-
-    Parameters
-    ----------
-    path : str or path
-
-    Yields
-    ------
-    Path
 
     Raises
     ------

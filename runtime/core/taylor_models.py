@@ -52,10 +52,6 @@ class Space:
         Parameters
         ----------
         value : arb or arb_mat
-
-        Returns
-        -------
-        TaylorModel
         """
         return TaylorModel(self, (value, *(None,) * (len(self.exponents) - 1)))
 
@@ -67,10 +63,6 @@ class Space:
         number : int
             Of the variable, from 0.
         middle, half : arb
-
-        Returns
-        -------
-        TaylorModel
         """
         parts: list[Any] = [middle, *(None,) * (len(self.exponents) - 1)]
         wanted = tuple(int(k == number) for k in range(self.variables))
@@ -81,10 +73,6 @@ class Space:
 @cache
 def space_of(variables: int, order: int) -> Space:
     """The polynomials of so many variables, up to a positive order.
-
-    Parameters
-    ----------
-    variables, order : int
 
     Returns
     -------
@@ -184,39 +172,19 @@ class TaylorModel:
         return bool(range_of(self - other) > 0)
 
     def nrows(self) -> int:
-        """Rows of a matrix.
-
-        Returns
-        -------
-        int
-        """
+        """Rows of a matrix."""
         return int(self.parts[0].nrows())
 
     def ncols(self) -> int:
-        """Columns of a matrix.
-
-        Returns
-        -------
-        int
-        """
+        """Columns of a matrix."""
         return int(self.parts[0].ncols())
 
     def entries(self) -> list[TaylorModel]:
-        """Entries of a matrix, row by row.
-
-        Returns
-        -------
-        list of TaylorModel
-        """
+        """Entries of a matrix, row by row."""
         return [self[i, j] for i in range(self.nrows()) for j in range(self.ncols())]
 
     def transpose(self) -> TaylorModel:
-        """The transpose of a matrix.
-
-        Returns
-        -------
-        TaylorModel
-        """
+        """The transpose of a matrix."""
         return type(self)(
             self.space, tuple(None if p is None else p.transpose() for p in self.parts)
         )
@@ -227,10 +195,6 @@ class TaylorModel:
         Parameters
         ----------
         rows : sequence of sequence of number, arb or TaylorModel
-
-        Returns
-        -------
-        TaylorModel
         """
         return TaylorModel(self.space, tuple(_stacked(self.space, rows)))
 
@@ -244,12 +208,7 @@ class TaylorModel:
         return self.parts[0].rad()
 
     def mid(self) -> TaylorModel:
-        """The same polynomial with its middles as exact coefficients.
-
-        Returns
-        -------
-        TaylorModel
-        """
+        """The same polynomial with its middles as exact coefficients."""
         return type(self)(self.space, tuple(None if p is None else p.mid() for p in self.parts))
 
     def cast(self, space: Space) -> TaylorModel:
@@ -259,10 +218,6 @@ class TaylorModel:
         ----------
         space : Space
             Of the same variables.
-
-        Returns
-        -------
-        TaylorModel
         """
         count = len(space.exponents)
         return TaylorModel(space, (*self.parts[:count], *(None,) * (count - len(self.parts))))
@@ -305,12 +260,7 @@ class TaylorModel:
         return total
 
     def reciprocal(self) -> TaylorModel:
-        """One over a number; balls without bounds where that may be zero.
-
-        Returns
-        -------
-        TaylorModel
-        """
+        """One over a number; balls without bounds where that may be zero."""
         guess = self.space.constant(1 / self.parts[0].mid())
         for _ in range(self.space.order.bit_length()):
             guess = (guess * (2 - self * guess)).mid()
@@ -320,10 +270,6 @@ class TaylorModel:
 
     def inv(self) -> TaylorModel:
         """About the inverse of a matrix; nothing is proved of it.
-
-        Returns
-        -------
-        TaylorModel
 
         Raises
         ------

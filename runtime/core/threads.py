@@ -22,10 +22,6 @@ def thread_pool(threads: int | None) -> Iterator[ThreadPoolExecutor]:
     ----------
     threads : int or None
         As many as Python chooses if None.
-
-    Yields
-    ------
-    ThreadPoolExecutor
     """
     ends = threading.Event()
     all_ends = (*getattr(_here, "ends", ()), ends)  # those of the pools around this one too

@@ -53,14 +53,6 @@ def flint_precision(bits: int) -> Iterator[None]:
     """Compute with python-flint at that many bits inside the block.
 
     Its precision is one for the whole process: other threads wait.
-
-    Parameters
-    ----------
-    bits : int
-
-    Yields
-    ------
-    None
     """
     from flint import ctx
 
@@ -93,16 +85,7 @@ class Value:
         return self.text
 
     def ball(self, precision_bits: int) -> "arb":
-        """Enclose the number in a ball, computed with a working precision of so many bits.
-
-        Parameters
-        ----------
-        precision_bits : int
-
-        Returns
-        -------
-        arb
-        """
+        """Enclose the number in a ball, computed with a working precision of so many bits."""
         return _ball(self.text if self.exact is None else self.exact, precision_bits)
 
     def mpf(self, digits: int) -> Any:
@@ -137,14 +120,6 @@ def parse(text: str) -> Value:
     atan too, and ``root(k, a, b, ..., c)``, the real root of number k, from 0 and counted from
     the lowest, of the polynomial with the integer coefficients a, b, ..., c, the highest first.
 
-    Parameters
-    ----------
-    text : str
-
-    Returns
-    -------
-    Value
-
     Raises
     ------
     InputError
@@ -176,10 +151,6 @@ def as_value(number: object) -> Value:
     ----------
     number : object
         A number, its text, or a Value.
-
-    Returns
-    -------
-    Value
 
     Raises
     ------
@@ -217,10 +188,6 @@ def as_value(number: object) -> Value:
 
 def parse_assignment(text: str) -> tuple[str, Value]:
     """Read ``name=value``.
-
-    Parameters
-    ----------
-    text : str
 
     Returns
     -------

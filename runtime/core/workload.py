@@ -107,10 +107,6 @@ def hours_told(what: str, seconds: float) -> str:
         What it is, with its number: ``"10000 starts"``.
     seconds : float
 
-    Returns
-    -------
-    str
-
     Examples
     --------
     >>> hours_told("10000 starts", 7200.0)
@@ -120,12 +116,7 @@ def hours_told(what: str, seconds: float) -> str:
 
 
 def memory_here() -> float:
-    """Bytes of memory that this process may take; those of the machine if nothing limits it.
-
-    Returns
-    -------
-    float
-    """
+    """Bytes of memory that this process may take; those of the machine if nothing limits it."""
     found = [math.inf]
     with suppress(AttributeError, OSError, ValueError):
         found.append(float(os.sysconf("SC_PAGE_SIZE")) * os.sysconf("SC_PHYS_PAGES"))

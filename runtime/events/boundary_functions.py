@@ -62,16 +62,7 @@ class Ends:
 
 
 def ends_of(waves: PhaseWaves) -> Ends:
-    """Values at both ends of a phase.
-
-    Parameters
-    ----------
-    waves : PhaseWaves
-
-    Returns
-    -------
-    Ends
-    """
+    """Values at both ends of a phase."""
     points, coefficients = np.arange(len(waves.durations)), waves.coefficients[:2]
     functions = [waves.basis(points, part * waves.durations) for part in (0.0, 0.3, 0.6, 1.0)]
     # what is zero at an end would be small there: its size is what it is elsewhere
@@ -91,10 +82,6 @@ def interior_maxima(waves: PhaseWaves) -> tuple[np.ndarray, np.ndarray]:
     """Largest local maximum inside the phase, and its time; arrays (k, b), NaN for none.
 
     Newton's method, kept within a bracket by bisection, finds the zeros of the rates.
-
-    Parameters
-    ----------
-    waves : PhaseWaves
 
     Returns
     -------

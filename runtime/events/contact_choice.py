@@ -72,10 +72,6 @@ class Chooser:
         event : ContactEvent
         at : Located
             The state, extended by 1.
-
-        Returns
-        -------
-        ContactOutcome
         """
         ways = dict.fromkeys(self._ways(event, event.reached, (), at))
         targets = {path: self.law.configuration(path[-1].regimes, event.others) for path in ways}

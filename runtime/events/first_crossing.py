@@ -60,10 +60,6 @@ class Series:
         ----------
         t : float
             At least 0. In the system's unit of time.
-
-        Returns
-        -------
-        float
         """
         total = 0.0
         for c in self._curvature:
@@ -114,10 +110,6 @@ class Start(NamedTuple):
         ----------
         function : QuasiPolynomial
             g.
-
-        Returns
-        -------
-        Start
         """
         enough = sum(2 * len(p) for p in function.polynomials)
         enough += sum(len(chain.coefficients) for chain in function.chains)
@@ -182,10 +174,6 @@ def first_crossing(
         A maximum within rounding of zero counts.
     start : Start, optional
         A judgement made elsewhere.
-
-    Returns
-    -------
-    Crossing
 
     Raises
     ------

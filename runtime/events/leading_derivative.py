@@ -85,10 +85,6 @@ def leading(
     first : int
         Derivatives of lower order are known to be zero.
 
-    Returns
-    -------
-    Leading or None
-
     Examples
     --------
     >>> leading([0.0, -2.0, 5.0], lambda order, value: (value > 0) - (value < 0))
@@ -115,10 +111,6 @@ def derivatives(
         How many. Where N + 1 of them are zero, so are all others.
     product : callable
         A row times the field.
-
-    Yields
-    ------
-    row
     """
     return islice(accumulate(repeat(field), product, initial=row), count)
 

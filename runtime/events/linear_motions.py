@@ -144,16 +144,7 @@ class AlongMotion:
         return self._jet(cell)(t)[0]
 
     def raised(self, by: float) -> Self:
-        """Return g and a constant.
-
-        Parameters
-        ----------
-        by : float
-
-        Returns
-        -------
-        AlongMotion
-        """
+        """Return g and a constant."""
         return replace(self, constant=self.constant + by)
 
     def rounding(self, duration: float) -> float:
@@ -163,26 +154,13 @@ class AlongMotion:
         ----------
         duration : float
             T, nondimensional.
-
-        Returns
-        -------
-        float
         """
         motion = self.motion
         size = float(abs(self.normal) @ motion.weights) * motion.steps.size + abs(self.constant)
         return 2.0**-47 * size * (1 + motion.norm * duration)
 
     def rises(self, noise: float) -> bool:
-        """Whether g rises at 0 beyond the error of its slope, where g itself errs by noise.
-
-        Parameters
-        ----------
-        noise : float
-
-        Returns
-        -------
-        bool
-        """
+        """Whether g rises at 0 beyond the error of its slope, where g itself errs by noise."""
         motion = self.motion
         parts = abs(motion.field) @ np.append(abs(motion.start), 1.0)
         size = float(abs(self.normal) @ parts)

@@ -26,10 +26,6 @@ def rows_of(array: np.ndarray) -> list[Row]:
     Parameters
     ----------
     array : array (n, m)
-
-    Returns
-    -------
-    list of tuple of float
     """
     return [tuple(row) for row in array.tolist()]
 
@@ -122,10 +118,6 @@ class ConfigurationTable:
             N + 1 numbers. In the system's units.
         size : list of float
             N + 1 numbers, at least 0.
-
-        Returns
-        -------
-        QuasiPolynomial
         """
         values = [dot(row, state) for row in boundary.values]
         sizes = [dot(row, size) for row in boundary.sizes]
@@ -234,9 +226,5 @@ class Clock:
         ----------
         until : float
             In the system's unit of time.
-
-        Returns
-        -------
-        float
         """
         return (until - self.time) - self.rest

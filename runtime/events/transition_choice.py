@@ -71,35 +71,13 @@ class Judge(Protocol):
         row : int
         along : int
             A configuration.
-
-        Returns
-        -------
-        int
         """
 
     def agree(self, resets: Sequence[int]) -> bool:
-        """Whether resets lead to one state.
-
-        Parameters
-        ----------
-        resets : sequence of int
-
-        Returns
-        -------
-        bool
-        """
+        """Whether resets lead to one state."""
 
     def targets(self, event: ContactEvent) -> tuple[int, ...]:
-        """Configurations that may follow by the contact law.
-
-        Parameters
-        ----------
-        event : ContactEvent
-
-        Returns
-        -------
-        tuple of int
-        """
+        """Configurations that may follow by the contact law."""
 
 
 class _Conditional(Protocol):
@@ -153,10 +131,6 @@ def choose(structure: Structure, source: int, boundaries: frozenset[int], judge:
         The configuration in which they are reached.
     boundaries : frozenset of int
     judge : Judge
-
-    Returns
-    -------
-    Choice
     """
     # routes of the law are listed for one orbit: the law itself tells them
     shapes = [t for t in structure.listed(source, boundaries) if t.path is None]
@@ -238,27 +212,13 @@ class Decider:
             In the system's units.
         resting : array of bool
             Contacts of the law at rest.
-
-        Returns
-        -------
-        ContactOutcome
         """
         event = self._chooser.law.beginning(configuration, np.flatnonzero(resting).tolist())
         known = Located(state, abs(state), np.zeros(len(state)), 0.0)
         return self._chooser.outcome(event, known)
 
     def outcome(self, event: ContactEvent, at: Located) -> ContactOutcome:
-        """What the law says of an event of coupled contacts.
-
-        Parameters
-        ----------
-        event : ContactEvent
-        at : Located
-
-        Returns
-        -------
-        ContactOutcome
-        """
+        """What the law says of an event of coupled contacts."""
         return self._chooser.outcome(event, at)
 
     def located(
@@ -278,10 +238,6 @@ class Decider:
             Of the time.
         sizes : array (N + 1,), optional
             Sums of absolute values behind the coordinates.
-
-        Returns
-        -------
-        Located
         """
         moved = np.append(error * (self.fields[source] @ state), 0.0)
         return Located(state, abs(state) if sizes is None else sizes, moved, error, self.unit)
@@ -302,10 +258,6 @@ class Decider:
         at : Located
         zero : frozenset of int
             Rows that are zero there, whatever rounding makes of them.
-
-        Returns
-        -------
-        Choice
         """
         return choose(self.structure, source, boundaries, _AtEvent(self, at, zero))
 

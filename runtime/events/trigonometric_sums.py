@@ -64,27 +64,13 @@ class TrigonometricSum:
         return value
 
     def derivative(self) -> "TrigonometricSum":
-        """Return g' as a sum of the same kind.
-
-        Returns
-        -------
-        TrigonometricSum
-        """
+        """Return g' as a sum of the same kind."""
         cosine = tuple(s * w for _, s, w in self.terms())
         sine = tuple(-c * w for c, _, w in self.terms())
         return TrigonometricSum(self.slope, 0.0, cosine, sine, self.frequency)
 
     def raised(self, by: float) -> Self:
-        """Return g and a constant.
-
-        Parameters
-        ----------
-        by : float
-
-        Returns
-        -------
-        TrigonometricSum
-        """
+        """Return g and a constant."""
         return replace(self, constant=self.constant + by)
 
     def rounding(self, duration: float) -> float:
@@ -94,25 +80,12 @@ class TrigonometricSum:
         ----------
         duration : float
             T, nondimensional.
-
-        Returns
-        -------
-        float
         """
         waves = sum((abs(c) + abs(s)) * (1 + w * duration) for c, s, w in self.terms())
         return 2.0**-47 * (abs(self.constant) + abs(self.slope) * duration + waves)
 
     def rises(self, noise: float) -> bool:
-        """Whether g rises at 0 beyond the error of its slope, where g itself errs by noise.
-
-        Parameters
-        ----------
-        noise : float
-
-        Returns
-        -------
-        bool
-        """
+        """Whether g rises at 0 beyond the error of its slope, where g itself errs by noise."""
         slope = self.slope + sum(s * w for _, s, w in self.terms())
         size = abs(self.slope) + sum((abs(c) + abs(s)) * w for c, s, w in self.terms())
         return slope > 2.0**-47 * size + max(self.frequency, default=0.0) * noise

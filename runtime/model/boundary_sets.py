@@ -33,25 +33,12 @@ def mask_of(boundaries: Iterable[int]) -> int:
     ----------
     boundaries : iterable of int
         Each once.
-
-    Returns
-    -------
-    int
     """
     return sum(1 << b for b in boundaries)
 
 
 def members_of(mask: int) -> frozenset[int]:
-    """The boundaries of a mask.
-
-    Parameters
-    ----------
-    mask : int
-
-    Returns
-    -------
-    frozenset of int
-    """
+    """The boundaries of a mask."""
     return frozenset(b for b in range(int(mask).bit_length()) if mask >> b & 1)
 
 
@@ -72,10 +59,6 @@ def lowest_of(masks: np.ndarray) -> np.ndarray:
 
 def mask_type(structure: Structure) -> type:
     """What an array of masks consists of.
-
-    Parameters
-    ----------
-    structure : Structure
 
     Returns
     -------
@@ -103,11 +86,6 @@ def no_words(structure: Structure, shape: tuple[int, ...]) -> np.ndarray:
 
 def words_of(structure: Structure, masks: list[int]) -> np.ndarray:
     """Masks as the compiled engine reads them.
-
-    Parameters
-    ----------
-    structure : Structure
-    masks : list of int
 
     Returns
     -------

@@ -94,10 +94,6 @@ class SystemPoint:
 def default_parameters(kernels: OrbitKernels) -> dict[str, str]:
     """Parameters of the orbit's reference point, as decimal text.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-
     Returns
     -------
     dict of str to str
@@ -230,10 +226,6 @@ def complete_system(
     bounds : mapping of str to float, optional
         What open parameters have to exceed.
 
-    Returns
-    -------
-    SystemPoint
-
     Raises
     ------
     InputError
@@ -255,10 +247,6 @@ def complete_system(
 def chosen_value(bound: float) -> Value:
     """The value of an open parameter that has to exceed a bound.
 
-    Parameters
-    ----------
-    bound : float
-
     Returns
     -------
     Value
@@ -275,14 +263,6 @@ def chosen_value(bound: float) -> Value:
 def left_open(kernels: OrbitKernels) -> tuple[str, ...]:
     """Parameters of the system that its orbit's equations do not fix, in the system's order.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-
-    Returns
-    -------
-    tuple of str
-
     Examples
     --------
     >>> from nonsmooth.runtime.model.kernels import load_orbit
@@ -295,11 +275,6 @@ def left_open(kernels: OrbitKernels) -> tuple[str, ...]:
 
 def followers(kernels: OrbitKernels, known: Iterable[str]) -> dict[str, Terms]:
     """What follows from known names: the multiples of them that sum up to each, in order.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    known : iterable of str
 
     Returns
     -------
@@ -340,11 +315,6 @@ def follow(
 def check_relations(kernels: OrbitKernels, values: Mapping[str, Value]) -> None:
     """Check the relations of which all parameters, or all but the sum, have values.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    values : mapping of str to Value
-
     Raises
     ------
     InputError
@@ -374,10 +344,6 @@ def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> di
     kernels : SystemKernels
     given : mapping of str to object
         Numbers, texts or Values, of all parameters.
-
-    Returns
-    -------
-    dict of str to Value
 
     Raises
     ------

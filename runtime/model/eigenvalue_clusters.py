@@ -59,10 +59,6 @@ def eigenvectors_apart(values: np.ndarray, right: np.ndarray, scale: float) -> l
         Their eigenvectors, one in each column.
     scale : float
         Largest modulus of an eigenvalue: the unit of their distances.
-
-    Returns
-    -------
-    list of Cluster or None
     """
     if smallest_distance(values) <= _NEARNESS[0] * scale:
         return None
@@ -117,10 +113,6 @@ def precise_candidates(
         Its eigenvalues.
     scale : float
         Largest modulus of an eigenvalue: the unit of their distances.
-
-    Yields
-    ------
-    list of Cluster
     """
     single = _precise(matrix, scale)
     if single is not None:
@@ -239,10 +231,6 @@ def snapped(centre: complex, size: int, scale: float) -> complex:
         Of the matrix.
     scale : float
         Largest modulus of an eigenvalue.
-
-    Returns
-    -------
-    complex
     """
     tiny = 8 * size * _EPSILON * scale
     return complex(
@@ -280,10 +268,6 @@ def linked_groups(values: list[complex], distance: float) -> list[list[complex]]
     values : list of complex
     distance : float
         Up to which two of them are taken together.
-
-    Returns
-    -------
-    list of list of complex
     """
     groups: list[list[complex]] = []
     for value in values:
@@ -294,16 +278,7 @@ def linked_groups(values: list[complex], distance: float) -> list[list[complex]]
 
 
 def leads(group: list[complex]) -> bool:
-    """Whether a group is not the conjugate of one that is taken.
-
-    Parameters
-    ----------
-    group : list of complex
-
-    Returns
-    -------
-    bool
-    """
+    """Whether a group is not the conjugate of one that is taken."""
     return _is_real(group) or sum(group).imag > 0
 
 

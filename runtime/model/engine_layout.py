@@ -88,10 +88,6 @@ def layout_of(structure: Structure) -> np.ndarray:
 def numbers_of(system: PiecewiseLinear) -> np.ndarray:
     """Fields, rows, resets, exponents and flows of one point, flat, in double precision.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-
     Returns
     -------
     array (size,)

@@ -265,10 +265,6 @@ def factored_functions(shapes: Sequence[ModeShape]) -> int:
     Parameters
     ----------
     shapes : sequence of ModeShape
-
-    Returns
-    -------
-    int
     """
     return sum(len(shape.places) for shape in shapes if shape.factored)
 
@@ -297,10 +293,6 @@ def flows_size(shapes: Sequence[ModeShape], states: int) -> int:
     shapes : sequence of ModeShape
     states : int
         N.
-
-    Returns
-    -------
-    int
     """
     factored = factored_functions(shapes)
     dense = sum(len(shape.places) for shape in shapes) - factored

@@ -120,10 +120,6 @@ class SystemKernels:
     def source(self, kernel: str) -> Callable[..., Any]:
         """A kernel over any arithmetic: takes its arrays as sequences, and ``lib``.
 
-        Parameters
-        ----------
-        kernel : str
-
         Returns
         -------
         callable
@@ -195,10 +191,6 @@ class SystemKernels:
     @cache  # noqa: B019 - as long as `loading.load.remember` keeps the system
     def function(self, kernel: str) -> Callable[..., Any]:
         """What evaluates a kernel in double precision, compiled where there is C of it.
-
-        Parameters
-        ----------
-        kernel : str
 
         Returns
         -------
@@ -407,10 +399,6 @@ class OrbitKernels:
 
     def source(self, kernel: str) -> Callable[..., Any]:
         """A kernel of this orbit over any arithmetic.
-
-        Parameters
-        ----------
-        kernel : str
 
         Returns
         -------

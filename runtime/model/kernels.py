@@ -73,23 +73,13 @@ _FIND = (
 
 
 def system_names() -> tuple[str, ...]:
-    """Names of the generated systems.
-
-    Returns
-    -------
-    tuple of str
-    """
+    """Names of the generated systems."""
     names: tuple[str, ...] = _provenance()["systems"]
     return names
 
 
 def orbit_names() -> tuple[str, ...]:
-    """Names ``system/orbit`` of all generated orbits.
-
-    Returns
-    -------
-    tuple of str
-    """
+    """Names ``system/orbit`` of all generated orbits."""
     return tuple(
         f"{system}/{orbit}"
         for system in system_names()
@@ -104,10 +94,6 @@ def orbits_in(system: str) -> tuple[str, ...]:
     ----------
     system : str
         As for `load_system`.
-
-    Returns
-    -------
-    tuple of str
 
     Raises
     ------
@@ -132,10 +118,6 @@ def backend() -> str:
 
     The environment variable NONSMOOTH_BACKEND chooses; asking for C that is not there is an
     InputError.
-
-    Returns
-    -------
-    str
 
     Raises
     ------
@@ -170,10 +152,6 @@ def load_orbit(orbit: str | DeclaredOrbit) -> OrbitKernels:
         ``system/orbit`` of a built-in system; ``FILE.py:orbit`` or ``FOLDER:orbit`` of a
         user's own; ``FILE.json`` or ``FILE.json:N`` of a saved one; or an itinerary, which is
         derived.
-
-    Returns
-    -------
-    OrbitKernels
 
     Raises
     ------
@@ -215,10 +193,6 @@ def load_system(system: str | DeclaredSystem) -> SystemKernels:
     system : str or System
         Name of a built-in system, a FILE.py that defines `system` and, if it likes, `orbits`,
         a folder that `nonsmooth generate` wrote, or a System, which is derived.
-
-    Returns
-    -------
-    SystemKernels
 
     Raises
     ------
@@ -270,10 +244,6 @@ def compiled_for(kernels: OrbitKernels, seconds: float, *, at_once: bool = False
 def key_of_many(orbit: OrbitKernels) -> str | None:
     """What the compiled kernels of `kernels_of_many` are kept under, which finds them again.
 
-    Parameters
-    ----------
-    orbit : OrbitKernels
-
     Returns
     -------
     str or None
@@ -310,16 +280,7 @@ def kernels_of_many(orbit: OrbitKernels, key: str | None = None) -> OrbitKernels
 
 
 def uncompiled(kernels: OrbitKernels) -> OrbitKernels:
-    """An orbit with the kernels of NumPy alone.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-
-    Returns
-    -------
-    OrbitKernels
-    """
+    """An orbit with the kernels of NumPy alone."""
     if kernels.system.compiled is None:
         return kernels
     return replace(kernels, system=replace(kernels.system, compiled=None))
@@ -336,10 +297,6 @@ def known_system(name: str, orbit: str | None = None) -> SystemKernels:
         Of the system.
     orbit : str, optional
         Of an orbit of it.
-
-    Returns
-    -------
-    SystemKernels
     """
     found = _KNOWN.get((name, orbit))
     if found is not None:
@@ -353,14 +310,6 @@ _KNOWN: dict[tuple[str, str | None], SystemKernels] = {}  # of files and folders
 def is_saved(name: str) -> bool:
     """Whether a name is that of an orbit in a file of results: ``FILE.json``, ``FILE.json:N``.
 
-    Parameters
-    ----------
-    name : str
-
-    Returns
-    -------
-    bool
-
     Examples
     --------
     >>> is_saved("found.json:2"), is_saved("dry-friction/symmetric")
@@ -370,16 +319,7 @@ def is_saved(name: str) -> bool:
 
 
 def kernels_of(system: str | SystemKernels | DeclaredSystem) -> SystemKernels:
-    """Tables and kernels of what stands for a system; errors as for `load_system`.
-
-    Parameters
-    ----------
-    system : str, System or SystemKernels
-
-    Returns
-    -------
-    SystemKernels
-    """
+    """Tables and kernels of what stands for a system; errors as for `load_system`."""
     return system if isinstance(system, SystemKernels) else load_system(system)
 
 

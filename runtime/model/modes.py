@@ -64,10 +64,6 @@ def numeric_modes(field: np.ndarray, rows: np.ndarray | None = None) -> NumericM
     rows : array (r, N + 1), optional
         Of the boundaries in front of which the motion goes on.
 
-    Returns
-    -------
-    NumericModes
-
     Raises
     ------
     InputError

@@ -27,10 +27,6 @@ def cycle_label(system: str, count: int) -> str:
     system : str
     count : int
         Phases.
-
-    Returns
-    -------
-    str
     """
     return f"{system}, {count} phase{'' if count == 1 else 's'}"
 
@@ -43,10 +39,6 @@ def dwell_names(count: int, taken: Container[str]) -> tuple[str, ...]:
     count : int
     taken : container of str
         Names that are not free.
-
-    Returns
-    -------
-    tuple of str
     """
     stem = "tau"
     while any(f"{stem}{i}" in taken for i in range(1, count + 1)):
@@ -82,14 +74,6 @@ def start_names(
 def shown_name(name: str) -> str:
     """System, or system/orbit, of a name that may be that of a file or of an orbit in one.
 
-    Parameters
-    ----------
-    name : str
-
-    Returns
-    -------
-    str
-
     Examples
     --------
     >>> shown_name("/home/me/gear.py:rattle"), shown_name("dry-friction/symmetric")
@@ -110,10 +94,6 @@ def itinerary_text(itinerary: Sequence[tuple[str, str]]) -> str:
     itinerary : sequence of (str, str)
         Configurations, and the boundaries that end their phases.
 
-    Returns
-    -------
-    str
-
     Examples
     --------
     >>> itinerary_text([("slip", "belt-reached"), ("stick", "belt-breaks")])
@@ -133,10 +113,6 @@ def itinerary_text(itinerary: Sequence[tuple[str, str]]) -> str:
 
 def symbol(name: str) -> str:
     r"""LaTeX of a name: Greek names are letters, what follows the letter is an index.
-
-    Parameters
-    ----------
-    name : str
 
     Returns
     -------

@@ -97,10 +97,6 @@ def natural_units(fields: np.ndarray, rates: np.ndarray) -> NaturalUnits:
         A, then b.
     rates : array (n,)
         Of loads that cross gaps, from `fall_rates`; 0 where there is none.
-
-    Returns
-    -------
-    NaturalUnits
     """
     count, _, columns = fields.shape
     whole = np.concatenate([fields, np.zeros((count, 1, columns))], axis=1)

@@ -86,10 +86,6 @@ def complete_batch(kernels: OrbitKernels, given: Iterable[str]) -> Batch:
     given : iterable of str
         Names of what is fixed or swept.
 
-    Returns
-    -------
-    Batch
-
     Raises
     ------
     InputError

@@ -26,17 +26,7 @@ __all__ = [
 
 
 def in_domain(table: ParameterTable, number: float) -> bool:
-    """Whether a parameter may have this value.
-
-    Parameters
-    ----------
-    table : ParameterTable
-    number : float
-
-    Returns
-    -------
-    bool
-    """
+    """Whether a parameter may have this value."""
     lower, upper = table.ends
     if lower < number < upper:
         return True
@@ -67,11 +57,6 @@ def in_domains(table: ParameterTable, numbers: np.ndarray) -> np.ndarray:
 
 def check_constraints(kernels: SystemKernels, values: Mapping[str, Value]) -> None:
     """Check the constraints of a system, as far as their parameters have values.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    values : mapping of str to Value
 
     Raises
     ------
@@ -149,10 +134,6 @@ def value_of(table: ParameterTable, given: object) -> Value:
     given : object
         A number, its text, or a Value.
 
-    Returns
-    -------
-    Value
-
     Raises
     ------
     InputError
@@ -172,10 +153,6 @@ def number_of(name: str, given: object) -> Value:
     given : object
         A number, its text, or a Value.
 
-    Returns
-    -------
-    Value
-
     Raises
     ------
     InputError
@@ -190,11 +167,6 @@ def number_of(name: str, given: object) -> Value:
 def check_domain(table: ParameterTable, value: Value) -> None:
     """Refuse a value that a parameter cannot have.
 
-    Parameters
-    ----------
-    table : ParameterTable
-    value : Value
-
     Raises
     ------
     InputError
@@ -206,10 +178,6 @@ def check_domain(table: ParameterTable, value: Value) -> None:
 
 def domain_text(table: ParameterTable) -> str:
     """The domain as an interval.
-
-    Parameters
-    ----------
-    table : ParameterTable
 
     Returns
     -------

@@ -88,10 +88,6 @@ def piecewise(
     parameters : mapping of str to str, number or Value
         All physical parameters of the system.
 
-    Returns
-    -------
-    PiecewiseLinear
-
     Raises
     ------
     InputError
@@ -115,10 +111,6 @@ def piecewise_at(
         In the order of the system's parameters.
     visited : collection of int, optional
         Configurations whose flows are needed, as for `numbers_at`.
-
-    Returns
-    -------
-    PiecewiseLinear
 
     Raises
     ------

@@ -109,10 +109,6 @@ def poles_of(matrix: np.ndarray) -> list[complex]:
     ----------
     matrix : array (N, N)
         B, exact.
-
-    Returns
-    -------
-    list of complex
     """
     with flint_precision(_BITS):
         rational = fmpq_mat([[_rational(x) for x in row] for row in matrix.tolist()])

@@ -87,12 +87,7 @@ class Chain:
 
     @_QUIET
     def derivative(self) -> Chain:
-        """The derivative, with the rounding errors of its own coefficients.
-
-        Returns
-        -------
-        Chain
-        """
+        """The derivative, with the rounding errors of its own coefficients."""
         sizes = abs(self._turned) @ self.sizes
         return replace(self, coefficients=self.tower[1], sizes=sizes)
 
@@ -125,10 +120,6 @@ class Chain:
         order : int
         t, length : float
             In the system's unit of time.
-
-        Returns
-        -------
-        float
         """
         part = self.coefficients
         for _ in range(order):
@@ -139,10 +130,6 @@ class Chain:
     @_QUIET
     def taylor(self, count: int) -> tuple[list[float], list[float]]:
         """Derivatives of order 0, ..., count - 1 at 0, where only the first function is not 0.
-
-        Parameters
-        ----------
-        count : int
 
         Returns
         -------
@@ -158,12 +145,7 @@ class Chain:
         return values, sizes
 
     def ceiling(self) -> float:
-        """Bound at all times, inf where there is none; a constant has its sign.
-
-        Returns
-        -------
-        float
-        """
+        """Bound at all times, inf where there is none; a constant has its sign."""
         head = float(self.coefficients[0])
         return self.bound(0, 0.0, math.inf) - (0.0 if self.exponents[0].any() else abs(head) - head)
 
@@ -200,12 +182,7 @@ class QuasiPolynomial:
         return self.jet(t)[0]
 
     def derivative(self) -> QuasiPolynomial:
-        """The function g', with the rounding errors of its own coefficients.
-
-        Returns
-        -------
-        QuasiPolynomial
-        """
+        """The function g', with the rounding errors of its own coefficients."""
         return QuasiPolynomial(
             self.exponents,
             tuple(_slope(p, x) for p, x in zip(self.polynomials, self.exponents, strict=True)),
@@ -223,10 +200,6 @@ class QuasiPolynomial:
         ----------
         by : float
             The constant.
-
-        Returns
-        -------
-        QuasiPolynomial
         """
         if 0 not in self.exponents:
             polynomials = ((by + 0j,), *self.polynomials)
@@ -303,10 +276,6 @@ class QuasiPolynomial:
         ----------
         t : float
             In the system's unit of time.
-
-        Returns
-        -------
-        float
         """
         return self.jet(t)[3]
 
@@ -344,10 +313,6 @@ class QuasiPolynomial:
         order : int
         t, length : float
             In the system's unit of time.
-
-        Returns
-        -------
-        float
         """
         if order in (2, 3) and self.uniform is not None:
             return self.uniform[order - 2]
@@ -371,10 +336,6 @@ class QuasiPolynomial:
 
     def taylor(self, count: int) -> tuple[list[float], list[float]]:
         """Derivatives of order 0, ..., count - 1 at 0, and the error of each.
-
-        Parameters
-        ----------
-        count : int
 
         Returns
         -------
@@ -401,10 +362,6 @@ class QuasiPolynomial:
         ----------
         t : float
             In the system's unit of time.
-
-        Returns
-        -------
-        float
         """
         total = sum(chain.ceiling() for chain in self.chains)
         for exponent, p in zip(self.exponents, self.polynomials, strict=True):
@@ -428,10 +385,6 @@ class QuasiPolynomial:
         """Bound on the roots where g is a polynomial, else inf.
 
         The bound is that of Fujiwara (1916).
-
-        Returns
-        -------
-        float
         """
         if any(self.exponents) or self.chains:
             return math.inf

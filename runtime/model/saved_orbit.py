@@ -78,11 +78,6 @@ class HeldOrbit:
 def held_text(system: SystemKernels, orbit: OrbitKernels | None = None) -> str:
     """A system, and an orbit of it, as text.
 
-    Parameters
-    ----------
-    system : SystemKernels
-    orbit : OrbitKernels, optional
-
     Returns
     -------
     str
@@ -115,10 +110,6 @@ def kernels_held(text: str) -> OrbitKernels:
     ----------
     text : str
         As `held_text` gives it.
-
-    Returns
-    -------
-    OrbitKernels
 
     Raises
     ------

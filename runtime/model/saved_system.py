@@ -204,16 +204,7 @@ def named(kernels: SystemKernels, orbit: str = "") -> tuple[str, str, SavedSyste
 
 
 def same_system(kernels: SystemKernels, other: SystemKernels) -> bool:
-    """Whether two systems have the same tables, whatever they are called and derived from.
-
-    Parameters
-    ----------
-    kernels, other : SystemKernels
-
-    Returns
-    -------
-    bool
-    """
+    """Whether two systems have the same tables, whatever they are called and derived from."""
     one, two = saved_of(kernels), saved_of(other)
     if one is None or two is None:
         return kernels.name == other.name
@@ -247,10 +238,6 @@ def saved_of(kernels: SystemKernels, orbit: str = "") -> SavedSystem | None:
     kernels : SystemKernels
     orbit : str
         Empty for none; one that the system does not declare is left out.
-
-    Returns
-    -------
-    SavedSystem or None
     """
     if kernels.built_in:
         return None
@@ -317,10 +304,6 @@ def system_in(name: str, saved: SavedSystem | None) -> SystemKernels:
     saved : SavedSystem or None
         What the file holds.
 
-    Returns
-    -------
-    SystemKernels
-
     Raises
     ------
     InputError
@@ -345,10 +328,6 @@ def orbit_in(name: str, saved: SavedSystem | None) -> OrbitKernels:
     saved : SavedSystem or None
         What the file holds.
 
-    Returns
-    -------
-    OrbitKernels
-
     Raises
     ------
     InputError
@@ -363,14 +342,6 @@ def orbit_in(name: str, saved: SavedSystem | None) -> OrbitKernels:
 
 def kernels_of_saved(saved: SavedSystem) -> SystemKernels:
     """Tables and kernels of a system that is given as data; `load_system` finds it by its name.
-
-    Parameters
-    ----------
-    saved : SavedSystem
-
-    Returns
-    -------
-    SystemKernels
 
     Raises
     ------

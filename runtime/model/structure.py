@@ -143,14 +143,6 @@ class Structure:
     def configuration(self, name: str) -> int:
         """Index of a configuration.
 
-        Parameters
-        ----------
-        name : str
-
-        Returns
-        -------
-        int
-
         Raises
         ------
         InputError
@@ -201,10 +193,6 @@ class Structure:
         source : int
             Configuration in which they are reached.
         boundaries : frozenset of int
-
-        Returns
-        -------
-        tuple of TransitionShape
         """
         return self._listed.get((source, boundaries), ())
 
@@ -229,10 +217,6 @@ class Structure:
         boundaries : frozenset of int
         target : int
             A configuration.
-
-        Returns
-        -------
-        tuple of TransitionShape
         """
         listed = tuple(t for t in self.listed(source, boundaries) if t.target == target)
         if self.law is None:
@@ -267,25 +251,12 @@ class Structure:
         source : int
             Configuration in which they are reached.
         boundaries : frozenset of int
-
-        Returns
-        -------
-        tuple of int
         """
         numbers = (t.order for t in self.listed(source, boundaries))
         return tuple(dict.fromkeys(filter(None, numbers))) or (0,)
 
     def boundary(self, configuration: int, name: str) -> int:
         """Index of a boundary of a configuration.
-
-        Parameters
-        ----------
-        configuration : int
-        name : str
-
-        Returns
-        -------
-        int
 
         Raises
         ------
@@ -323,10 +294,6 @@ class Structure:
         ----------
         modes : tuple of tuple of ModeShape
             Of each configuration.
-
-        Returns
-        -------
-        Structure
         """
         return _with_modes(self, modes)
 
@@ -338,14 +305,6 @@ def _with_modes(structure: Structure, modes: Modes) -> Structure:
 
 def structure_of(system: str | SystemKernels | DeclaredSystem) -> Structure:
     """Structure of a system.
-
-    Parameters
-    ----------
-    system : str, System or SystemKernels
-
-    Returns
-    -------
-    Structure
 
     Raises
     ------

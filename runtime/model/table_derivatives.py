@@ -99,10 +99,6 @@ def table_rates(kernels: SystemKernels, points: np.ndarray, places: Sequence[int
     places : sequence of int
         Which of the parameters.
 
-    Returns
-    -------
-    TableRates
-
     Examples
     --------
     >>> from nonsmooth.runtime.model.kernels import load_system

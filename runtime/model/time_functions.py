@@ -62,10 +62,6 @@ def function_orders(shapes: Sequence[ModeShape]) -> list[int]:
     Parameters
     ----------
     shapes : sequence of ModeShape
-
-    Returns
-    -------
-    list of int
     """
     found: list[int] = []
     for first, end, chain in chains(shapes):
@@ -197,10 +193,6 @@ def wave(exponent: complex, t: float) -> complex:
         lambda.
     t : float
         In the system's unit of time.
-
-    Returns
-    -------
-    complex
     """
     w = exponent.imag
     if w == 0:

@@ -36,10 +36,6 @@ class Units:
     def label(self, name: str) -> str:
         """A parameter, or another number of the system, as a formula with its unit.
 
-        Parameters
-        ----------
-        name : str
-
         Returns
         -------
         str
@@ -71,10 +67,6 @@ class Units:
         text : str
         line : str
             What stands between the text and the unit.
-
-        Returns
-        -------
-        str
         """
         return with_unit(text, self.states, line)
 
@@ -88,10 +80,6 @@ def with_unit(text: str, unit: str, line: str = " ") -> str:
     line : str
         What stands between them.
 
-    Returns
-    -------
-    str
-
     Examples
     --------
     >>> with_unit("time", "s")
@@ -101,16 +89,7 @@ def with_unit(text: str, unit: str, line: str = " ") -> str:
 
 
 def units_of(system: str | SystemKernels) -> Units:
-    """What a system says of its units; nothing where it cannot be loaded.
-
-    Parameters
-    ----------
-    system : str or SystemKernels
-
-    Returns
-    -------
-    Units
-    """
+    """What a system says of its units; nothing where it cannot be loaded."""
     try:
         kernels = load_system(system) if isinstance(system, str) else system
     except (NonsmoothError, OSError):

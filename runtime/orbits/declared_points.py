@@ -37,17 +37,7 @@ class DeclaredPoints:
 
     @classmethod
     def of(cls, own: DeclaredKernels, composed: TablePoints) -> DeclaredPoints:
-        """The orbit, all of whose parameters have values.
-
-        Parameters
-        ----------
-        own : DeclaredKernels
-        composed : TablePoints
-
-        Returns
-        -------
-        DeclaredPoints
-        """
+        """The orbit, all of whose parameters have values."""
         unused = {p.name for p in own.kernels.other_parameters}
         names = [name for name in own.kernels.tables if name not in unused]
         return cls(own, KernelPoints.of(own.kernels, names), composed)

@@ -26,16 +26,7 @@ CONTINUATION_STEPS = 24
 
 
 def unknowns_of(kernels: OrbitKernels) -> tuple[str, ...]:
-    """Names of the unknowns of a declared orbit: dwell times, then the start's coordinates.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-
-    Returns
-    -------
-    tuple of str
-    """
+    """Names of the unknowns of a declared orbit: dwell times, then the start's coordinates."""
     dwell = _part_names(kernels)
     taken = {*dwell, *(p.name for p in kernels.system.parameters)}
     states = kernels.system.table["states"]
@@ -54,10 +45,6 @@ def whole_names(kernels: OrbitKernels, count: int) -> tuple[str, ...]:
     kernels : OrbitKernels
     count : int
         Number of phases of the whole period.
-
-    Returns
-    -------
-    tuple of str
     """
     part = _part_names(kernels)
     images = count // len(part)

@@ -253,10 +253,6 @@ class OrbitDerivatives:
         ----------
         direction : sequence (q,), or mapping of str to number
             Change of each number; absent ones do not change.
-
-        Returns
-        -------
-        dict of str to number
         """
         if isinstance(direction, Mapping):
             for name in direction:
@@ -280,10 +276,6 @@ def orbit_derivatives(
     one_sided : bool, optional
         Take the derivatives of the orbit's own sequence of phases where on the other side it is
         another.
-
-    Returns
-    -------
-    OrbitDerivatives
 
     Raises
     ------
@@ -315,10 +307,6 @@ def sensitivity(orbit: Orbit, parameter: str) -> Sensitivity:
     orbit : Orbit
     parameter : str
         Name of one that was given.
-
-    Returns
-    -------
-    Sensitivity
 
     Raises
     ------

@@ -185,10 +185,6 @@ class OrbitEquations(Protocol):
         x : array (v,)
         given : mapping of str to Value
             Parameters, and the period where it is given.
-
-        Returns
-        -------
-        Orbit
         """
 
     def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Motion | Trajectory:
@@ -212,14 +208,6 @@ def equations_of(orbit: Orbit) -> OrbitEquations:
 
     Kernels of damped and forced motions are so where they are compiled alone: a compilation takes
     seconds, the tables of a system follow a branch in less.
-
-    Parameters
-    ----------
-    orbit : Orbit
-
-    Returns
-    -------
-    OrbitEquations
     """
     kernels = orbit.problem.kernels
     if kernels is None:

@@ -50,10 +50,6 @@ def impact_losses(orbit: OrbitMotionDerivatives) -> Iterator[ImpactLoss]:
     orbit : OrbitMotionDerivatives
         In double precision.
 
-    Yields
-    ------
-    ImpactLoss
-
     Raises
     ------
     InputError

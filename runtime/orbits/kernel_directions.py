@@ -78,10 +78,6 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
     by : sequence of str
         What was given.
 
-    Returns
-    -------
-    Directions
-
     Raises
     ------
     InputError

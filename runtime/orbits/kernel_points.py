@@ -41,15 +41,6 @@ class KernelPoints:
     def of(cls, kernels: OrbitKernels, given: Sequence[str]) -> KernelPoints:
         """The orbit, where what is fixed or swept has these names.
 
-        Parameters
-        ----------
-        kernels : OrbitKernels
-        given : sequence of str
-
-        Returns
-        -------
-        KernelPoints
-
         Raises
         ------
         InputError

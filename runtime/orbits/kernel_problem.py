@@ -351,14 +351,6 @@ class KernelEvaluation:
     def trajectory(self, periods: int) -> Trajectory:
         """The motion by the system's tables, if all physical parameters are given.
 
-        Parameters
-        ----------
-        periods : int
-
-        Returns
-        -------
-        Trajectory
-
         Raises
         ------
         InputError

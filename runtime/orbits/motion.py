@@ -213,10 +213,6 @@ class Motion(Shown):
 def orbit_motion(orbit: Orbit) -> Motion:
     """Give the motion along an orbit.
 
-    Parameters
-    ----------
-    orbit : Orbit
-
     Returns
     -------
     Motion

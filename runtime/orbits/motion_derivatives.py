@@ -190,10 +190,6 @@ class OrbitMotionDerivatives:
             Of a configuration: rows (q, N + 1) with their steps.
         sign : int
             1 for the maximum, -1 for the minimum.
-
-        Returns
-        -------
-        Differentiated
         """
         return self.extremes(row)[0 if sign > 0 else 1]
 
@@ -204,10 +200,6 @@ class OrbitMotionDerivatives:
         ----------
         row : callable
             Of a configuration: rows (q, N + 1) with their steps.
-
-        Returns
-        -------
-        tuple of Differentiated
         """
         minima, maxima = extremes(self._system, self._phases, self._rows(row))
         high, low = (self._at(row, found[0].time, found[0].value) for found in (maxima, minima))
@@ -245,10 +237,6 @@ class OrbitMotionDerivatives:
         phase : int
         since : float
             About: where the function has an extreme inside, it is polished.
-
-        Returns
-        -------
-        Differentiated
         """
         duration = float(self.dwell[phase])
         rows = row(self.cycle.configurations[phase])
@@ -286,46 +274,19 @@ class OrbitMotionDerivatives:
         return at
 
     def state_row(self, name: str) -> Row:
-        """Row of a state, or of its velocity's rate, for `largest`.
-
-        Parameters
-        ----------
-        name : str
-
-        Returns
-        -------
-        callable
-        """
+        """Row of a state, or of its velocity's rate, for `largest`."""
         place, size = self._place(name), len(self.structure.states)
         unit = np.zeros((len(self.by), size + 1), dtype=self.numbers.fields.dtype)
         unit[:, place] = 1
         return lambda _: unit
 
     def acceleration_row(self, name: str) -> Row:
-        """Row of the rate of a velocity, named by itself or by its position.
-
-        Parameters
-        ----------
-        name : str
-
-        Returns
-        -------
-        callable
-        """
+        """Row of the rate of a velocity, named by itself or by its position."""
         place = dict(self.structure.coordinates).get(self._place(name), self._place(name))
         return lambda configuration: self.numbers.fields[:, configuration, place]
 
     def force_row(self, name: str) -> Row:
-        """Row of the force of a contact on the oscillator.
-
-        Parameters
-        ----------
-        name : str
-
-        Returns
-        -------
-        callable
-        """
+        """Row of the force of a contact on the oscillator."""
         contact = self._contact(name)
         nothing = np.zeros_like(self.numbers.rows[:, 0])
         return lambda c: self.numbers.rows[:, contact.forces[c]] if c in contact.forces else nothing
@@ -338,10 +299,6 @@ class OrbitMotionDerivatives:
         row : callable
         name : str
             What it is, for the message.
-
-        Returns
-        -------
-        Differentiated
 
         Raises
         ------
@@ -371,10 +328,6 @@ class OrbitMotionDerivatives:
 
         The nodes move with the dwell time, so that derivatives are exact.
 
-        Parameters
-        ----------
-        phase : int
-
         Returns
         -------
         states : array (q, n, N + 1)
@@ -397,14 +350,6 @@ class OrbitMotionDerivatives:
         """Energy lost over a period through contacts: through one, or through all of them.
 
         By friction and dampers of stops, and by impacts; not by dampers of the oscillator.
-
-        Parameters
-        ----------
-        name : str, optional
-
-        Returns
-        -------
-        Differentiated
 
         Raises
         ------
@@ -495,10 +440,6 @@ class OrbitMotionDerivatives:
     def margin(self) -> Differentiated:
         """The least of all margins.
 
-        Returns
-        -------
-        Differentiated
-
         Raises
         ------
         InputError
@@ -526,14 +467,6 @@ class OrbitMotionDerivatives:
 
     def quantity(self, name: str) -> Differentiated:
         """A quantity by its name; see `OrbitDerivatives.quantity`.
-
-        Parameters
-        ----------
-        name : str
-
-        Returns
-        -------
-        Differentiated
 
         Raises
         ------

@@ -37,10 +37,6 @@ def followed(
     shortest : float
         Of the way: shorter steps are not tried.
 
-    Returns
-    -------
-    OrbitDerivatives
-
     Raises
     ------
     NoConvergence

@@ -106,10 +106,6 @@ def points_of(
     own : DeclaredKernels, optional
         Compiled kernels that stand in for the tables of an orbit that is composed.
 
-    Returns
-    -------
-    OrbitPoints
-
     Raises
     ------
     InputError

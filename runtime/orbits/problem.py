@@ -107,23 +107,10 @@ class OrbitProblem(Protocol):
         """
 
     def followers(self, names: Iterable[str]) -> Collection[str]:
-        """Parameters that follow from those of these names: e1 = ur1 - us1 from ur1 and us1.
-
-        Parameters
-        ----------
-        names : iterable of str
-
-        Returns
-        -------
-        collection of str
-        """
+        """Parameters that follow from those of these names: e1 = ur1 - us1 from ur1 and us1."""
 
     def period(self, orbit: Orbit) -> Value | None:
         """What the dwell times have to sum up to; None where the equations determine it.
-
-        Parameters
-        ----------
-        orbit : Orbit
 
         Returns
         -------
@@ -138,10 +125,6 @@ class OrbitProblem(Protocol):
         ----------
         values : mapping of str to Value
             Parameters of the equations, and those that they leave open.
-
-        Returns
-        -------
-        dict of str to Value
 
         Raises
         ------
@@ -200,10 +183,6 @@ class OrbitProblem(Protocol):
         beside : mapping of str to number or None
             Values of parameters that the orbit leaves open.
 
-        Returns
-        -------
-        Orbit
-
         Raises
         ------
         InputError
@@ -218,23 +197,10 @@ class OrbitProblem(Protocol):
         status : int
         timed : bool
             Whether the period was given.
-
-        Returns
-        -------
-        str
         """
 
     def evaluation(self, orbit: Orbit) -> Evaluation:
-        """What the equations tell at an orbit of this problem.
-
-        Parameters
-        ----------
-        orbit : Orbit
-
-        Returns
-        -------
-        Evaluation
-        """
+        """What the equations tell at an orbit of this problem."""
 
     def flow(self, parameters: np.ndarray, phase: int, since: np.ndarray, start: Any) -> np.ndarray:
         """States (..., N) at times (...) since a phase's start; parameters in their order.
@@ -264,10 +230,6 @@ class OrbitProblem(Protocol):
         digits : int
         arithmetic : str
             ``flint`` or ``mpmath``.
-
-        Returns
-        -------
-        Orbit
 
         Raises
         ------
@@ -326,14 +288,6 @@ class Evaluation(Protocol):
     def directions(self, by: Sequence[str]) -> Directions:
         """How the orbit moves with each of some numbers that were given.
 
-        Parameters
-        ----------
-        by : sequence of str
-
-        Returns
-        -------
-        Directions
-
         Raises
         ------
         InputError
@@ -362,14 +316,6 @@ class Evaluation(Protocol):
 
     def trajectory(self, periods: int) -> Trajectory:
         """The motion along the orbit, with all physical parameters.
-
-        Parameters
-        ----------
-        periods : int
-
-        Returns
-        -------
-        Trajectory
 
         Raises
         ------

@@ -94,10 +94,6 @@ def refine_kernels(orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
     arithmetic : str
         ``flint`` for balls, else mpmath.
 
-    Returns
-    -------
-    Orbit
-
     Raises
     ------
     NoConvergence

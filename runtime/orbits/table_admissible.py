@@ -52,10 +52,6 @@ def assess_cycle(
     dwell : array (p,)
         In the unit of time.
 
-    Returns
-    -------
-    Admissibility
-
     Raises
     ------
     InputError

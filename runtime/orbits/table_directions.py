@@ -41,16 +41,7 @@ __all__ = [
 
 
 def working(orbit: Orbit) -> Mpmath | None:
-    """The arithmetic of complex steps: twice the digits of an orbit; None in doubles.
-
-    Parameters
-    ----------
-    orbit : Orbit
-
-    Returns
-    -------
-    Mpmath or None
-    """
+    """The arithmetic of complex steps: twice the digits of an orbit; None in doubles."""
     return Mpmath(2 * (orbit.digits + GUARD)) if orbit.precise else None
 
 
@@ -65,10 +56,6 @@ def numbers_along(orbit: Orbit, by: Sequence[str], lib: Mpmath | None) -> Number
         Parameters, or the period, which changes none of them.
     lib : Mpmath or None
         None in double precision.
-
-    Returns
-    -------
-    Numbers
     """
     kernels = orbit.system
     names = [table.name for table in kernels.parameters]
@@ -107,10 +94,6 @@ def passed(
         In the system's units.
     lib : Mpmath or None
         None in double precision.
-
-    Returns
-    -------
-    Shooting
     """
     fields = numbers.fields[:, list(cycle.configurations)]
     if lib is None:
@@ -152,10 +135,6 @@ def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directio
     evaluation : TableEvaluation
     by : sequence of str
         Parameters, or the period where it was given.
-
-    Returns
-    -------
-    Directions
 
     Raises
     ------

@@ -88,10 +88,6 @@ def table_directions_many(
         Whether the period was given: that of one of a family stays what it is.
     maps : bool
         Whether the maps are asked for.
-
-    Returns
-    -------
-    ManyDirections
     """
     engine = compiled_engine()
     numbers = Numbers(*tables_at(system, points))

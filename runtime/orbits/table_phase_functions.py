@@ -104,10 +104,6 @@ def conditions_of(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Con
         Of one point.
     now : Shooting
         The cycle at this point.
-
-    Returns
-    -------
-    Conditions
     """
     rows: dict[tuple[int, int, int], ConditionRow] = {}
     orders: dict[tuple[int, int, int], int | None] = {}
@@ -177,10 +173,6 @@ def phase_waves(
         In the unit of time.
     place : int
         Index of the phase.
-
-    Returns
-    -------
-    PhaseWaves
     """
     configuration = cycle.configurations[place]
     shapes = cycle.structure.boundaries[configuration]

@@ -79,14 +79,6 @@ class TablePoints:
     def of(cls, kernels: OrbitKernels) -> TablePoints:
         """The orbit, solved at its reference point.
 
-        Parameters
-        ----------
-        kernels : OrbitKernels
-
-        Returns
-        -------
-        TablePoints
-
         Raises
         ------
         InputError

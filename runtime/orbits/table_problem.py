@@ -225,10 +225,6 @@ def orbit_of(
     iterations : int
         Of Newton's method.
     status : int
-
-    Returns
-    -------
-    Orbit
     """
     unknowns = [*dwell_times.tolist(), *states[0].tolist()]
     given = dict(parameters) if period is None else {**parameters, PERIOD: period}
@@ -256,10 +252,6 @@ def labelled(orbit: Orbit, label: str | None, names: Sequence[str]) -> Orbit:
         ``FILE.py:ORBIT`` and the like.
     names : sequence of str
         Of the dwell times, then of the start's coordinates.
-
-    Returns
-    -------
-    Orbit
     """
     assert isinstance(orbit.problem, TableProblem)
     problem = replace(orbit.problem, label=label, names=tuple(names))
@@ -431,14 +423,6 @@ class TableEvaluation:
 
     def refined(self, digits: int) -> Orbit:
         """The same orbit to true decimal digits, with mpmath numbers.
-
-        Parameters
-        ----------
-        digits : int
-
-        Returns
-        -------
-        Orbit
 
         Raises
         ------

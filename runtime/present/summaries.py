@@ -59,10 +59,6 @@ def summary_text(result: Any) -> str:
     ----------
     result : Branch, Found, Trajectory, ...
         Of one of the public kinds.
-
-    Returns
-    -------
-    str
     """
     title, rows = _summary(result)
     shown = list(islice(((name, lines) for name, lines in rows if lines), _ROWS))

@@ -231,10 +231,6 @@ def irrational_texts(kernels: SystemKernels, values: Iterable[Value]) -> list[st
         The system's generated functions.
     values : iterable of Value
         What is given.
-
-    Returns
-    -------
-    list of str
     """
     return [*(value.text for value in values if value.exact is None), *declared_constants(kernels)]
 

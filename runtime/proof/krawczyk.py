@@ -59,10 +59,6 @@ class Solvable(Protocol):
         Parameters
         ----------
         change : callable
-
-        Returns
-        -------
-        Solvable
         """
 
     def linearised(self, unknowns: Sequence[Any], flows: Any) -> Linearised:
@@ -73,10 +69,6 @@ class Solvable(Protocol):
         unknowns : sequence of arb or TaylorModel
         flows : object
             As `near` gives it.
-
-        Returns
-        -------
-        Linearised
         """
 
 
@@ -315,10 +307,6 @@ def contracted(test: Krawczyk) -> Contraction | None:
     ----------
     test : Krawczyk
         About the polynomials.
-
-    Returns
-    -------
-    Contraction or None
     """
     from flint import arb
 

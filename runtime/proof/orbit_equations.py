@@ -123,10 +123,6 @@ class ShortPhase(NamedTuple):
         ----------
         number : callable
             Maps exact entries to numbers: balls or Taylor models.
-
-        Returns
-        -------
-        ShortPhase
         """
         columns = [
             None if column is None else numbers([[entry] for entry in column], number)

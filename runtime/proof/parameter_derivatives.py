@@ -85,10 +85,6 @@ class ProvedDerivatives:
         ----------
         name : str
             Of the number.
-
-        Returns
-        -------
-        arb
         """
         from flint import arb
 
@@ -138,10 +134,6 @@ def directions(orbit: Orbit, chosen: Iterable[str], by: Iterable[str]) -> dict[s
         Parameters that the orbit leaves open and that were chosen.
     by : iterable of str
         What was given.
-
-    Returns
-    -------
-    dict of str to Direction
     """
     problem = orbit.problem
     known = {*orbit.given, *orbit.opened, *chosen, *problem.required}

@@ -100,10 +100,6 @@ def as_file(told: Mapping[str, Any]) -> dict[str, Any]:
 def as_read(told: Mapping[str, Any]) -> dict[str, Any]:
     """Entries as they are read of what is written.
 
-    Parameters
-    ----------
-    told : mapping of str to object
-
     Returns
     -------
     dict

@@ -166,10 +166,6 @@ def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequ
     solved_for : sequence of str
         As many names as there are equations.
 
-    Returns
-    -------
-    Full
-
     Raises
     ------
     InputError
@@ -239,10 +235,6 @@ def equations_at(kernels: OrbitKernels, x: np.ndarray) -> LinearisedEquations:
     ----------
     kernels : OrbitKernels
     x : array (n + p,)
-
-    Returns
-    -------
-    LinearisedEquations
     """
     unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
     spectrum, derivatives = kernels.spectrum(parameters)

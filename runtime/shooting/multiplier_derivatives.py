@@ -75,10 +75,6 @@ def multiplier_derivatives(found: MapDerivatives, lib: Mpmath | None) -> Multipl
     found : MapDerivatives
     lib : Mpmath or None
         None in double precision.
-
-    Returns
-    -------
-    MultiplierDerivatives
     """
     matrix, rates, rank, trivial = found
     number = float if lib is None else lib.mp.mpf

@@ -143,10 +143,6 @@ def precisions(digits: int, start: int) -> list[int]:
     start : int
         Decimals that the start has.
 
-    Returns
-    -------
-    list of int
-
     Examples
     --------
     >>> precisions(50, 15)

@@ -94,10 +94,6 @@ def mechanical_states(cycle: ItineraryShape) -> list[int] | None:
     A forced motion is periodic in time: its Poincare map is the stroboscopic one, at a fixed
     phase of the forcing.
 
-    Parameters
-    ----------
-    cycle : ItineraryShape
-
     Returns
     -------
     list of int or None
@@ -211,10 +207,6 @@ def section_dimension(cycle: ItineraryShape, numbers: Numbers, size_of: Any, lib
         As `sizes` gives it.
     lib : arithmetic of single numbers
         `numpy`, or a context of mpmath.
-
-    Returns
-    -------
-    int
     """
     size = len(size_of)
     kept = [*cycle.structure.constraints[cycle.configurations[-1]], cycle.rows[-1]]
@@ -276,10 +268,6 @@ def assess(
     error : number
         Relative error of an orbit, and of the derivative of a phase, where all is well
         conditioned.
-
-    Returns
-    -------
-    Stability
     """
     size_of = sizes(now, dwell)
     driven = mechanical_states(cycle)

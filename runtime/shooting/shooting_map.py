@@ -103,10 +103,6 @@ class ItineraryShape:
         ----------
         structure : Structure
             Of the same system, with modes.
-
-        Returns
-        -------
-        ItineraryShape
         """
         return replace(self, structure=structure)
 
@@ -117,10 +113,6 @@ class ItineraryShape:
         ----------
         first : int
             Place of the phase that comes first.
-
-        Returns
-        -------
-        ItineraryShape
         """
 
         def turned(part: tuple[_T, ...]) -> tuple[_T, ...]:
@@ -152,10 +144,6 @@ def itinerary_shape(structure: Structure, itinerary: Sequence[tuple[str, str]]) 
     structure : Structure
     itinerary : sequence of (str, str)
         Configurations, and the boundaries that end their phases.
-
-    Returns
-    -------
-    ItineraryShape
 
     Raises
     ------
@@ -198,14 +186,6 @@ def itinerary_shape(structure: Structure, itinerary: Sequence[tuple[str, str]]) 
 
 def forcing_row_of(structure: Structure) -> int:
     """Row that is zero where the forcing's phase begins anew.
-
-    Parameters
-    ----------
-    structure : Structure
-
-    Returns
-    -------
-    int
 
     Raises
     ------
@@ -300,10 +280,6 @@ def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = No
     flat : array (..., size), optional
         Needed for a structure.
 
-    Returns
-    -------
-    Numbers
-
     Raises
     ------
     InputError
@@ -368,17 +344,7 @@ def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: An
 
 
 def phases_in(cycle: ItineraryShape, numbers: Numbers) -> list[Phase]:
-    """Phases of a cycle in arrays.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-
-    Returns
-    -------
-    list of Phase
-    """
+    """Phases of a cycle in arrays."""
     return [
         Phase(
             numbers.fields[..., configuration, :, :],

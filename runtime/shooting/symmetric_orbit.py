@@ -148,10 +148,6 @@ def closed_shape(cycle: ItineraryShape, count: int) -> ItineraryShape:
     cycle : ItineraryShape
     count : int
         Phases of the part.
-
-    Returns
-    -------
-    ItineraryShape
     """
     structure = _with_one_reset_more(cycle.structure)
     last = cycle.transitions[count - 1]
@@ -182,10 +178,6 @@ def whole_shape(system: PiecewiseLinear, symmetry: Symmetry, part: Any) -> Itine
     symmetry : Symmetry
     part : sequence of (str, str)
         Configurations, and the boundaries that end their phases.
-
-    Returns
-    -------
-    ItineraryShape
 
     Raises
     ------
@@ -263,10 +255,6 @@ def part_of(period: Value, order: int) -> Value:
         In the system's unit of time.
     order : int
         How many parts.
-
-    Returns
-    -------
-    Value
     """
     if period.exact is not None:
         return as_value(period.exact / order)

@@ -123,10 +123,6 @@ def symmetry_of(system: PiecewiseLinear, given: Any, error: float = _SAME) -> Sy
     error : number
         Relative difference of numbers that count as equal.
 
-    Returns
-    -------
-    Symmetry
-
     Raises
     ------
     InputError
@@ -187,10 +183,6 @@ def same_maps(first: np.ndarray, second: np.ndarray, error: float = _SAME) -> bo
     first, second : array
         Of one shape.
     error : number
-
-    Returns
-    -------
-    bool
     """
     largest = max(abs(x) for x in first.ravel())
     return bool(all(abs(x) <= error * largest for x in (first - second).ravel()))

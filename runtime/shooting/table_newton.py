@@ -108,10 +108,6 @@ def solve_shape(
         units.
     period : array (n,)
         Sum of the dwell times, or NaN where that is free. In the system's unit of time.
-
-    Returns
-    -------
-    TableSolution
     """
     engine = compiled_engine()
     if engine is None or len(cycle.structure.forcing) > 1:
@@ -146,10 +142,6 @@ def message_of(status: int, *, timed: bool = False) -> str:
     status : int
     timed : bool
         Whether the period was given.
-
-    Returns
-    -------
-    str
     """
     return _TIMED.get(status, _MESSAGES[status]) if timed else _MESSAGES[status]
 
@@ -174,10 +166,6 @@ def solve_in_python(
         Guess. In the system's units.
     period : array (n,)
         Sum of the dwell times, or NaN where that is free. In the system's unit of time.
-
-    Returns
-    -------
-    TableSolution
     """
     dwell = np.array(dwell, dtype=float)
     count, size = len(flat), len(cycle.structure.states)

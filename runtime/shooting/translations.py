@@ -35,10 +35,6 @@ _APART = 1e-9  # relative singular value above which rows annihilate no vector
 def translations_of(system: PiecewiseLinear) -> np.ndarray:
     """Directions (m, N) along which nothing changes; in any arithmetic. See `directions_of`.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-
     Returns
     -------
     array (m, N)
@@ -77,10 +73,6 @@ def directions_of(structure: Structure, fields: Any, rows: Any, resets: Any) -> 
 def deciding_rows(structure: Structure) -> list[int]:
     """Rows of boundaries, constraints, conditions and a contact law: what motions depend on.
 
-    Parameters
-    ----------
-    structure : Structure
-
     Returns
     -------
     list of int
@@ -98,10 +90,6 @@ def deciding_rows(structure: Structure) -> list[int]:
 
 def taken_resets(structure: Structure) -> list[int]:
     """Resets of all transitions, and of a contact law.
-
-    Parameters
-    ----------
-    structure : Structure
 
     Returns
     -------

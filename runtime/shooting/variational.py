@@ -279,10 +279,6 @@ def shooting_map(
     ahead : sequence of (Ahead or None), optional
         Boundary functions by the starts of their phases, where these are sharper than those
         at the ends.
-
-    Returns
-    -------
-    Shooting
     """
     apply, carry = arithmetic.apply, arithmetic.carry
     state, starts = start, [start]

@@ -81,10 +81,6 @@ class DirectedMotion:
         ----------
         times : array (m,)
             Held fixed.
-
-        Returns
-        -------
-        MotionLinearisation
         """
         return MotionLinearisation(self.trajectory, times, self.apart)
 
@@ -508,10 +504,6 @@ def told_direction(by: tuple[str, ...], direction: np.ndarray) -> str:
     ----------
     by : tuple of str
     direction : array (numbers,)
-
-    Returns
-    -------
-    str
     """
     moving = np.flatnonzero(direction)
     return by[moving[0]] if len(moving) == 1 else "the direction"

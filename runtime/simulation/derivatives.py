@@ -248,10 +248,6 @@ class MotionDerivatives:
         since : float
             Where to begin; it stays.
 
-        Returns
-        -------
-        ObservableDerivatives
-
         Raises
         ------
         InputError
@@ -285,10 +281,6 @@ def motion_derivatives(
     times : array (m,), optional
     one_sided : {"+", "-"}, optional
 
-    Returns
-    -------
-    MotionDerivatives
-
     Raises
     ------
     InputError
@@ -317,12 +309,6 @@ def motion_derivatives(
 
 def check_numbers(by: Iterable[str], states: Sequence[str], parameters: Sequence[str]) -> None:
     """Refuse a name that is neither of a parameter nor of a state at the start.
-
-    Parameters
-    ----------
-    by : iterable of str
-    states : sequence of str
-    parameters : sequence of str
 
     Raises
     ------

@@ -179,11 +179,6 @@ def quadrature(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Nodes of a rule that integrates products of two states along phases.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    phases : Phases
-
     Returns
     -------
     places : array (n,) of int

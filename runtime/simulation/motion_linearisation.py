@@ -214,15 +214,6 @@ def _along(tables: np.ndarray, places: np.ndarray, states: np.ndarray) -> np.nda
 
 
 def input_names(trajectory: Trajectory) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names of the parameters of a motion, and of its states at the start.
-
-    Parameters
-    ----------
-    trajectory : Trajectory
-
-    Returns
-    -------
-    tuple of tuple of str
-    """
+    """Names of the parameters of a motion, and of its states at the start."""
     names = tuple(trajectory.parameters)
     return names, start_names(trajectory.names, names)

@@ -75,15 +75,6 @@ class ObservableDerivatives:
 def observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> ObservableDerivatives:
     """Differentiate the observables of a motion from a time on, which stays.
 
-    Parameters
-    ----------
-    found : MotionDerivatives
-    since : float
-
-    Returns
-    -------
-    ObservableDerivatives
-
     Raises
     ------
     InputError

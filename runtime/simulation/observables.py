@@ -227,11 +227,6 @@ def _named(names: tuple[str, ...], values: list[Any]) -> dict[str, Any]:
 def contact_rows(system: PiecewiseLinear, contact: ContactShape) -> np.ndarray:
     """Force, velocity and surface of a contact.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    contact : ContactShape
-
     Returns
     -------
     array (configurations, 3, N + 1)
@@ -276,10 +271,6 @@ def sticking(structure: Structure, fractions: np.ndarray) -> dict[str, float]:
     ----------
     structure : Structure
     fractions : array (configurations,)
-
-    Returns
-    -------
-    dict of str to float
     """
     held = sorted({position for positions in structure.held for position in positions})
     return {

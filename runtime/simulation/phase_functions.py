@@ -156,11 +156,6 @@ def panels(
 def fastest(system: PiecewiseLinear, configuration: int) -> float:
     """Largest modulus of the exponents of a configuration.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configuration : int
-
     Returns
     -------
     float

@@ -480,10 +480,6 @@ def checked_count(label: str, value: object, least: int) -> int:
     least : int
         The smallest integer that is taken.
 
-    Returns
-    -------
-    int
-
     Raises
     ------
     InputError

@@ -224,10 +224,6 @@ def run(
         Time at which it ends, at the latest; inf for no such time.
     transitions : int, optional
         Number of transitions after which it ends.
-
-    Returns
-    -------
-    Run
     """
     stepper, clock = _Stepper(system), Clock()
     extended = [*map(float, state), 1.0]

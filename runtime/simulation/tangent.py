@@ -44,11 +44,6 @@ def tangent_map(trajectory: Trajectory, since: float = 0.0) -> np.ndarray:
     Only perturbations that the configuration at `since` allows are perturbations of the
     motion.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-    since : float
-
     Returns
     -------
     array (N, N)
@@ -146,12 +141,6 @@ def _latest_entry(trajectory: Trajectory, since: float) -> int:
 
 def flow_matrix(system: PiecewiseLinear, configuration: int, duration: float) -> np.ndarray:
     """Derivative (N, N) of the state after a duration by that at its beginning.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configuration : int
-    duration : float
 
     Returns
     -------

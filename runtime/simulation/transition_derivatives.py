@@ -96,10 +96,6 @@ def transitions_behind(
     together : bool
         Take the first of boundaries that are reached at once, which is refused otherwise.
 
-    Returns
-    -------
-    Transitions
-
     Raises
     ------
     InputError

@@ -14,13 +14,7 @@ __all__ = ["closed_flows"]
 
 
 def closed_flows(system: System, names: Iterable[str]) -> tuple[Spectrum, dict[str, Flow]]:
-    """Spectrum and flows of the named configurations, those without a closed form left out.
-
-    Parameters
-    ----------
-    system : System
-    names : iterable of str
-    """
+    """Spectrum and flows of the named configurations, those without a closed form left out."""
     chosen = [system.configuration(name) for name in names]
     try:
         return derive_flows(_alone(system, chosen))

@@ -86,13 +86,7 @@ class Modes:
 
 
 def modes_of(flow: Flow, displacements: Displacements) -> Modes | None:
-    """Modal form of a motion that is a sum over projectors; None where it is not, or is no shorter.
-
-    Parameters
-    ----------
-    flow : Flow
-    displacements : Displacements
-    """
+    """Modal form of a motion that is a sum over projectors; None where that is no shorter."""
     pairs = positions_of(flow)
     places = tuple(pairs)
     if len(places) < 2:

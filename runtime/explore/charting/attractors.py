@@ -87,21 +87,11 @@ class AttractorProblem:
         }
 
     def held(self) -> dict[str, Any]:
-        """What a store holds beside: the system as data.
-
-        Returns
-        -------
-        dict of str to str
-        """
+        """What a store holds beside: the system as data."""
         return {"of": held_text(self.kernels)}
 
     def variables(self) -> tuple[Variable, ...]:
-        """What is computed.
-
-        Returns
-        -------
-        tuple of Variable
-        """
+        """What is computed."""
         told = {str(status.value): status.message for status in Status}
         status = {
             "long_name": "why the simulation ended",
@@ -224,10 +214,6 @@ def attractor_problem(
     transitions : int
         After which the motions are looked at.
 
-    Returns
-    -------
-    AttractorProblem
-
     Raises
     ------
     InputError
@@ -258,10 +244,6 @@ def held_attractor_problem(
         As `AttractorProblem.identity` gave it, with the dimensions.
     held : mapping of str to object
         As `AttractorProblem.held` gave it.
-
-    Returns
-    -------
-    AttractorProblem
 
     Raises
     ------

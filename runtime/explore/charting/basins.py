@@ -93,21 +93,11 @@ class BasinProblem:
         }
 
     def held(self) -> dict[str, Any]:
-        """What a store holds beside: the system and its attractors as data.
-
-        Returns
-        -------
-        dict of str to str
-        """
+        """What a store holds beside: the system and its attractors as data."""
         return {"of": self.data}
 
     def variables(self) -> tuple[Variable, ...]:
-        """What is computed.
-
-        Returns
-        -------
-        tuple of Variable
-        """
+        """What is computed."""
         status = {
             "long_name": "whether it is computed",
             "meanings": {str(MISSING): "not computed", "0": "computed"},
@@ -194,16 +184,7 @@ def _known(data: str) -> tuple[SystemKernels, Found, Attractors]:
 
 
 def is_found(name: str) -> bool:
-    """Whether a name is that of a file of found orbits, all of it.
-
-    Parameters
-    ----------
-    name : str
-
-    Returns
-    -------
-    bool
-    """
+    """Whether a name is that of a file of found orbits, all of it."""
     return name.endswith(".json") and format_in(Path(name)) == _FOUND
 
 
@@ -225,10 +206,6 @@ def basin_problem(
         States.
     start : mapping of state to number, or sequence, or None
         The other states; 0 for those that are not named.
-
-    Returns
-    -------
-    BasinProblem
 
     Raises
     ------
@@ -265,10 +242,6 @@ def held_basin_problem(identity: Mapping[str, Any], held: Mapping[str, Any]) -> 
         As `BasinProblem.identity` gave it, with the dimensions.
     held : mapping of str to object
         As `BasinProblem.held` gave it.
-
-    Returns
-    -------
-    BasinProblem
 
     Raises
     ------

@@ -36,10 +36,6 @@ def chunk_bytes(metadata: bytes) -> int:
     metadata : bytes
         JSON of an array of a chart.
 
-    Returns
-    -------
-    int
-
     Raises
     ------
     InputError
@@ -72,17 +68,7 @@ class BoundedStore(LocalStore):
 
     @classmethod
     def of(cls, root: Path, sizes: Mapping[str, int]) -> BoundedStore:
-        """The store in a folder.
-
-        Parameters
-        ----------
-        root : Path
-        sizes : mapping of str to int
-
-        Returns
-        -------
-        BoundedStore
-        """
+        """The store in a folder."""
         found = cls(root, read_only=True)
         found.sizes = sizes
         return found

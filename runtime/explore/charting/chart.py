@@ -236,10 +236,6 @@ def reading(path: Path) -> Iterator[None]:
     path : Path
         What a message names.
 
-    Yields
-    ------
-    None
-
     Raises
     ------
     InputError
@@ -346,16 +342,7 @@ def begun_problem(path: Path) -> tuple[ChartProblem, tuple[Axis, ...]]:
 
 
 def is_begun(name: str) -> bool:
-    """Whether a name is that of a folder with a chart that is begun.
-
-    Parameters
-    ----------
-    name : str
-
-    Returns
-    -------
-    bool
-    """
+    """Whether a name is that of a folder with a chart that is begun."""
     return Path(name, "zarr.json").is_file()
 
 
@@ -390,10 +377,6 @@ def work_on(
         As many as processors when None.
     progress : callable
         Told how many chunks are done, and of how many.
-
-    Returns
-    -------
-    Work
 
     Raises
     ------

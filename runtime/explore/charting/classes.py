@@ -55,10 +55,6 @@ class Part:
 def parts_of(chart: Dataset) -> list[Part]:
     """Cut a chart into parts: every point is in one of them.
 
-    Parameters
-    ----------
-    chart : Dataset
-
     Returns
     -------
     list of Part
@@ -78,10 +74,6 @@ def parts_of(chart: Dataset) -> list[Part]:
 
 def counts_of(chart: Dataset) -> dict[str, int]:
     """Points of each kind of part, counted with little memory.
-
-    Parameters
-    ----------
-    chart : Dataset
 
     Returns
     -------
@@ -109,10 +101,6 @@ def counts_of(chart: Dataset) -> dict[str, int]:
 
 def title_of(chart: Dataset) -> str:
     """What the chart is of.
-
-    Parameters
-    ----------
-    chart : Dataset
 
     Returns
     -------

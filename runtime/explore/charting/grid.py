@@ -107,10 +107,6 @@ def linear_axis(name: str, first: float, last: float, count: int) -> Axis:
     count : int
         Number of values.
 
-    Returns
-    -------
-    Axis
-
     Raises
     ------
     InputError
@@ -134,10 +130,6 @@ def axis_of(name: str, values: Any) -> Axis:
         Of the parameter.
     values : array (n,) or Axis
         In the unit of the parameter, increasing.
-
-    Returns
-    -------
-    Axis
 
     Raises
     ------
@@ -248,10 +240,6 @@ class Grid:
         ----------
         number : int
             Of the chunk.
-
-        Returns
-        -------
-        tuple of int
         """
         return tuple(int(i) for i in np.unravel_index(number, self.chunk_counts))
 
@@ -298,10 +286,6 @@ class Grid:
         ----------
         number : int
             Of the chunk.
-
-        Returns
-        -------
-        Block
         """
         points, margins, cells, fractions = [], [], [], []
         region = self.region(number)

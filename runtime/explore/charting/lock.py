@@ -27,10 +27,6 @@ def locked(path: Path) -> Iterator[None]:
     path : Path
         Of the store.
 
-    Yields
-    ------
-    None
-
     Raises
     ------
     InputError

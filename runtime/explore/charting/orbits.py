@@ -127,23 +127,13 @@ class OrbitChart:
         }
 
     def held(self) -> dict[str, Any]:
-        """What a store holds beside: the orbit as data, and what was given.
-
-        Returns
-        -------
-        dict of str to str or list
-        """
+        """What a store holds beside: the orbit as data, and what was given."""
         kernels = self.kernels
         found = {"of": held_text(kernels.system, kernels), "given": list(self.given)}
         return found if self.many is None else {**found, "many": self.many}
 
     def variables(self) -> tuple[Variable, ...]:
-        """What is computed.
-
-        Returns
-        -------
-        tuple of Variable
-        """
+        """What is computed."""
         orbits, units = self.orbits, units_of(self.kernels.system)
         told = "" if not set(orbits.bounded) - set(self.given) else ", for large enough open ones"
         limits = {NEITHER: "none fails", NO_ORBIT: "none found", UNTOLD: "not told"}
@@ -180,10 +170,6 @@ class OrbitChart:
 
     def prepare(self, grid: Grid) -> np.ndarray:
         """Starts (..., m) at the anchors of a grid.
-
-        Parameters
-        ----------
-        grid : Grid
 
         Returns
         -------
@@ -243,10 +229,6 @@ def orbit_chart(
     points : int
         Of the whole grid.
 
-    Returns
-    -------
-    OrbitChart
-
     Raises
     ------
     InputError
@@ -272,10 +254,6 @@ def held_orbit_chart(identity: Mapping[str, Any], held: Mapping[str, Any]) -> Or
         As `OrbitChart.identity` gave it, with the dimensions.
     held : mapping of str to object
         As `OrbitChart.held` gave it.
-
-    Returns
-    -------
-    OrbitChart
 
     Raises
     ------

@@ -74,12 +74,7 @@ class ChartProblem(Protocol):
         """
 
     def variables(self) -> tuple[Variable, ...]:
-        """What is computed.
-
-        Returns
-        -------
-        tuple of Variable
-        """
+        """What is computed."""
 
     def axis_attributes(self, name: str) -> dict[str, str]:
         """Unit of a parameter, where the system states it.
@@ -97,10 +92,6 @@ class ChartProblem(Protocol):
 
     def prepare(self, grid: Grid) -> np.ndarray:
         """What all chunks need to know of the whole grid.
-
-        Parameters
-        ----------
-        grid : Grid
 
         Returns
         -------

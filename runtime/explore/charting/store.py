@@ -90,10 +90,6 @@ class Store:
         ----------
         number : int
             Of the chunk.
-
-        Returns
-        -------
-        list of Path
         """
         place = [str(i) for i in self.grid.place(number)]
         return [self.path.joinpath(v.name, "c", *place) for v in self.problem.variables()]
@@ -105,10 +101,6 @@ class Store:
         ----------
         number : int
             Of the chunk.
-
-        Returns
-        -------
-        bool
         """
         return all(file.is_file() for file in self.objects(number))
 
@@ -151,12 +143,7 @@ class Store:
         return found
 
     def purge(self) -> int:
-        """Remove what a killed writer left; give how many files.
-
-        Returns
-        -------
-        int
-        """
+        """Remove what a killed writer left; give how many files."""
         found = [
             Path(folder, name)
             for folder, _, names in os.walk(self.path)
@@ -194,10 +181,6 @@ def open_store(
     chunk : tuple of int or None
         Points of a chunk along each axis; None takes what is there, or what is usual.
     usual : tuple of int
-
-    Returns
-    -------
-    Store
 
     Raises
     ------
@@ -295,10 +278,6 @@ def read_axes(path: Path) -> tuple[Axis, ...]:
     ----------
     path : Path
         Of the store.
-
-    Returns
-    -------
-    tuple of Axis
 
     Raises
     ------

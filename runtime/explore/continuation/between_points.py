@@ -139,10 +139,6 @@ class Track:
             Of the step's chord, from 0 to 1.
         border : bool
             Whether it is one of boundaries and conditions.
-
-        Returns
-        -------
-        float
         """
         point = self.point(step, part)
         if point is None:

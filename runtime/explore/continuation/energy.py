@@ -36,10 +36,6 @@ def energy_of(orbit: Orbit) -> float:
     orbit : Orbit
         Converged.
 
-    Returns
-    -------
-    float
-
     Raises
     ------
     InputError

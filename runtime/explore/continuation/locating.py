@@ -62,10 +62,6 @@ def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> 
     points : array (k, n + 1)
     tangents : array (k, n + 1)
         In the curve's units, of length 1.
-
-    Returns
-    -------
-    list of LocatedEvent
     """
     if len(points) < 2:
         return []
@@ -406,10 +402,6 @@ def describe(
         As `BranchSamples` counts it.
     time : float or None
         Since the start of the phase; None where there is none.
-
-    Returns
-    -------
-    Event
     """
     phase: int | None = None
     configuration = where = ""

@@ -99,10 +99,6 @@ class Monitors:
         monitor : Monitor
         z : array (n + 1,)
             Where its number is zero.
-
-        Returns
-        -------
-        bool
         """
         kind = KINDS[monitor.kind]
         return kind.test is None or kind.holds(self.curve.multipliers(z[None])[0])
@@ -136,10 +132,6 @@ def monitors_of(curve: OrbitFamily, points: np.ndarray) -> Monitors:
     ----------
     curve : OrbitFamily
     points : array (k, n + 1)
-
-    Returns
-    -------
-    Monitors
     """
     some = points[np.unique(np.linspace(0, len(points) - 1, _SAMPLES).astype(int))]
     here = _orbit_kind(curve, curve.multipliers(some))

@@ -116,10 +116,6 @@ def orbits_beside(
         One of its border collisions.
     parameters : mapping of str to str, number or Value, optional
         Those of the system that the orbit leaves open; else they are chosen.
-
-    Returns
-    -------
-    tuple of Orbit
     """
     base, system_at = _neighbour(branch, event, parameters)
     span = float(np.ptp(branch.parameter_values)) or abs(event.value) or 1.0

@@ -115,10 +115,6 @@ class OrbitFamily:
         Parameters
         ----------
         z, following : array (n + 1,)
-
-        Returns
-        -------
-        bool
         """
         parts = zip(self.unevenness(z), self.unevenness(following), strict=True)
         sizes = [tuple(float(np.abs(part).max()) for part in pair) for pair in parts]
@@ -215,10 +211,6 @@ class OrbitFamily:
         Parameters
         ----------
         z : array (n + 1,)
-
-        Returns
-        -------
-        Orbit
         """
         return self._equations.orbit_at(self._full(z), self._given(z))
 
@@ -228,10 +220,6 @@ class OrbitFamily:
         Parameters
         ----------
         z : array (n + 1,)
-
-        Returns
-        -------
-        Motion or Trajectory
         """
         return self._equations.motion_at(self._full(z), self._given(z))
 

@@ -20,30 +20,12 @@ __all__ = ["forcing_frequencies", "is_forced", "system_of", "usual_quantities"]
 
 
 def is_forced(branch: Branch) -> bool:
-    """Whether the system of a branch is under harmonic forcing.
-
-    Parameters
-    ----------
-    branch : Branch
-
-    Returns
-    -------
-    bool
-    """
+    """Whether the system of a branch is under harmonic forcing."""
     return bool(structure_of(system_of(branch.orbit)).forcing)
 
 
 def system_of(orbit: Orbit) -> SystemKernels:
-    """Tables and kernels of an orbit's system.
-
-    Parameters
-    ----------
-    orbit : Orbit
-
-    Returns
-    -------
-    SystemKernels
-    """
+    """Tables and kernels of an orbit's system."""
     return orbit.system
 
 
@@ -85,10 +67,6 @@ def usual_quantities(branch: Branch) -> tuple[str, ...]:
     """The amplitude of each coordinate of a forced system, whose period is given; else the period.
 
     Over the frequency of the forcing that is the frequency response.
-
-    Parameters
-    ----------
-    branch : Branch
 
     Returns
     -------

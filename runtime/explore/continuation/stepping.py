@@ -81,10 +81,6 @@ class Curve(Protocol):
         Parameters
         ----------
         z, following : array (n + 1,)
-
-        Returns
-        -------
-        bool
         """
 
 
@@ -215,10 +211,6 @@ def trace_both_ways(
         From two neighbouring points, why the path ends behind them; None where it goes on.
     known : Path or None
         A path to go on with.
-
-    Returns
-    -------
-    Path
     """
     if known is None:
         direction = tangent_at(curve, curve.first, np.eye(len(curve.first))[-1])

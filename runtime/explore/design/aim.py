@@ -45,10 +45,6 @@ def watched_margins(measured: QuantityValues, lengths: np.ndarray) -> dict[Margi
     measured : QuantityValues
     lengths : array (q,)
         Of the parameters' intervals.
-
-    Returns
-    -------
-    dict of MarginKey to float
     """
     found = {}
     for margin in measured.derivatives.margins:
@@ -142,10 +138,6 @@ class Aim:
     def variables(self, point: Trial) -> np.ndarray:
         """The variables at a trial.
 
-        Parameters
-        ----------
-        point : Trial
-
         Returns
         -------
         array (n,)
@@ -153,29 +145,11 @@ class Aim:
         return np.append(point.place, self.value(point)) if self.levelled else point.place
 
     def worst(self, point: Trial) -> DesignPoint:
-        """The orbit of a trial at which the quantity is worst.
-
-        Parameters
-        ----------
-        point : Trial
-
-        Returns
-        -------
-        DesignPoint
-        """
+        """The orbit of a trial at which the quantity is worst."""
         return max(point.members, key=self._value)
 
     def value(self, point: Trial) -> float:
-        """What is made small, at a trial.
-
-        Parameters
-        ----------
-        point : Trial
-
-        Returns
-        -------
-        float
-        """
+        """What is made small, at a trial."""
         return self._value(self.worst(point))
 
     def _value(self, member: DesignPoint) -> float:
@@ -183,10 +157,6 @@ class Aim:
 
     def slope(self, point: Trial) -> np.ndarray:
         """Derivatives of what is made small by the variables.
-
-        Parameters
-        ----------
-        point : Trial
 
         Returns
         -------
@@ -237,25 +207,11 @@ class Aim:
         return Rows(found.values / sizes, slopes / sizes[:, None])
 
     def size(self, condition: DesignCondition) -> float:
-        """Unit in which a condition is missed.
-
-        Parameters
-        ----------
-        condition : DesignCondition
-
-        Returns
-        -------
-        float
-        """
+        """Unit in which a condition is missed."""
         return max(self.units.get(condition.quantity, 1.0), abs(float(condition.value)))
 
     def condition_rows(self, member: DesignPoint, condition: DesignCondition) -> Rows:
         """One condition of one orbit.
-
-        Parameters
-        ----------
-        member : DesignPoint
-        condition : DesignCondition
 
         Returns
         -------
@@ -283,11 +239,6 @@ class Aim:
     def relaxing(self, member: DesignPoint, condition: DesignCondition) -> np.ndarray:
         """By how much each row of a condition grows for each unit of its value.
 
-        Parameters
-        ----------
-        member : DesignPoint
-        condition : DesignCondition
-
         Returns
         -------
         array (m,)
@@ -303,16 +254,7 @@ class Aim:
         return found / self.size(condition)
 
     def margin_rows(self, member: DesignPoint) -> Rows:
-        """How far each boundary stays away; far where it has no maximum inside its phase.
-
-        Parameters
-        ----------
-        member : DesignPoint
-
-        Returns
-        -------
-        Rows
-        """
+        """How far each boundary stays away; far where it has no maximum inside its phase."""
         margins = member.quantities.derivatives.margins
         there = {MarginKey(m.phase, m.boundary): m for m in margins}
         count = len(self.lengths)
@@ -333,10 +275,6 @@ class Aim:
             Value of the level's variable, where there is one.
         equal : bool
             Whether equations are wanted.
-
-        Returns
-        -------
-        Rows
         """
         found = [
             self.condition_rows(member, each)
@@ -354,10 +292,6 @@ class Aim:
 
     def missed(self, point: Trial) -> float:
         """By how much a trial misses the conditions, in their units.
-
-        Parameters
-        ----------
-        point : Trial
 
         Returns
         -------

@@ -88,10 +88,6 @@ class BranchPoints:
         place : array (q,)
             In units of the bounds.
 
-        Returns
-        -------
-        BranchPoint
-
         Raises
         ------
         Beyond
@@ -146,10 +142,6 @@ class BranchPoints:
         part : float
             Of the branch's interval.
 
-        Returns
-        -------
-        DesignPoint
-
         Raises
         ------
         Beyond
@@ -158,14 +150,5 @@ class BranchPoints:
         return member_at(self.points, place, part)
 
     def where(self, member: DesignPoint) -> str:
-        """Where on the branch an orbit is, in words.
-
-        Parameters
-        ----------
-        member : DesignPoint
-
-        Returns
-        -------
-        str
-        """
+        """Where on the branch an orbit is, in words."""
         return f" at {self.name} = {float(member.orbit.given[self.name]):.6g}"

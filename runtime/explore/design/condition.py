@@ -62,10 +62,6 @@ def condition_in(text: str) -> DesignCondition:
     text : str
         Such as ``period<=6.5``, ``margin>=0`` or ``trace=1/2``.
 
-    Returns
-    -------
-    DesignCondition
-
     Raises
     ------
     InputError

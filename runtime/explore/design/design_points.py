@@ -136,10 +136,6 @@ class DesignPoints:
         place : array (q,)
             In units of the bounds.
 
-        Returns
-        -------
-        DesignPoint
-
         Raises
         ------
         Beyond
@@ -189,16 +185,7 @@ class DesignPoints:
         self.visited.append(found)
 
     def is_motion(self, member: DesignPoint) -> bool:
-        """Whether an orbit that was visited is what it has to be.
-
-        Parameters
-        ----------
-        member : DesignPoint
-
-        Returns
-        -------
-        bool
-        """
+        """Whether an orbit that was visited is what it has to be."""
         return not self._admissible or self._follower.admissible(member.numbers)
 
     def _place_of(self, values: np.ndarray) -> np.ndarray:

@@ -100,10 +100,6 @@ class BranchFollower:
             An orbit.
         target : array (q,)
             Parameters at the end of the way.
-
-        Returns
-        -------
-        Reached
         """
         way = target - self.parameters(begin)
         here, part, step = begin, 0.0, 1.0
@@ -127,10 +123,6 @@ class BranchFollower:
         Parameters
         ----------
         numbers : array (n,)
-
-        Returns
-        -------
-        bool
         """
         return bool(self._equations.admissible(numbers[None])[0])
 
@@ -140,10 +132,6 @@ class BranchFollower:
         Parameters
         ----------
         numbers : array (n,)
-
-        Returns
-        -------
-        Orbit
         """
         values = zip(self.names, self.parameters(numbers).tolist(), strict=True)
         given = {name: as_value(value) for name, value in values}

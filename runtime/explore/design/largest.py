@@ -76,10 +76,6 @@ def is_largest_of_several(quantity: str, sign: int) -> bool:
     quantity : str
     sign : int
         -1 where it is maximised.
-
-    Returns
-    -------
-    bool
     """
     if quantity.startswith("minimum:"):
         return sign < 0
@@ -132,10 +128,6 @@ def extreme_keys(every: Iterable[OrbitDerivatives], quantity: str) -> tuple[Extr
     every : iterable of OrbitDerivatives
         Of orbits of one itinerary: the most that one of them has.
     quantity : str
-
-    Returns
-    -------
-    tuple of ExtremeKey
     """
     counts: dict[tuple[int, int], int] = {}
     for derivatives in every:
@@ -165,10 +157,6 @@ def extreme_rows(
     level : float
     unit : float
         Of the quantity.
-
-    Returns
-    -------
-    LevelRows
     """
     found = derivatives.local_extremes(quantity)
     rows: list[LocalExtreme | None] = []

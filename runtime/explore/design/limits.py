@@ -77,10 +77,6 @@ def optimality(
     bounds : array (q, 2)
     where : callable
         Where on a branch an orbit is, in words.
-
-    Returns
-    -------
-    Optimality
     """
     from scipy.optimize import lsq_linear
 

@@ -45,14 +45,6 @@ def multiplier_groups(derivatives: OrbitDerivatives) -> tuple[MultiplierGroup, .
 
     Conjugate ones are a pair, and real ones next to each other, so that each pair stays what it
     is where two multipliers meet and leave the real axis.
-
-    Parameters
-    ----------
-    derivatives : OrbitDerivatives
-
-    Returns
-    -------
-    tuple of MultiplierGroup
     """
     found, section = derivatives.section, derivatives.directions.section
     count = section.rank - section.trivial

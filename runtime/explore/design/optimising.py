@@ -52,10 +52,6 @@ class Trials(Protocol):
         Parameters
         ----------
         place : array (q,)
-
-        Returns
-        -------
-        Trial
         """
 
 
@@ -88,10 +84,6 @@ def optimise(points: Trials, aim: Aim, method: Method, most: int, history: list[
         Iterations of the optimiser in each of its rounds.
     history : list of Trial
         The iterates are added to it, as they come.
-
-    Returns
-    -------
-    Ended
     """
     try:
         return _optimised(points, aim, method, most, history)

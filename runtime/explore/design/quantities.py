@@ -56,10 +56,6 @@ class QuantityValues(NamedTuple):
         name : str
         wanted : float, optional
             Of a multiplier.
-
-        Returns
-        -------
-        float
         """
         if name != MULTIPLIER:
             return self.values[name]
@@ -77,10 +73,6 @@ def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> QuantityValue
         Parameters that were given for it.
     of : sequence of str
         Quantities as `OrbitDerivatives.quantity` knows them.
-
-    Returns
-    -------
-    QuantityValues
 
     Raises
     ------
@@ -102,31 +94,13 @@ def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> QuantityValue
 
 
 def is_extreme(quantity: str) -> bool:
-    """Whether a quantity is the largest of several local extremes of the motion.
-
-    Parameters
-    ----------
-    quantity : str
-
-    Returns
-    -------
-    bool
-    """
+    """Whether a quantity is the largest of several local extremes of the motion."""
     kind, _, of = quantity.partition(":")
     return kind in KINDS and bool(of)
 
 
 def is_pure(quantity: str) -> bool:
-    """Whether a quantity is a number in all units of length, time and mass.
-
-    Parameters
-    ----------
-    quantity : str
-
-    Returns
-    -------
-    bool
-    """
+    """Whether a quantity is a number in all units of length, time and mass."""
     return quantity in _PURE
 
 
@@ -175,10 +149,6 @@ def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> Gap:
     derivatives : OrbitDerivatives
     wanted : float
         Not zero.
-
-    Returns
-    -------
-    Gap
 
     Raises
     ------

@@ -85,10 +85,6 @@ class DesignQuestion:
     def check_resumed(self, known: Design) -> None:
         """Refuse to go on with the design of another question.
 
-        Parameters
-        ----------
-        known : Design
-
         Raises
         ------
         InputError
@@ -132,10 +128,6 @@ def design_question(
     ----------
     orbit, minimise, maximise, solve, over, worst_over, subject_to
         As `design` takes them.
-
-    Returns
-    -------
-    DesignQuestion
 
     Raises
     ------

@@ -45,10 +45,6 @@ def member_at(points: DesignPoints, place: np.ndarray, part: float) -> DesignPoi
     part : float
         Of the branch's interval.
 
-    Returns
-    -------
-    DesignPoint
-
     Raises
     ------
     Beyond
@@ -74,10 +70,6 @@ def scanned(points: DesignPoints, place: np.ndarray, begin: float, count: int) -
     begin : float
         Place along the branch of an orbit that is known there.
     count : int
-
-    Returns
-    -------
-    Scan
 
     Raises
     ------

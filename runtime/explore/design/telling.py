@@ -28,10 +28,6 @@ def values_of(
     point : Trial
     asked : iterable of str
         Quantities.
-
-    Returns
-    -------
-    dict of str to float
     """
     given = point.members[0].orbit.given
     found = {name: float(given[name]) for name in names}
@@ -61,10 +57,6 @@ def gradient_of(
     aim : Aim
     point : Trial
     measured : iterable of str
-
-    Returns
-    -------
-    dict of str to dict of str to float
     """
     found = {}
     for name in measured:
@@ -99,19 +91,7 @@ def iterates_of(
 
 
 def message_of(aim: Aim, ended: Ended, left: Optimality, *, converged: bool) -> str:
-    """How a design ended, in words.
-
-    Parameters
-    ----------
-    aim : Aim
-    ended : Ended
-    left : Optimality
-    converged : bool
-
-    Returns
-    -------
-    str
-    """
+    """How a design ended, in words."""
     if ended.reason == INTERRUPTED:
         return INTERRUPTED
     acting = ", ".join(limit.text for limit in left.active)

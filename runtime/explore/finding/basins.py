@@ -195,10 +195,6 @@ def attractors_found(found: Found, kernels: SystemKernels) -> Attractors:
     found : Found
     kernels : SystemKernels
         Of its system.
-
-    Returns
-    -------
-    Attractors
     """
     point = piecewise(kernels, found.parameters)
     orbits = tuple(entry.orbit for entry in found.orbits)

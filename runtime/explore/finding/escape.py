@@ -55,10 +55,6 @@ def pursue(
         That ended after a number of transitions, the same for all.
     threads : int or None
         As many as processors when None.
-
-    Returns
-    -------
-    Pursued
     """
     count, kept = motions.last_times.shape
     values, far = (
@@ -120,10 +116,6 @@ def natural_size(system: PiecewiseLinear) -> float:
     """How far out a system's boundaries, its equilibria and responses to the forcing reach.
 
     Over all configurations, admissible or not; zero for a system that is homogeneous.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
 
     Returns
     -------

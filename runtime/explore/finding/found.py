@@ -167,16 +167,7 @@ class Found(Kept):
 
 
 def label_names(found: Found) -> dict[int, str]:
-    """What the labels stand for, for pictures: the orbits that attract, and the rest.
-
-    Parameters
-    ----------
-    found : Found
-
-    Returns
-    -------
-    dict of int to str
-    """
+    """What the labels stand for, for pictures: the orbits that attract, and the rest."""
     attracting = {i: entry for i, entry in enumerate(found.orbits) if entry.starts}
     names = {
         i: f"orbit {i + 1}, period {entry.period:.6g}{_apart(i, attracting)}"

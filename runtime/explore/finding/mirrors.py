@@ -23,14 +23,6 @@ def mirrors(system: PiecewiseLinear) -> list[Symmetry]:
     """Symmetries that take positions to positions and velocities likewise, without the identity.
 
     A forcing stays, or is turned by half a period.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-
-    Returns
-    -------
-    list of Symmetry
     """
     found = []
     for matrix in _candidates(system):
@@ -53,10 +45,6 @@ def mirror_places(
     ----------
     entries : sequence of Orbit or Equilibrium
     symmetries : sequence of Symmetry
-
-    Returns
-    -------
-    list of int or None
     """
     return [
         next(

@@ -22,15 +22,6 @@ def short_cycles(kernels: SystemKernels, motions: Trajectories) -> Iterator[Cand
 
     Dwell times are medians of those that were seen; the start is the mean of the states at
     which the first phase was entered. Shorter cycles come first.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    motions : Trajectories
-
-    Yields
-    ------
-    Candidate
     """
     follows, durations, starts = _seen(motions)
     tried: set[Itinerary] = set()

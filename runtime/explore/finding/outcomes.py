@@ -105,10 +105,6 @@ class Attractors:
         Motions that go on from boundary to boundary without an orbit are UNCLASSIFIED. The last
         two entries of the motions have to be kept.
 
-        Parameters
-        ----------
-        motions : Trajectories
-
         Returns
         -------
         array (n,) of int
@@ -183,10 +179,6 @@ def attractors_of(
         At its parameters.
     orbits : sequence of Orbit
         Converged and admissible.
-
-    Returns
-    -------
-    Attractors
     """
     forced = responses(kernels, system)
     staying = [orbit for orbit in forced if orbit is not None and orbit.converged]
@@ -260,10 +252,6 @@ def labels_of_ends(motions: Trajectories) -> np.ndarray:
 
     They are ILLEGAL where nothing was simulated, and DIVERGENT where they grew until nothing can
     be computed. The last entry of the motions has to be kept.
-
-    Parameters
-    ----------
-    motions : Trajectories
 
     Returns
     -------

@@ -47,10 +47,6 @@ def primitive_orbit(
     point : PiecewiseLinear
         The system at its parameters.
     candidate : Candidate
-
-    Returns
-    -------
-    Orbit or None
     """
     orbit = _composed(kernels, point, candidate)
     if orbit is None or not orbit.converged or not (orbit.dwell_times > 0).all():
@@ -70,10 +66,6 @@ def in_a_family(kernels: SystemKernels, point: PiecewiseLinear, candidate: Candi
     point : PiecewiseLinear
         The system at its parameters.
     candidate : Candidate
-
-    Returns
-    -------
-    bool
     """
     orbit = _composed(kernels, point, candidate)
     return orbit is not None and orbit.status == SINGULAR and bool((orbit.dwell_times > 0).all())
@@ -86,10 +78,6 @@ def admissible(orbit: Orbit) -> bool:
     ----------
     orbit : Orbit
         By tables.
-
-    Returns
-    -------
-    bool
     """
     if orbit.status != CONVERGED:
         return False
@@ -136,10 +124,6 @@ def same_orbit(orbit: Orbit, other: Candidate | Orbit) -> bool:
     orbit : Orbit
         By tables.
     other : Candidate or Orbit
-
-    Returns
-    -------
-    bool
     """
     first = other.state if isinstance(other, Candidate) else other.states[0]
     start = up_to_shift(first, orbit.tables.translations)
@@ -182,10 +166,6 @@ def converging(
     point : PiecewiseLinear
         The system at its parameters.
     candidates : iterable of Candidate
-
-    Yields
-    ------
-    Candidate
     """
     groups: dict[Itinerary, list[Candidate]] = defaultdict(list)
     for candidate in candidates:
@@ -224,10 +204,6 @@ def image_of(orbit: Orbit, symmetry: Symmetry) -> Candidate:
     orbit : Orbit
         By tables.
     symmetry : Symmetry
-
-    Returns
-    -------
-    Candidate
     """
     structure = orbit.tables.cycle.structure
     phases = []

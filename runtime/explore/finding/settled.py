@@ -72,10 +72,6 @@ def settled(
         Their last entries have to be kept.
     threads : int or None
         As many as processors when None.
-
-    Returns
-    -------
-    Settled
     """
     shape, count = motions.status.shape, motions.status.size
     points, given = parameter_points(kernels, parameters)
@@ -105,12 +101,7 @@ def settled(
 
 
 def settled_texts() -> dict[int, str]:
-    """The outcomes in words, by their numbers.
-
-    Returns
-    -------
-    dict of int to str
-    """
+    """The outcomes in words, by their numbers."""
     return {
         PERIODIC: "periodic",
         UNINTERRUPTED: "periodic without a transition",

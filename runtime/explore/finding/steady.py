@@ -62,10 +62,6 @@ class Equilibrium:
 def equilibria(system: PiecewiseLinear) -> list[Equilibrium]:
     """Isolated equilibria that are motions of a system without forcing, each once.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-
     Returns
     -------
     list of Equilibrium
@@ -104,10 +100,6 @@ def equilibria(system: PiecewiseLinear) -> list[Equilibrium]:
 
 def forcing_turns(system: PiecewiseLinear) -> tuple[int, ...] | None:
     """How often each forcing turns until all begin anew; None if they never do.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
 
     Returns
     -------

@@ -115,10 +115,6 @@ def output_of(text: str, structure: Structure) -> Output:
         Such as ``x1 - x2``, ``acceleration:x1 + 9.81`` or ``force:wall``.
     structure : Structure
 
-    Returns
-    -------
-    Output
-
     Raises
     ------
     InputError

@@ -65,10 +65,6 @@ def local_maxima(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> l
     phases : Phases
     rows : array (configurations, K, N + 1)
         Affine functions ``n y + c``: n, then c.
-
-    Returns
-    -------
-    list of LocalMaximum
     """
     return [
         maximum

@@ -52,10 +52,6 @@ LOSSES: Mapping[str, Loss] = {
 def check_loss(name: str) -> None:
     """Refuse an unknown loss.
 
-    Parameters
-    ----------
-    name : str
-
     Raises
     ------
     InputError

@@ -173,10 +173,6 @@ def measured(
     sigma : mapping of str to float, or float, or None
         Standard deviations of columns that have no ``sigma_NAME`` beside them.
 
-    Returns
-    -------
-    Measured
-
     Raises
     ------
     InputError
@@ -433,10 +429,6 @@ def boundary_named(structure: Structure, name: str) -> str:
     structure : Structure
     name : str
         Of a boundary, or of an element: ``wall`` for ``wall-reaches-stop``.
-
-    Returns
-    -------
-    str
 
     Raises
     ------

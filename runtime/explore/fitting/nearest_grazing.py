@@ -142,10 +142,6 @@ def nearest(found: Iterable[NearestGrazing | None]) -> NearestGrazing | None:
     Parameters
     ----------
     found : iterable of NearestGrazing or None
-
-    Returns
-    -------
-    NearestGrazing or None
     """
 
     def far(each: NearestGrazing) -> tuple[float, float]:

@@ -68,10 +68,6 @@ def predict(
         Of the experiment, from 0.
     point : array (q,)
 
-    Returns
-    -------
-    Prediction
-
     Raises
     ------
     NonsmoothError
@@ -133,16 +129,6 @@ def motion_under(
 ) -> Trajectory:
     """Follow the motion of an experiment, as far as it was recorded.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    experiment : Measured
-    condition : MotionSettings
-
-    Returns
-    -------
-    Trajectory
-
     Raises
     ------
     NonsmoothError
@@ -180,11 +166,6 @@ def motion_under(
 
 def times_of_events(motion: Trajectory, boundary: str) -> np.ndarray:
     """Give the places among a motion's times at which it reaches a boundary.
-
-    Parameters
-    ----------
-    motion : Trajectory
-    boundary : str
 
     Returns
     -------

@@ -92,10 +92,6 @@ class FitProblem:
         ----------
         part : float
             Of the time between the first and the last datum of an experiment.
-
-        Returns
-        -------
-        FitProblem
         """
         experiments = []
         for each in self.experiments:
@@ -110,11 +106,6 @@ class FitProblem:
 
     def sigma(self, series: MeasuredSeries, noise: Noise) -> np.ndarray:
         """Standard deviations of a series.
-
-        Parameters
-        ----------
-        series : MeasuredSeries
-        noise : mapping of str to float
 
         Returns
         -------
@@ -149,10 +140,6 @@ class FitProblem:
         ----------
         point : array (q,)
 
-        Returns
-        -------
-        tuple of Prediction or SteadyPrediction
-
         Raises
         ------
         NonsmoothError
@@ -175,10 +162,6 @@ class FitProblem:
         point : array (q,)
         predictions : sequence of Prediction or SteadyPrediction
         noise : mapping of str to float
-
-        Returns
-        -------
-        Residuals
         """
         values, jacobians = [], []
         for experiment, found in zip(self.experiments, predictions, strict=True):
@@ -200,10 +183,6 @@ class FitProblem:
         ----------
         point : array (q,)
         noise : mapping of str to float
-
-        Returns
-        -------
-        Residuals
         """
         try:
             return self.weighted(point, self.predictions(point), noise)

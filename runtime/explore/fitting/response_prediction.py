@@ -66,27 +66,13 @@ def points_under(
     number : int
         Of the experiment, from 0.
     at : array (q,)
-
-    Returns
-    -------
-    list of dict of str to number
     """
     shared = unknowns.condition(at, number).parameters
     return [{**shared, **own} for own in experiment.points]
 
 
 def differentiated_by(unknowns: Unknowns, number: int) -> dict[str, int]:
-    """Free parameters of an experiment, with their columns.
-
-    Parameters
-    ----------
-    unknowns : Unknowns
-    number : int
-
-    Returns
-    -------
-    dict of str to int
-    """
+    """Free parameters of an experiment, with their columns."""
     return {
         entry.target: column
         for column, entry in enumerate(unknowns.entries)
@@ -156,10 +142,6 @@ def predict_steady(
     point : array (q,)
     known : KnownResponses
         Where they are followed from; what is found is remembered.
-
-    Returns
-    -------
-    SteadyPrediction
 
     Raises
     ------

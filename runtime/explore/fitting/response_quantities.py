@@ -77,10 +77,6 @@ def response_quantity(text: str, structure: Structure) -> ResponseQuantity:
         forces, such as ``amplitude:x1 - x2`` or ``rms:acceleration:x``.
     structure : Structure
 
-    Returns
-    -------
-    ResponseQuantity
-
     Raises
     ------
     InputError

@@ -76,10 +76,6 @@ def statistics(
         Whether all standard deviations were given.
     held : array (q,) of bool
         Unknowns at a bound.
-
-    Returns
-    -------
-    Statistics
     """
     from scipy.stats import norm, t
 
@@ -137,10 +133,6 @@ def combination_text(names: Sequence[str], combination: np.ndarray) -> str:
     ----------
     names : sequence of str
     combination : array (q,)
-
-    Returns
-    -------
-    str
 
     Examples
     --------

@@ -48,16 +48,7 @@ class KnownResponses:
         self._orbits: dict[tuple[int, int], list[OrbitDerivatives]] = {}
 
     def at(self, experiment: int, place: int) -> list[OrbitDerivatives]:
-        """Those of a point of an experiment.
-
-        Parameters
-        ----------
-        experiment, place : int
-
-        Returns
-        -------
-        list of OrbitDerivatives
-        """
+        """Those of a point of an experiment."""
         return self._orbits.get((experiment, place), [])
 
     def keep(self, experiment: int, place: int, orbits: Sequence[OrbitDerivatives]) -> None:
@@ -71,16 +62,7 @@ class KnownResponses:
         self._orbits[experiment, place] = list(orbits[:_MOST])
 
     def known(self, experiment: int) -> bool:
-        """Whether an experiment's responses were looked for.
-
-        Parameters
-        ----------
-        experiment : int
-
-        Returns
-        -------
-        bool
-        """
+        """Whether an experiment's responses were looked for."""
         return any(known == experiment for known, _ in self._orbits)
 
 
@@ -188,10 +170,6 @@ def survey(kernels: SystemKernels, points: Sequence[Point]) -> list[list[Orbit]]
     kernels : SystemKernels
     points : sequence of mapping
         All parameters of each, in the order of a sweep.
-
-    Returns
-    -------
-    list of list of Orbit
     """
     found: list[list[Orbit]] = [[] for _ in points]
     for place, parameters in enumerate(points):

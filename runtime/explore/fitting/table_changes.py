@@ -19,10 +19,6 @@ def table_changes(motion: Trajectory, by: Sequence[str]) -> TableDerivatives:
     ----------
     motion : Trajectory
     by : sequence (q,) of str
-
-    Returns
-    -------
-    TableDerivatives
     """
     kernels = motion.structure.kernels
     assert kernels is not None

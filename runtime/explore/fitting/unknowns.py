@@ -45,16 +45,7 @@ class FreeNumber:
     experiment: int | None
 
     def concerns(self, experiment: int) -> bool:
-        """Tell whether an experiment depends on it.
-
-        Parameters
-        ----------
-        experiment : int
-
-        Returns
-        -------
-        bool
-        """
+        """Tell whether an experiment depends on it."""
         return self.experiment in (None, experiment)
 
 
@@ -114,10 +105,6 @@ class Unknowns:
         ----------
         point : array (q,)
         experiment : int
-
-        Returns
-        -------
-        MotionSettings
         """
         fixed = self.fixed[experiment]
         parameters, start, offset = dict(fixed.parameters), dict(fixed.start), fixed.offset
@@ -158,10 +145,6 @@ def unknowns_of(
     priors : mapping of str to (mean, standard deviation)
     start : mapping of state to number
     offset : float
-
-    Returns
-    -------
-    Unknowns
 
     Raises
     ------

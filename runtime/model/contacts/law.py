@@ -164,10 +164,6 @@ class Law:
         configuration : int
         resting : iterable of int
             Contacts at rest.
-
-        Returns
-        -------
-        ContactEvent
         """
         regimes, others = self.regimes[configuration], self.others[configuration]
         return ContactEvent(tuple(resting), frozenset(), regimes, others, "")
@@ -180,10 +176,6 @@ class Law:
         source : int
             The configuration in which the boundaries are reached.
         boundaries : iterable of str
-
-        Returns
-        -------
-        ContactEvent or None
         """
         boundaries = frozenset(boundaries)
         reached = frozenset(self.limits[b] for b in boundaries if b in self.limits)
@@ -209,10 +201,6 @@ class Law:
         event : ContactEvent
         target : int
             A configuration.
-
-        Returns
-        -------
-        bool
         """
         pairs = zip(event.regimes, self.regimes[target], strict=True)
         kept = all(a == b for i, (a, b) in enumerate(pairs) if i not in event.resting)
@@ -246,10 +234,6 @@ def law_of(table: Mapping[str, Any], configurations: Sequence[str]) -> Law | Non
         Of a system, as it is emitted.
     configurations : sequence of str
         Of that system, in its order.
-
-    Returns
-    -------
-    Law or None
     """
     found = table.get("law")
     if found is None:

@@ -39,12 +39,6 @@ class SignRequirement(NamedTuple):
 def signs(law: Law, event: ContactEvent, stage: Stage) -> list[bool]:
     """Which of the functions of a step are to be positive; the others are not.
 
-    Parameters
-    ----------
-    law : Law
-    event : ContactEvent
-    stage : Stage
-
     Returns
     -------
     list of bool
@@ -69,10 +63,6 @@ def requirements(
     stage : Stage
     entry : function
         The constant of a row: an entry of the coupling.
-
-    Returns
-    -------
-    list of SignRequirement
 
     Raises
     ------

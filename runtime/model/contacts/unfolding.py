@@ -84,10 +84,6 @@ class UnfoldedKernels(SystemKernels):
     def source(self, kernel: str) -> Callable[..., Any]:
         """A kernel over any arithmetic; rows with those of the routes.
 
-        Parameters
-        ----------
-        kernel : str
-
         Returns
         -------
         callable
@@ -145,10 +141,6 @@ def unfolded(kernels: SystemKernels, routes: Iterable[Route]) -> SystemKernels:
     kernels : SystemKernels
     routes : iterable of Route
         One that is there twice is listed once.
-
-    Returns
-    -------
-    SystemKernels
     """
     declared = kernels.name, kernels.module, kernels.compiled
     wanted = tuple(dict.fromkeys(routes))

@@ -90,12 +90,7 @@ class KernelLibrary:
         self._declared = system, orbits
 
     def module(self) -> ModuleType | None:
-        """The compiled kernels, if they are there by now.
-
-        Returns
-        -------
-        module or None
-        """
+        """The compiled kernels, if they are there by now."""
         with self._lock:
             if self._building is not None and self._building.ended():
                 self._building, self._sought = None, False

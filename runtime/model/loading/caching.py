@@ -44,10 +44,6 @@ def cache_folder() -> Path | None:
     """Where derived text is kept; None where it is not.
 
     A folder that others could write to is not used, which is said once.
-
-    Returns
-    -------
-    Path or None
     """
     folder = _named()
     if folder is None:
@@ -107,10 +103,6 @@ def cached(key: str, make: Callable[[], str]) -> str:
     key : str
     make : callable
         Takes nothing and gives the text.
-
-    Returns
-    -------
-    str
     """
     found = stored(key)
     if found is None:
@@ -120,16 +112,7 @@ def cached(key: str, make: Callable[[], str]) -> str:
 
 
 def stored(key: str) -> str | None:
-    """Text that is stored under a key; None where there is none, or it is damaged.
-
-    Parameters
-    ----------
-    key : str
-
-    Returns
-    -------
-    str or None
-    """
+    """Text that is stored under a key; None where there is none, or it is damaged."""
     folder = cache_folder()
     if folder is None:
         return None
@@ -147,16 +130,7 @@ def stored(key: str) -> str | None:
 
 
 def stored_library(key: str) -> Path | None:
-    """The compiled kernels that are stored under a key; None where there are none, or damaged.
-
-    Parameters
-    ----------
-    key : str
-
-    Returns
-    -------
-    Path or None
-    """
+    """The compiled kernels that are stored under a key; None where there are none, or damaged."""
     folder = cache_folder()
     if folder is None:
         return None
@@ -185,16 +159,7 @@ def store_library(key: str, name: str, content: bytes) -> None:
 
 
 def made_folder(folder: Path) -> bool:
-    """Make the cache folder, and those above it, for the user alone; whether it is there.
-
-    Parameters
-    ----------
-    folder : Path
-
-    Returns
-    -------
-    bool
-    """
+    """Make the cache folder, and those above it, for the user alone; whether it is there."""
     with suppress(OSError):
         for place in (*reversed(folder.parents), folder):
             if not place.exists():

@@ -34,10 +34,6 @@ class DeclaredSystem(Protocol):
         Parameters
         ----------
         orbits : sequence of Itinerary
-
-        Returns
-        -------
-        str
         """
         ...
 
@@ -47,10 +43,6 @@ class DeclaredSystem(Protocol):
         Parameters
         ----------
         orbits : sequence of Itinerary
-
-        Returns
-        -------
-        str
         """
         ...
 
@@ -60,10 +52,6 @@ class DeclaredSystem(Protocol):
         Parameters
         ----------
         orbits : sequence of Itinerary
-
-        Returns
-        -------
-        dict of file name to text
         """
         ...
 
@@ -73,10 +61,6 @@ class DeclaredSystem(Protocol):
         Parameters
         ----------
         orbits : sequence of Itinerary
-
-        Returns
-        -------
-        dict of file name to text
         """
         ...
 
@@ -118,10 +102,6 @@ def declaration_in(path: Path) -> Declared:
     ----------
     path : Path
         A Python file.
-
-    Returns
-    -------
-    Declared
 
     Raises
     ------

@@ -26,10 +26,6 @@ _LARGEST = 1 << 24  # bytes of it
 def check_own_folder(folder: Path) -> None:
     """Refuse a folder that holds other things, before the work is done.
 
-    Parameters
-    ----------
-    folder : Path
-
     Raises
     ------
     InputError
@@ -63,10 +59,6 @@ def write_folder(
     files : mapping of file name to text
     library : mapping of file name to content, optional
         Compiled kernels of these files.
-
-    Returns
-    -------
-    list of Path
 
     Raises
     ------

@@ -52,30 +52,11 @@ class GrowingDeclaration(DeclaredSystem, Protocol):
         ...
 
     def has(self, name: str) -> bool:
-        """Whether there is a configuration of a name.
-
-        Parameters
-        ----------
-        name : str
-
-        Returns
-        -------
-        bool
-        """
+        """Whether there is a configuration of a name."""
         ...
 
     def piece(self, name: str, boundaries: Collection[str] = ()) -> str:
-        """What follows the boundaries of a configuration, as Python text.
-
-        Parameters
-        ----------
-        name : str
-        boundaries : collection of str
-
-        Returns
-        -------
-        str
-        """
+        """What follows the boundaries of a configuration, as Python text."""
         ...
 
     def composed(self, orbit: Any) -> dict[str, Any]:
@@ -225,25 +206,12 @@ def growth_of(module: ModuleType) -> Growth | None:
     ----------
     module : module
         Tables and kernels.
-
-    Returns
-    -------
-    Growth or None
     """
     return _GROWTHS.get(module)
 
 
 def growth_for(declared: GrowingDeclaration) -> Growth:
-    """What was made of a declaration, one for equal ones.
-
-    Parameters
-    ----------
-    declared : GrowingDeclaration
-
-    Returns
-    -------
-    Growth
-    """
+    """What was made of a declaration, one for equal ones."""
     key = declared.fingerprint()
     return _DECLARED.setdefault(key, Growth(declared, key))
 

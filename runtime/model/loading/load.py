@@ -84,10 +84,6 @@ def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> Loaded:
     system : System
     orbits : sequence of Itinerary
         Derived with it.
-
-    Returns
-    -------
-    Loaded
     """
     if isinstance(system, GrowingDeclaration):
         return _joined(system.name, growth_for(system), (), orbits)
@@ -232,10 +228,6 @@ def remember(loaded: Loaded) -> Loaded:
     Records hold that name alone, so none may be forgotten. A system that a file brings along
     costs some 30 kB with all that caches hold of it; the same one of many files costs it once.
 
-    Parameters
-    ----------
-    loaded : Loaded
-
     Returns
     -------
     Loaded
@@ -247,14 +239,6 @@ def remember(loaded: Loaded) -> Loaded:
 
 def load_named(name: str) -> Loaded | None:
     """What a name ``NAME@HASH`` stands for; None for a name of another form.
-
-    Parameters
-    ----------
-    name : str
-
-    Returns
-    -------
-    Loaded or None
 
     Raises
     ------
@@ -281,14 +265,6 @@ def load_named(name: str) -> Loaded | None:
 
 def located(name: str) -> Path | None:
     """Whole path of a FILE.py, or of a folder; None for a name that is neither.
-
-    Parameters
-    ----------
-    name : str
-
-    Returns
-    -------
-    Path or None
 
     Raises
     ------
@@ -338,10 +314,6 @@ def load_path(path: Path, orbit: str | None = None, *, compiled: bool) -> Loaded
 
 def orbits_of(path: Path) -> tuple[str, ...]:
     """Names of the orbits of a file or folder.
-
-    Parameters
-    ----------
-    path : Path
 
     Returns
     -------

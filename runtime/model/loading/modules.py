@@ -23,10 +23,6 @@ def module_of_text(text: str, file: str) -> ModuleType:
     text : str
     file : str
         What tracebacks call it.
-
-    Returns
-    -------
-    module
     """
     module = ModuleType("nonsmooth_emitted")
     module.__file__ = file

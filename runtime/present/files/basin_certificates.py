@@ -98,10 +98,6 @@ def save_basin(found: BasinCertificate, path: str | os.PathLike[str]) -> None:
 def basin_entries(found: BasinCertificate) -> BasinEntries:
     """What a file of a basin states.
 
-    Parameters
-    ----------
-    found : BasinCertificate
-
     Returns
     -------
     BasinEntries
@@ -139,10 +135,6 @@ def basin_of(entries: BasinEntries) -> BasinCertificate:
     ----------
     entries : BasinEntries
         As they were read.
-
-    Returns
-    -------
-    BasinCertificate
 
     Raises
     ------

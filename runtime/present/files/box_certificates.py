@@ -148,10 +148,6 @@ def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
     path : str or path
         File to read.
 
-    Returns
-    -------
-    BoxCertificate
-
     Raises
     ------
     InputError

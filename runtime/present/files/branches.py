@@ -92,10 +92,6 @@ def load_branch(path: str | os.PathLike[str]) -> Branch:
     path : str or path
         File to read.
 
-    Returns
-    -------
-    Branch
-
     Raises
     ------
     InputError

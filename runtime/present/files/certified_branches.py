@@ -136,10 +136,6 @@ BRANCH = FileFormat(
 def certified_branch_entries(found: CertifiedBranch) -> CertifiedBranchEntries:
     """What a certified branch's file states.
 
-    Parameters
-    ----------
-    found : CertifiedBranch
-
     Returns
     -------
     CertifiedBranchEntries
@@ -150,10 +146,6 @@ def certified_branch_entries(found: CertifiedBranch) -> CertifiedBranchEntries:
 
 def branch_file_entries(found: CertifiedBranch) -> BranchFileEntries:
     """What a certified branch's own file states: what begins at its events, too.
-
-    Parameters
-    ----------
-    found : CertifiedBranch
 
     Returns
     -------
@@ -191,10 +183,6 @@ def certified_branch_of(entries: CertifiedBranchEntries) -> CertifiedBranch:
     ----------
     entries : CertifiedBranchEntries
         As they were read.
-
-    Returns
-    -------
-    CertifiedBranch
     """
     system_in(entries.system, entries.tables)
     check_exponents(entries.declaration)

@@ -73,10 +73,6 @@ CASCADE = FileFormat(
 def certified_cascade_entries(found: CertifiedCascade) -> CertifiedCascadeEntries:
     """What a certified cascade's file states.
 
-    Parameters
-    ----------
-    found : CertifiedCascade
-
     Returns
     -------
     CertifiedCascadeEntries
@@ -118,10 +114,6 @@ def certified_cascade_of(entries: CertifiedCascadeEntries) -> CertifiedCascade:
     ----------
     entries : CertifiedCascadeEntries
         As they were read.
-
-    Returns
-    -------
-    CertifiedCascade
     """
     return CertifiedCascade(
         orbit=entries.orbit,

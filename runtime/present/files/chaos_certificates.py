@@ -89,10 +89,6 @@ def save_chaos(found: ChaosCertificate, path: str | os.PathLike[str]) -> None:
 def chaos_entries(found: ChaosCertificate) -> ChaosEntries:
     """What a file of chaos states.
 
-    Parameters
-    ----------
-    found : ChaosCertificate
-
     Returns
     -------
     ChaosEntries
@@ -111,10 +107,6 @@ def chaos_of(entries: ChaosEntries) -> ChaosCertificate:
     ----------
     entries : ChaosEntries
         As they were read.
-
-    Returns
-    -------
-    ChaosCertificate
     """
     own = {**vars(entries)}
     system_in(entries.system, own.pop("tables"))

@@ -49,11 +49,6 @@ def write_itineraries(found: Found, path: Path) -> tuple[str, ...]:
     An orbit that reaches no boundary has no itinerary to declare, and is left out. The file is
     replaced once its new content has been executed and declares all others.
 
-    Parameters
-    ----------
-    found : Found
-    path : Path
-
     Returns
     -------
     tuple of str

@@ -77,10 +77,6 @@ def _entries(design: Design) -> DesignEntries:
 def design_json(design: Design) -> dict[str, Any]:
     """Give a design as JSON, without its orbits' files.
 
-    Parameters
-    ----------
-    design : Design
-
     Returns
     -------
     dict of str to JSON value
@@ -102,10 +98,6 @@ def load_design(path: str | os.PathLike[str]) -> Design:
     ----------
     path : str or path
         File to read.
-
-    Returns
-    -------
-    Design
 
     Raises
     ------

@@ -96,14 +96,6 @@ def load_event_certificates(path: str | os.PathLike[str]) -> tuple[EventCertific
 
     Nothing is proved again.
 
-    Parameters
-    ----------
-    path : str or path
-
-    Returns
-    -------
-    tuple of EventCertificate
-
     Raises
     ------
     InputError

@@ -32,11 +32,6 @@ _FIT = FileFormat(name="nonsmooth fit", what="saved fit", entries=FitEntries)
 def save_fit(fit: Fit, path: str | os.PathLike[str]) -> None:
     """Write a fit; what was there stays until the new content is complete.
 
-    Parameters
-    ----------
-    fit : Fit
-    path : str or path
-
     Raises
     ------
     InputError
@@ -104,10 +99,6 @@ def load_fit(path: str | os.PathLike[str]) -> Fit:
 
 def fit_json(fit: Fit) -> dict[str, Any]:
     """Give a fit ready for JSON, numbers as decimal strings with every digit.
-
-    Parameters
-    ----------
-    fit : Fit
 
     Returns
     -------

@@ -178,10 +178,6 @@ def load_found(path: str | os.PathLike[str]) -> Found:
     path : str or path
         File to read.
 
-    Returns
-    -------
-    Found
-
     Raises
     ------
     InputError
@@ -209,10 +205,6 @@ def found_orbit(path: str | os.PathLike[str], number: int | None = None) -> Orbi
         File to read.
     number : int, optional
         Of the orbit, from 1; needless where there is one.
-
-    Returns
-    -------
-    Orbit
 
     Raises
     ------

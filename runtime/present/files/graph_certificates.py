@@ -101,10 +101,6 @@ def save_graph(found: GraphCertificate, path: str | os.PathLike[str]) -> None:
 def graph_entries(found: GraphCertificate) -> GraphEntries:
     """What a file of a graph states.
 
-    Parameters
-    ----------
-    found : GraphCertificate
-
     Returns
     -------
     GraphEntries

@@ -31,14 +31,6 @@ class GridEntries:
 def grid_of(entries: GridEntries) -> BoxGrid:
     """The grid that a file states.
 
-    Parameters
-    ----------
-    entries : GridEntries
-
-    Returns
-    -------
-    BoxGrid
-
     Raises
     ------
     InputError
@@ -48,16 +40,7 @@ def grid_of(entries: GridEntries) -> BoxGrid:
 
 
 def grid_entries(grid: BoxGrid) -> GridEntries:
-    """What a file states of a grid.
-
-    Parameters
-    ----------
-    grid : BoxGrid
-
-    Returns
-    -------
-    GridEntries
-    """
+    """What a file states of a grid."""
     return GridEntries(exponents=grid.exponents, first=grid.first, counts=grid.counts)
 
 

@@ -71,10 +71,6 @@ def load_locus(path: str | os.PathLike[str]) -> Locus:
     path : str or path
         File to read.
 
-    Returns
-    -------
-    Locus
-
     Raises
     ------
     InputError

@@ -136,14 +136,6 @@ def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
     Kernels of another derivation are accepted if they have the same names, and the motion is
     one of their system.
 
-    Parameters
-    ----------
-    path : str or path
-
-    Returns
-    -------
-    Trajectory
-
     Raises
     ------
     InputError

@@ -80,10 +80,6 @@ def load_orbit_file(path: str | os.PathLike[str]) -> Orbit:
     Kernels of another derivation are accepted if they have the same unknowns and parameters
     and the orbit solves their equations.
 
-    Parameters
-    ----------
-    path : str or path
-
     Returns
     -------
     Orbit

@@ -52,10 +52,6 @@ def load_sweep(path: str | os.PathLike[str]) -> Sweep:
     path : str or path
         File to read.
 
-    Returns
-    -------
-    Sweep
-
     Raises
     ------
     InputError

@@ -86,10 +86,6 @@ def to_html(report: Report, pictures: Mapping[str, str]) -> str:
     pictures : mapping of str to str
         The SVG of every picture, by its stem.
 
-    Returns
-    -------
-    str
-
     Raises
     ------
     MissingExtra

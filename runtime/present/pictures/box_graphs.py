@@ -27,10 +27,6 @@ _SHOWN = 7  # components with a colour and a vertex of their own
 def graph_figure(found: GraphCertificate) -> Figure:
     """Draw the boxes and the Morse graph into a figure of its own; see `draw_graph`.
 
-    Parameters
-    ----------
-    found : GraphCertificate
-
     Returns
     -------
     Figure

@@ -26,10 +26,6 @@ def basin_figure(found: BasinCertificate) -> Figure:
     The section's boxes are coloured by their ranks. Below, over two states each, the share of
     the tiles there that is proved to be attracted, of those that were looked at.
 
-    Parameters
-    ----------
-    found : BasinCertificate
-
     Returns
     -------
     Figure

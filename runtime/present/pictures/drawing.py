@@ -288,10 +288,6 @@ def part_tick_labels(figure: Figure) -> None:
 
     Where they are tiny, or differ in late digits, matplotlib writes what they have in common
     beside the axes, where a legend may be.
-
-    Parameters
-    ----------
-    figure : Figure
     """
     from matplotlib.ticker import FuncFormatter, MaxNLocator, ScalarFormatter
 

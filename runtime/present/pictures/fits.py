@@ -34,14 +34,6 @@ _TOLD = 3  # estimates in a title
 def fit_figure(fit: Fit) -> Figure:
     """Draw a fit outside pyplot: a column for each of the first experiments.
 
-    Parameters
-    ----------
-    fit : Fit
-
-    Returns
-    -------
-    Figure
-
     Raises
     ------
     MissingExtra

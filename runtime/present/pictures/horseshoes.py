@@ -25,10 +25,6 @@ _AROUND = 2.5  # sets are shown with so much about them, in units of their exten
 def chaos_figure(found: ChaosCertificate) -> Figure:
     """Draw the sets and the graph into a figure of its own; see `draw_chaos`.
 
-    Parameters
-    ----------
-    found : ChaosCertificate
-
     Returns
     -------
     Figure

@@ -63,10 +63,6 @@ def attracting_core(
     scale : float
         A length in the section's coordinates: much larger sets are not tried.
 
-    Returns
-    -------
-    AttractingCore
-
     Raises
     ------
     Undecided

@@ -41,10 +41,6 @@ def section_of(system: EnclosedSystem, motion: Trajectory, period: float) -> Met
         Of the orbit, over one period at least.
     period : float
         Of the orbit.
-
-    Returns
-    -------
-    MetSection
     """
     if system.structure.forcing:
         return _forced(system, motion, period)

@@ -41,10 +41,6 @@ def branching_map(
         Wider sets are divided on the way.
     most : int
         Parts of one set.
-
-    Returns
-    -------
-    BranchingMap
     """
     scales = np.ones(len(system.structure.states))
     return BranchingMap(system, section, scales, widest, most, _LONGEST, 1.0)
@@ -54,10 +50,6 @@ def begin_tiles(
     question: ToldQuestion[BasinCertificate],
 ) -> Callable[[NDArray[np.int_]], NDArray[np.bool_]]:
     """What says of tiles whether every motion from them comes to boxes that are known.
-
-    Parameters
-    ----------
-    question : ToldQuestion
 
     Returns
     -------

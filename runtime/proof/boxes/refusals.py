@@ -82,10 +82,6 @@ def unproved(place: Place, reason: str, *, looked_at: bool) -> Tile:
     reason : str
     looked_at : bool
         Whether it was tried.
-
-    Returns
-    -------
-    Tile
     """
     return Tile(
         place=place,

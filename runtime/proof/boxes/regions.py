@@ -104,10 +104,6 @@ def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
     ----------
     found : BoxCertificate
         Of two parameters.
-
-    Returns
-    -------
-    tuple of ProvedRegion
     """
     tiles = found.tiles
     verdicts: dict[Cell, str] = {
@@ -138,10 +134,6 @@ def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
     ----------
     found : BoxCertificate
         Of two parameters.
-
-    Returns
-    -------
-    tuple of EventCurve
     """
     events = {
         k: tile.event
@@ -173,10 +165,6 @@ def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
     ----------
     found : BoxCertificate
         Of any number of parameters.
-
-    Returns
-    -------
-    tuple of OpenBox
     """
     undecided = [k for k, verdict in enumerate(found.verdicts) if verdict == "undecided"]
     groups = Groups(undecided)
@@ -218,10 +206,6 @@ def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
 
 def map_json(found: BoxCertificate) -> dict[str, Any]:
     """What follows from the tiles of a map, as JSON: statement, regions, curves, open boxes.
-
-    Parameters
-    ----------
-    found : BoxCertificate
 
     Returns
     -------

@@ -40,10 +40,6 @@ def edges_of(places: Sequence[Place]) -> list[Edge]:
     Parameters
     ----------
     places : sequence of Place
-
-    Returns
-    -------
-    list of Edge
     """
     found = []
     for axis in (0, 1):
@@ -66,10 +62,6 @@ def joined_edges(found: BoxCertificate) -> Iterator[Edge]:
     ----------
     found : BoxCertificate
         Of two parameters.
-
-    Returns
-    -------
-    iterator of Edge
     """
     decided = [verdict != "undecided" for verdict in found.verdicts]
     edges = edges_of([tile.place for tile in found.tiles])
@@ -162,12 +154,7 @@ class Groups:
         return thing
 
     def unite(self, one: Hashable, other: Hashable) -> None:
-        """Put two things, and all that is with them, together.
-
-        Parameters
-        ----------
-        one, other : hashable
-        """
+        """Put two things, and all that is with them, together."""
         self.parents[self._first(one)] = self._first(other)
 
     def all(self) -> list[list[Any]]:

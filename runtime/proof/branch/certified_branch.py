@@ -390,10 +390,6 @@ def _told_beyond(found: OrbitBeyond) -> str:
 def event_json(event: BranchEvent) -> dict[str, Any]:
     """An event as JSON.
 
-    Parameters
-    ----------
-    event : BranchEvent
-
     Returns
     -------
     dict
@@ -428,10 +424,6 @@ def _beyond_json(found: OrbitBeyond) -> dict[str, Any]:
 def told_json(found: CertifiedBranch) -> dict[str, Any]:
     """What follows from the tiles of a branch, as JSON: statement, intervals and events.
 
-    Parameters
-    ----------
-    found : CertifiedBranch
-
     Returns
     -------
     dict
@@ -446,10 +438,6 @@ def told_json(found: CertifiedBranch) -> dict[str, Any]:
 
 def tile_json(tile: BranchTile) -> dict[str, Any]:
     """Give a tile as JSON.
-
-    Parameters
-    ----------
-    tile : BranchTile
 
     Returns
     -------

@@ -79,10 +79,6 @@ class OrbitCurve:
         ----------
         coordinate : int
         value : arb or TaylorModel
-
-        Returns
-        -------
-        Equations or AlongUnknown
         """
         if coordinate == self.parameter:
             return self.region.equations(self.region.tables.number_at(self.parameters(value)))
@@ -108,10 +104,6 @@ class OrbitCurve:
         ----------
         change : callable
             From a number to the other numbers.
-
-        Returns
-        -------
-        OrbitCurve
         """
         return replace(self, beside=tuple(map(change, self.beside)))
 
@@ -171,10 +163,6 @@ class AlongUnknown:
         ----------
         change : callable
             From a number to the other numbers.
-
-        Returns
-        -------
-        AlongUnknown
         """
         return AlongUnknown(self.curve.mapped(change), self.coordinate, change(self.value))
 

@@ -56,17 +56,7 @@ class Look(NamedTuple):
 
 
 def look(curve: OrbitCurve, piece: Piece) -> Look:
-    """Judge a tile whose orbits are proved.
-
-    Parameters
-    ----------
-    curve : OrbitCurve
-    piece : Piece
-
-    Returns
-    -------
-    Look
-    """
+    """Judge a tile whose orbits are proved."""
     with flint_precision(curve.region.bits):
         passage = CyclePassage(curve.region, piece.point)
         if not passage.conserved:

@@ -102,10 +102,6 @@ class CyclePassage:
         Parameters
         ----------
         assumed : sequence of OpenInequality, optional
-
-        Returns
-        -------
-        Judgement
         """
         return judged(
             self.region, self.number, self.equations.phases, self.shooting, self.dwell, assumed
@@ -159,17 +155,7 @@ def passed_by(passage: CyclePassage) -> str:
 
 
 def others_at_circle(passage: CyclePassage, but: str) -> list[str]:
-    """Which numbers of multipliers may be zero, but for one: all passings of the circle.
-
-    Parameters
-    ----------
-    passage : CyclePassage
-    but : str
-
-    Returns
-    -------
-    list of str
-    """
+    """Which numbers of multipliers may be zero, but for one: all passings of the circle."""
     size = passage.section.nrows()
     kinds = [kind for kind in ("flip", "fold", "neimark-sacker") if kind != but]
     if size < 2:

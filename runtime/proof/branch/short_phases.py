@@ -31,10 +31,6 @@ __all__ = ["divided_regions"]
 def divided_regions(region: Region) -> dict[int, Region]:
     """The same orbit by equations that are regular where one of its phases vanishes.
 
-    Parameters
-    ----------
-    region : Region
-
     Returns
     -------
     dict of int to Region

@@ -45,10 +45,6 @@ def stated_tile(
         The phase that may vanish, counted from 0.
     forwards : bool
         Whether the coordinate increases along the branch.
-
-    Returns
-    -------
-    BranchTile
     """
     before, after = (found.below, found.above) if forwards else (found.above, found.below)
     return BranchTile(
@@ -113,10 +109,6 @@ def stated_branch(
         Parameters that the orbit leaves open and that were chosen.
     curve : OrbitCurve or None
         None where its orbits are not covered.
-
-    Returns
-    -------
-    CertifiedBranch
     """
     ((parameter, interval),) = box.items()
     region = None if curve is None else curve.region

@@ -53,10 +53,6 @@ class BranchTube:
         ----------
         space : Space
             Of one variable.
-
-        Returns
-        -------
-        TaylorModel
         """
         from flint import arb
 
@@ -130,10 +126,6 @@ class BranchTube:
         ----------
         end : float
             -1 at the lower end, 1 at the upper one.
-
-        Returns
-        -------
-        list of float
         """
         half = float(self.upper - self.lower) / 2
         return [

@@ -107,10 +107,6 @@ def cone_condition(
     progress : callable
         Called for each image.
 
-    Returns
-    -------
-    ConeCondition
-
     Raises
     ------
     Undecided
@@ -368,10 +364,6 @@ def positive(
         a and the b of Q_M and of Q_N.
     rate : Fraction
         m.
-
-    Returns
-    -------
-    bool
     """
     from flint import arb, arb_mat
 

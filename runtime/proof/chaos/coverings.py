@@ -65,10 +65,6 @@ def coverings(
         Images that may be computed.
     progress : callable
         Called for each image.
-
-    Returns
-    -------
-    Coverings
     """
     size = len(h_set.centre)
     whole: Box = ((-1.0, 1.0),) * size

@@ -74,10 +74,6 @@ def logarithm_below(bound: Fraction, iterates: int) -> str:
     bound : Fraction
         More than 1.
     iterates : int
-
-    Returns
-    -------
-    str
     """
     from flint import arb, fmpq
 
@@ -93,10 +89,6 @@ def strong_components(matrix: np.ndarray) -> list[list[int]]:
     ----------
     matrix : array (n, n)
         Not zero where there is an edge.
-
-    Returns
-    -------
-    list of list of int
     """
     size = len(matrix)
     reach = (matrix != 0) | np.eye(size, dtype=bool)

@@ -123,10 +123,6 @@ def piece(h_set: HSet, section: MapSection, box: Box, *, sloped: bool = False) -
         The part: lower and upper value of each coordinate, exactly.
     sloped : bool
         Whether derivatives by the coordinates of the h-set are followed.
-
-    Returns
-    -------
-    AffineSet
     """
     from flint import arb, arb_mat, fmpq, fmpq_mat
 
@@ -150,16 +146,7 @@ def piece(h_set: HSet, section: MapSection, box: Box, *, sloped: bool = False) -
 
 
 def apart(one: HSet, other: HSet) -> bool:
-    """Whether two h-sets are proved to have no point in common.
-
-    Parameters
-    ----------
-    one, other : HSet
-
-    Returns
-    -------
-    bool
-    """
+    """Whether two h-sets are proved to have no point in common."""
     return any(
         bool(x > 1 or x < -1)
         for first, second in ((one, other), (other, one))
@@ -187,10 +174,6 @@ def decimal_set(name: str, centre: Sequence[float], sides: np.ndarray, digits: i
         As columns.
     digits : int
         Of each side, relative to its length; of the centre relative to the shortest side.
-
-    Returns
-    -------
-    HSet
     """
     lengths = np.linalg.norm(sides, axis=0)
     least = float(lengths.min())

@@ -13,16 +13,7 @@ _FINEST = 2.0**-20  # of an h-set: narrower parts are not tried
 
 
 def divisible(box: Box) -> bool:
-    """Whether a part may be divided.
-
-    Parameters
-    ----------
-    box : Box
-
-    Returns
-    -------
-    bool
-    """
+    """Whether a part may be divided."""
     return max(b - a for a, b in box) > _FINEST
 
 
@@ -48,18 +39,7 @@ def slices(box: Box, k: int, count: int = 2) -> list[Box]:
 
 
 def most_stretched(h_set: HSet, box: Box, image: AffineSet | None) -> int:
-    """The coordinate whose halving makes an image smallest; without an image the longest one.
-
-    Parameters
-    ----------
-    h_set : HSet
-    box : Box
-    image : AffineSet or None
-
-    Returns
-    -------
-    int
-    """
+    """The coordinate whose halving makes an image smallest; without an image the longest one."""
     if image is None:
         widths = [b - a for a, b in box]
         weights = [

@@ -43,10 +43,6 @@ def sampled_sections(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sam
     system : EnclosedSystem
     motion : Trajectory
         Its start, and the system in double precision.
-
-    Yields
-    ------
-    Sampled
     """
     if system.structure.forcing:
         yield from _forced(system, motion)

@@ -155,10 +155,6 @@ def search(
 def untouched(problem: Problem) -> Searched:
     """A search that was interrupted before it began.
 
-    Parameters
-    ----------
-    problem : Problem
-
     Returns
     -------
     Searched

@@ -50,10 +50,6 @@ def covered(region: Region) -> str:
     ----------
     region : Region
         Of the cycle.
-
-    Returns
-    -------
-    str
     """
     closing = region.closing
     if closing.form is not None or closing.kind == "period":
@@ -98,16 +94,7 @@ def flip_with_direction(region: Region, point: Sequence[arb]) -> tuple[int, list
 
 
 def begin_of_branch(proved: ProvedTube) -> Fraction:
-    """A short decimal of the parameter in a tube, where the doubled branch begins.
-
-    Parameters
-    ----------
-    proved : ProvedTube
-
-    Returns
-    -------
-    Fraction
-    """
+    """A short decimal of the parameter in a tube, where the doubled branch begins."""
     value = float(proved.flip[-1].mid())
     away = float(proved.rate.mid()) * (_SHARE * float(proved.tube.amplitude)) ** 2
     digits = max(0, 2 - math.floor(math.log10(abs(away))))
@@ -148,10 +135,6 @@ def start_of(region: Region, guess: Sequence[arb], value: Fraction) -> list[floa
         Unknowns of the equations.
     value : Fraction
         Of the parameter.
-
-    Returns
-    -------
-    list of float
     """
     from flint import arb
 

@@ -206,10 +206,6 @@ class CertifiedCascade(DrawnOverParameter):
 def told_cascade_json(found: CertifiedCascade) -> dict[str, Any]:
     """What follows from the doublings, as JSON: statement, flips, kinds and ratios.
 
-    Parameters
-    ----------
-    found : CertifiedCascade
-
     Returns
     -------
     dict
@@ -242,10 +238,6 @@ def _reach(branch: CertifiedBranch) -> tuple[float, float]:
 
 def doubling_json(doubling: CertifiedDoubling) -> dict[str, Any]:
     """Give a doubling as JSON.
-
-    Parameters
-    ----------
-    doubling : CertifiedDoubling
 
     Returns
     -------

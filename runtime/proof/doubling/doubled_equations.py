@@ -70,10 +70,6 @@ class DoubledEquations:
         ----------
         change : callable
             From a number to the other numbers.
-
-        Returns
-        -------
-        DoubledEquations
         """
         return DoubledEquations(self.region, self.scaled, change(self.amplitude))
 

@@ -57,10 +57,6 @@ class DoublingTube:
         ----------
         region : Region
             Of the cycle that is doubled.
-
-        Returns
-        -------
-        DoubledEquations
         """
         from flint import arb
 
@@ -69,12 +65,7 @@ class DoublingTube:
         return DoubledEquations(region, self.scaled, a)
 
     def models(self) -> list[TaylorModel]:
-        """The polynomials.
-
-        Returns
-        -------
-        list of TaylorModel
-        """
+        """The polynomials."""
         from flint import arb
 
         space = space_of(1, ORDER)

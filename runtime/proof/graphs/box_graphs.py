@@ -45,16 +45,7 @@ class BoxGraph:
 
     @staticmethod
     def unseen(grid: DividedGrid) -> BoxGraph:
-        """The graph of which no image is known.
-
-        Parameters
-        ----------
-        grid : DividedGrid
-
-        Returns
-        -------
-        BoxGraph
-        """
+        """The graph of which no image is known."""
         none, size = np.zeros(0, dtype=int), len(grid)
         return BoxGraph(grid, none, none, np.zeros(size, dtype=bool), np.ones(size, dtype=bool))
 
@@ -66,10 +57,6 @@ class BoxGraph:
         numbers : array of int (B,)
         leaves : Leaves
             Of these boxes, in their order.
-
-        Returns
-        -------
-        BoxGraph
         """
         outside, unknown = self.outside.copy(), self.unknown.copy()
         lost = leaves.lost.copy()
@@ -194,10 +181,6 @@ class BoxGraph:
         Parameters
         ----------
         boxes : array of int
-
-        Returns
-        -------
-        bool
         """
         own = np.zeros(len(self.grid), dtype=bool)
         own[boxes] = True

@@ -107,10 +107,6 @@ class AffineSet(NamedTuple):
         window : arb
             Times in which each state is proved to get there once.
 
-        Returns
-        -------
-        AffineSet
-
         Raises
         ------
         Undecided
@@ -146,10 +142,6 @@ def affine_set(columns: arb_mat, rest: arb_mat, tangents: tuple[AffineSet, ...] 
     columns : arb_mat (N + 2, 1 + m)
     rest : arb_mat (N + 2, 1)
     tangents : tuple of AffineSet, optional
-
-    Returns
-    -------
-    AffineSet
     """
     middle = columns.mid()
     unsure = (columns - middle) * _ones(columns.ncols())

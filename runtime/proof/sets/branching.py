@@ -129,10 +129,6 @@ class BranchingMap:
         ----------
         starts : ManySets
             In coordinates of the section and 1.
-
-        Returns
-        -------
-        Leaves
         """
         facts = self.section.facts
         return self.leaves_of(starts.mapped(self.lift(facts)), self.section.configuration, facts)
@@ -156,10 +152,6 @@ class BranchingMap:
         wanted : callable, optional
             Of bounds (L, d) each, whether leaves are where they should be: sets with others are
             lost, and not followed further.
-
-        Returns
-        -------
-        Leaves
         """
         rows = [self.system.exact.rows[s.row] for s in self._shapes(configuration)]
         inside = frozenset(b for b, row in enumerate(rows) if any(facts.reduce(row)))

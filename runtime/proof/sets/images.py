@@ -67,14 +67,6 @@ class SectionMap:
     def image(self, start: AffineSet) -> SetImage:
         """The image of a set of states on the section.
 
-        Parameters
-        ----------
-        start : AffineSet
-
-        Returns
-        -------
-        SetImage
-
         Raises
         ------
         Undecided

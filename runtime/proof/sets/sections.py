@@ -69,10 +69,6 @@ class MapSection:
     def period(self, system: EnclosedSystem) -> arb:
         """How long the forcing takes to come back, at the working precision.
 
-        Parameters
-        ----------
-        system : EnclosedSystem
-
         Returns
         -------
         arb
@@ -92,10 +88,6 @@ def forcing_section(system: EnclosedSystem, configuration: int, phase: Sequence[
     configuration : int
     phase : (fmpq, fmpq)
         Cosine and sine, a rational point of the unit circle.
-
-    Returns
-    -------
-    MapSection
 
     Raises
     ------
@@ -130,10 +122,6 @@ def transition_section(
     boundaries : frozenset of int
         Those that are reached.
     target : int
-
-    Returns
-    -------
-    MapSection
 
     Raises
     ------

@@ -57,10 +57,6 @@ class SetParts(NamedTuple):
         Parameters
         ----------
         mask : array of bool or int, or slice
-
-        Returns
-        -------
-        SetParts
         """
         return SetParts(self.states[mask], self.origin[mask], self.depth[mask])
 
@@ -72,10 +68,6 @@ class SetParts(NamedTuple):
         states : ManySets
         origin : array of int
             Of which of these each is a part.
-
-        Returns
-        -------
-        SetParts
         """
         return SetParts(states, self.origin[origin], self.depth[origin])
 
@@ -98,13 +90,7 @@ class PartsLeft:
         self._left: dict[StartKind, list[SetParts]] = {}
 
     def add(self, kind: StartKind, parts: SetParts) -> None:
-        """Follow some more.
-
-        Parameters
-        ----------
-        kind : StartKind
-        parts : SetParts
-        """
+        """Follow some more."""
         self.count(parts.origin)
         self._left.setdefault(kind, []).append(parts)
 
@@ -157,10 +143,6 @@ def kept(parts: SetParts, row: Rounded) -> SetParts:
     ----------
     parts : SetParts
     row : Rounded (1, n)
-
-    Returns
-    -------
-    SetParts
     """
     states, alive = parts.states.cut(row)
     return parts.chosen(alive)._replace(states=states[alive])
@@ -191,30 +173,12 @@ def first_moving(row: Row, along: Sequence[Row], facts: Invariants) -> tuple[Row
 
 
 def opposite(row: Row) -> Row:
-    """A function with the other sign.
-
-    Parameters
-    ----------
-    row : Row
-
-    Returns
-    -------
-    Row
-    """
+    """A function with the other sign."""
     return tuple(-x for x in row)
 
 
 def direction(row: Row) -> Row:
-    """A function up to a positive factor.
-
-    Parameters
-    ----------
-    row : Row
-
-    Returns
-    -------
-    Row
-    """
+    """A function up to a positive factor."""
     size = next((abs(x) for x in row if x), 1)
     return tuple(x / size for x in row)
 
@@ -268,14 +232,5 @@ def rounded_row(row: Sequence[Any]) -> Rounded:
 
 
 def negative(row: Rounded) -> Rounded:
-    """Functions with the other sign.
-
-    Parameters
-    ----------
-    row : Rounded
-
-    Returns
-    -------
-    Rounded
-    """
+    """Functions with the other sign."""
     return Rounded(-row.middle, row.radius)

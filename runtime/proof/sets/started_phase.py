@@ -102,10 +102,6 @@ class StartedPhase:
         parts : SetParts
         work : PartsLeft
             Told which sets are lost.
-
-        Yields
-        ------
-        EndedSets
         """
         if self.stuck:
             work.lose(parts.origin)

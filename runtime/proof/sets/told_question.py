@@ -73,10 +73,6 @@ class ToldQuestion(Generic[Known]):
         kernels : SystemKernels
         known : SectionRecord
             Such that it can be pickled.
-
-        Returns
-        -------
-        ToldQuestion
         """
         name, _, saved = named(kernels)
         return ToldQuestion(name, saved, known)
@@ -88,10 +84,6 @@ class ToldQuestion(Generic[Known]):
         ----------
         bits : int
             Of flows.
-
-        Returns
-        -------
-        tuple
         """
         kernels = system_in(self.system, self.saved)
         with flint_precision(bits):

@@ -63,11 +63,6 @@ def visited_declaration(
 def listed_declaration(kernels: SystemKernels, system: EnclosedSystem) -> dict[str, Any]:
     """The declaration of a system with all transitions that it lists.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    system : EnclosedSystem
-
     Returns
     -------
     dict
