@@ -371,13 +371,13 @@ PROOFS = (
 )  # fmt: skip
 
 CHECKS = (
-    Mutation(_TILES, "_Tile._judge", 'demand(same, "another orbit is found on a part of it")',
+    Mutation(_TILES, "MapTile._judge", 'demand(same, "another orbit is found on a part of it")',
              "None", TILES),
-    Mutation(_TILES, "_Tile._all",
+    Mutation(_TILES, "MapTile._all",
              'demand(near, "the orbit is not near the numbers that are stated")', "None", TILES),
-    Mutation(_TILES, "check_tiles", 'demand(_fill(places), "the tiles do not fill the box")',
+    Mutation(_TILES, "check_whole", 'demand(_fill(places), "the tiles do not fill the box")',
              "None", TILES),
-    Mutation(_TILES, "_Tile._orbit", "orbit.returns(self.energies)", "None", TILES),
+    Mutation(_TILES, "MapTile._orbit", "orbit.returns(self.energies)", "None", TILES),
     Mutation("runtime/checker/divided.py", "Division._beyond",
              'demand(missed < radius * abs(slope), "there may be an event beside its band")',
              "None", ("tests/proof/test_regions.py",)),
@@ -414,7 +414,7 @@ CHECKS = (
              "any(first.overlaps(second) for first, second in combinations(discs, 2))", "False",
              CENSUS),
     Mutation("runtime/checker/stability.py", "paired", "first.imag.contains(0)", "False", EVENTS),
-    Mutation("runtime/checker/census.py", "check_census", 'demand(apart, "two orbits may be one")',
+    Mutation("runtime/checker/census.py", "check_listed", 'demand(apart, "two orbits may be one")',
              "None", CENSUS),
     Mutation("runtime/checker/census.py", "_check_side", "value > low", "value >= low", CENSUS),
     Mutation("runtime/checker/census.py", "_check_place",
@@ -488,8 +488,8 @@ KEEPING = (
     Mutation("runtime/model/loading/caching.py", "stored",
              "first != _CHECKSUM + _checksum(text)", "False", ("tests/model/test_loading.py",)),
     Mutation("runtime/core/values.py", "Value.mpf", "bits < limit", "False", VALUES),
-    Mutation("runtime/core/workload.py", "check_hours", "not yes and not hours <= HOURS",
-             "hours > HOURS * 1e300", WORKLOAD),
+    Mutation("runtime/core/workload.py", "check_hours",
+             "not yes and not seconds / 3600 / processors <= HOURS", "seconds > HOURS * 1e300", WORKLOAD),
     Mutation("runtime/core/workload.py", "check_memory", "not size <= there", "False",
              WORKLOAD),
 )  # fmt: skip

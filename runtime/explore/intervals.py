@@ -19,6 +19,7 @@ from nonsmooth.runtime.shooting.newton import CONVERGED, SINGULAR
 __all__ = ["Interval", "admissible_intervals", "singular_values"]
 
 _HALVINGS = 60  # more than a double has bits
+_APART = 2.0**-40, 2.0**-32  # of a value: so far beyond an end it is looked why it is one
 
 
 @dataclass(frozen=True)
@@ -95,8 +96,8 @@ def admissible_intervals(
     for place, (below, above) in zip(changes, ends, strict=True):
         (stops if inside[place] else starts).append(below if inside[place] else above)
     reasons = {
-        (above if not inside[place] else below): _failure(
-            kernels, others, parameter, below if not inside[place] else above
+        (below if inside[place] else above): _failure(
+            kernels, others, parameter, *((below, above) if inside[place] else (above, below))
         )
         for place, (below, above) in zip(changes, ends, strict=True)
     }
@@ -207,8 +208,22 @@ def _bisected(
     return list(zip(below.tolist(), above.tolist(), strict=True))
 
 
-def _failure(kernels: OrbitKernels, others: Mapping[str, Any], parameter: str, value: float) -> str:
-    """What fails at a point that is not admissible."""
+def _failure(
+    kernels: OrbitKernels, others: Mapping[str, Any], parameter: str, inside: float, beyond: float
+) -> str:
+    """What fails beyond an end: at the next number, or where it is more than rounding."""
+    for apart in (0.0, *_APART):
+        value = beyond + np.sign(beyond - inside) * apart * abs(beyond)
+        reason = _failure_at(kernels, others, parameter, float(value))
+        if reason:
+            return reason
+    return "the margin is within the rounding"
+
+
+def _failure_at(
+    kernels: OrbitKernels, others: Mapping[str, Any], parameter: str, value: float
+) -> str:
+    """What fails at a point; nothing where that is within the rounding."""
     orbit = solve_kernels(kernels, {**others, parameter: value}, throw=False)
     if orbit.status == SINGULAR:
         return "the equations are singular"
@@ -216,6 +231,6 @@ def _failure(kernels: OrbitKernels, others: Mapping[str, Any], parameter: str, v
         return STATUS[orbit.status].partition(":")[0]
     violations = orbit.admissibility.violations
     if not violations:
-        return "the margin is within the rounding"
+        return ""
     first = violations[0]
     return f"{first.boundary} is crossed in {first.configuration} at t = {first.time:.6g}"

@@ -108,6 +108,7 @@ def certify(
     begin("check")
     parts = [name for name, verdict in found.claims.items() if verdict != "undecided"]
     parts += ["derivatives"] * bool(found.derivatives)
+    parts += ["other_multipliers"] * bool(found.other_multipliers)
     return accepted(found, parts, _without, lambda found: check(as_file(file_json(found))))
 
 
@@ -140,6 +141,8 @@ def _without(found: Certificate, left: Mapping[str, str]) -> Certificate:
     )
     if "admissibility" in left:
         found = replace(found, margins=())
+    if "other_multipliers" in left:
+        found = replace(found, other_multipliers="")
     if "stability" in left:
         enclosures = {name: x for name, x in found.enclosures.items() if name != "trace"}
         found = replace(found, enclosures=enclosures, multipliers=(), other_multipliers="")

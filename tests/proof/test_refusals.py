@@ -68,12 +68,14 @@ def branch() -> ns.Branch:
     return ns.continue_orbit(ns.solve(SYMMETRIC, {"V": "1.078"}), "V", (1.075, 1.085))
 
 
-@pytest.mark.parametrize("claim", ["existence", "admissibility", "stability", "derivatives"])
+@pytest.mark.parametrize(
+    "claim", ["existence", "admissibility", "stability", "derivatives", "other_multipliers"]
+)
 def test_a_claim_of_an_orbit(claim: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import nonsmooth.runtime.proof.certify_orbit as proving
 
     def claimed(content: dict[str, Any]) -> object:
-        if claim == "derivatives":
+        if claim in {"derivatives", "other_multipliers"}:
             return content.get(claim)
         return content["claims"][claim] != "undecided"
 
@@ -87,6 +89,10 @@ def test_a_claim_of_an_orbit(claim: str, tmp_path: Path, monkeypatch: pytest.Mon
         assert found.proved
         assert not found.derivatives
         assert found.no_derivatives == {"eta": PLANTED}
+    elif claim == "other_multipliers":
+        assert (found.other_multipliers, whole.other_multipliers) == ("", "1.0e-06")
+        assert found.derivatives
+        assert found.proved
     else:
         left = {n for n, verdict in found.claims.items() if verdict == "undecided"}
         assert left == ({*found.claims} if claim == "existence" else {claim})
