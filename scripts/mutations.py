@@ -489,7 +489,8 @@ KEEPING = (
              "first != _CHECKSUM + _checksum(text)", "False", ("tests/model/test_loading.py",)),
     Mutation("runtime/core/values.py", "Value.mpf", "bits < limit", "False", VALUES),
     Mutation("runtime/core/workload.py", "check_hours",
-             "not yes and not seconds / 3600 / processors <= HOURS", "seconds > HOURS * 1e300", WORKLOAD),
+             "not yes and not seconds / 3600 / processors <= HOURS",
+             "seconds > HOURS * 1e300", WORKLOAD),
     Mutation("runtime/core/workload.py", "check_memory", "not size <= there", "False",
              WORKLOAD),
 )  # fmt: skip
