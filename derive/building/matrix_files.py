@@ -105,6 +105,8 @@ def _size_of_archive(file: Path) -> float:
     total = 0.0
     with zipfile.ZipFile(file) as archive:
         for told in archive.infolist():
+            if told.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+                raise ValueError(f"{told.filename!r} is not packed as NumPy does it")
             with archive.open(told) as entry:
                 version = np.lib.format.read_magic(entry)
                 read = {(1, 0): np.lib.format.read_array_header_1_0}.get(

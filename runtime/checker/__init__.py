@@ -4,7 +4,7 @@ A certificate holds a declaration, an itinerary, a box of unknowns or tiles of p
 what is claimed. Here all of it is proved again, of a census each orbit, apart from the program
 that wrote it: of that only the arithmetic is imported, Taylor models, jets, rational functions,
 and sets in double precision with their linear flows, and what gives parts to processes.
-The prover asks the same functions before it states anything.
+The prover asks the same functions before it states anything, but for basins and graphs.
 ``python -m nonsmooth.runtime.checker FILE`` checks a file.
 """
 

@@ -217,12 +217,13 @@ def _same(one: str, other: str) -> bool:
 def _held(content: Mapping[str, Any], target: str, name: str) -> str:
     """What was named, as the file holds it: no declaration is run, or needed."""
     from nonsmooth.runtime.model.kernels import is_saved, orbit_names, system_names
+    from nonsmooth.runtime.model.naming import is_hashed
 
     if is_saved(name) or name in (*system_names(), *orbit_names()):
         return name
     held = [entry for holder in _HOLDERS if isinstance(entry := content.get(holder), list)]
     parts = [content, *(part for entry in held for part in entry)]
-    system = next((part["system"] for part in parts if part.get("tables")), None)
-    if system is None:
+    system = next((part["system"] for part in parts if part.get("tables")), "")
+    if not (isinstance(system, str) and is_hashed(system)):  # a file of Python would be run
         raise InputError(f"it does not hold {name}: name that too")
-    return f"{system}:{name.rpartition(':')[2]}" if target == "orbit" else str(system)
+    return f"{system}:{name.rpartition(':')[2]}" if target == "orbit" else system

@@ -11,10 +11,22 @@ import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
 
-__all__ = ["DAMAGED", "array_in"]
+__all__ = ["DAMAGED", "array_in", "check_packing"]
 
 DAMAGED = "cut, damaged, or not an .npz file"
 _PIECE = 1 << 20  # bytes that are unpacked at a time
+
+
+def check_packing(told: zipfile.ZipInfo) -> None:
+    """Refuse an entry that Python can unpack only as a whole, whatever is asked for.
+
+    Raises
+    ------
+    InputError
+        But for what NumPy writes: stored or deflated.
+    """
+    if told.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+        raise InputError(f"{told.filename!r} is not packed as NumPy does it")
 
 
 def array_in(
@@ -48,6 +60,7 @@ def array_in(
         If it is another array, larger, or not as long as its header says.
     """
     told = file.getinfo(f"{name}.npy")
+    check_packing(told)
     with file.open(told) as entry:
         if np.lib.format.read_magic(entry) != (1, 0):
             raise InputError(f"'{name}.npy' is of another format of arrays")

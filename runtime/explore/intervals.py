@@ -213,8 +213,11 @@ def _failure(
 ) -> str:
     """What fails beyond an end: at the next number, or where it is more than rounding."""
     for apart in (0.0, *_APART):
-        value = beyond + np.sign(beyond - inside) * apart * abs(beyond)
-        reason = _failure_at(kernels, others, parameter, float(value))
+        value = beyond + np.sign(beyond - inside) * apart * max(abs(beyond), abs(inside))
+        try:
+            reason = _failure_at(kernels, others, parameter, float(value))
+        except InputError:  # beyond the domain
+            break
         if reason:
             return reason
     return "the margin is within the rounding"

@@ -9,7 +9,15 @@ from itertools import groupby
 
 from nonsmooth.runtime.model.structure import FORCING_PHASE
 
-__all__ = ["cycle_label", "dwell_names", "itinerary_text", "shown_name", "start_names", "symbol"]
+__all__ = [
+    "cycle_label",
+    "dwell_names",
+    "is_hashed",
+    "itinerary_text",
+    "shown_name",
+    "start_names",
+    "symbol",
+]
 
 _GREEK = re.compile(
     "alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau"
@@ -69,6 +77,11 @@ def start_names(
         known.get(name, name if f"{name}0" in taken or f"{name}0" in states else f"{name}0")
         for name in states
     )
+
+
+def is_hashed(system: str) -> bool:
+    """Whether a name is that of a system by its content, as files hold it: no path is one."""
+    return re.fullmatch(rf"[^/\\:]+{_HASH.pattern}", system) is not None
 
 
 def shown_name(name: str) -> str:

@@ -193,9 +193,9 @@ def test_no_file_makes_a_command_run_a_declaration_or_do_something_else(
     run("certify", SYMMETRIC, "V=1:1.1", "--tiles", "1", "--save", "part.json")
     sound = json.loads(Path("part.json").read_text())
 
-    def refused(**options: Any) -> str:
+    def refused(content: dict[str, Any] | None = None, **options: Any) -> str:
         request = {**sound["request"], "options": {**sound["request"]["options"], **options}}
-        forged = {**sound, "request": request}
+        forged = {**sound, **(content or {}), "request": request}
         forged["sha256"] = checksum_of(forged)
         Path("forged.json").write_text(json.dumps(forged))
         code, _, err = run("certify", "--resume", "forged.json")
@@ -204,6 +204,8 @@ def test_no_file_makes_a_command_run_a_declaration_or_do_something_else(
         return str(err)
 
     assert "does not hold trap.py:loop" in refused(orbit="trap.py:loop")
+    named = {"system": "trap.py", "tables": {"a": 1}}
+    assert "does not hold trap.py:loop" in refused(named, orbit="trap.py:loop")
     assert "not in order: 'save'" in refused(save="other.json")
     assert "'tiles' is of the wrong type" in refused(tiles=[3])
     assert "'parameters' is of the wrong type" in refused(parameters=[3])

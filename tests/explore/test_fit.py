@@ -16,7 +16,14 @@ from scipy.stats import norm
 from scipy.stats import t as student
 
 import nonsmooth as ns
-from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
+from nonsmooth.derive import (
+    DeclarationError,
+    Harmonic,
+    Parameter,
+    RigidStop,
+    oscillator,
+    read_matrices,
+)
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.explore.fitting import minimise
 from nonsmooth.runtime.explore.fitting.local_maxima import local_maxima
@@ -499,6 +506,21 @@ def test_no_local_maximum_is_missed() -> None:
     np.testing.assert_allclose([m.value for m in each], values[tops], atol=1e-6)
     rates = motion([m.since for m in each])[:, 2:] @ row[:2]
     assert abs(rates).max() < 1e-12
+
+
+@pytest.mark.parametrize("packing", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
+def test_archives_that_are_unpacked_as_a_whole_are_refused(tmp_path: Path, packing: int) -> None:
+    path = tmp_path / "data.npz"
+    with zipfile.ZipFile(path, "w", packing) as archive, archive.open("t.npy", "w") as entry:
+        for _ in range(20):
+            entry.write(bytes(8_000_000))
+    tracemalloc.start()
+    with pytest.raises(InputError, match=r"data\.npz: 't\.npy' is not packed as NumPy does it"):
+        read_table(path)
+    with pytest.raises(DeclarationError, match=r"'t\.npy' is not packed as NumPy does it"):
+        read_matrices(path)
+    assert tracemalloc.get_traced_memory()[1] < 1e7
+    tracemalloc.stop()
 
 
 def test_what_a_small_archive_unpacks_to_is_bounded(tmp_path: Path) -> None:

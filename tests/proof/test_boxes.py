@@ -22,6 +22,7 @@ from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.model.kernels import load_system
+from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.tile_event import side_of
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from tests.certified import loop
@@ -389,6 +390,23 @@ def test_the_orbit_is_handed_on_from_its_own_point() -> None:
                 period = math.pi / math.sqrt(k) + math.pi / 2
                 assert tile.enclosures["period"].lower <= period <= tile.enclosures["period"].upper
     assert wide.decided > Fraction(99, 100)
+
+
+def test_ctrl_c_while_what_is_left_is_checked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The check that ends a map asks about tiles that were not looked at, too."""
+    of_tile, asked = BoxRefusals.of_tile, []
+
+    def interrupted(refusals: BoxRefusals, tile: Any) -> str:
+        asked.append(tile)
+        if not tile.looked_at and asked.count(tile) == 1:
+            raise KeyboardInterrupt
+        return of_tile(refusals, tile)
+
+    monkeypatch.setattr(BoxRefusals, "of_tile", interrupted)
+    orbit = ns.solve("dry-friction/symmetric", {"V": "1.05"})
+    with pytest.raises(Interrupted) as stopped:
+        ns.certify_box(orbit, {"V": ("1", "1.1")}, tiles=1)
+    assert sum(tile.place.share for tile in stopped.value.partial.tiles) == 1
 
 
 def test_totals_do_not_grow_with_the_number_of_tiles() -> None:

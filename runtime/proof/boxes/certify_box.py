@@ -128,9 +128,10 @@ def certify_box(
             if keep is not None and time.monotonic() - kept > _EVERY:
                 keep(whole_map(record(region, work.stated())))
                 kept = time.monotonic()
+        stated = work.stated(whole=True)
     except KeyboardInterrupt:
         raise Interrupted(whole_map(record(region, work.stated()))) from None
-    return whole_map(record(region, work.stated(whole=True)))
+    return whole_map(record(region, stated))
 
 
 class _Work:

@@ -202,16 +202,17 @@ def _judged(
             try:
                 begin(f"certifying orbit {number} of {len(inside)}")
                 certificate, reason = _certified(question, problem, root, bits)
+                if certificate is not None:
+                    unique = _texts(question.unknowns(problem), root.unique)
+                    listed = [*counted, Counted(unique, certificate)]
+                    reason = _OTHER
+                    if _is_of(certificate, dwell, asked.sides):
+                        reason = _refused(_census(asked, listed, undecided, beyond, looked, bits))
+                    certificate = None if reason else certificate
             except KeyboardInterrupt:
-                halted = True
+                halted, certificate, reason = True, None, _STOPPED
         names = question.unknowns(problem)
         unique = _texts(names, root.unique)
-        if certificate is not None:
-            listed = [*counted, Counted(unique, certificate)]
-            reason = _OTHER
-            if _is_of(certificate, dwell, asked.sides):
-                reason = _refused(_census(asked, listed, undecided, beyond, looked, bits))
-            certificate = None if reason else certificate
         if certificate is None and question.surplus:
             undecided.append(Open(_texts(names, root.sides), reason))
         else:
