@@ -521,15 +521,17 @@ def test_memory_does_not_grow_with_what_was_loaded() -> None:
     known, lines = Modules(4), len(linecache.cache)
 
     def held(count: int) -> int:
-        """Bytes that so many more of them take, the last four among them."""
+        """Bytes that so many more of them take, the last four among them; not other threads'."""
         gc.collect()
         tracemalloc.start()
         for number in range(len(known), len(known) + count):
             known[str(number)] = module_of_text(text.replace("{0}", str(number)), f"<m{number}>")
         gc.collect()
-        size, _ = tracemalloc.get_traced_memory()
+        snapshot = tracemalloc.take_snapshot()
         tracemalloc.stop()
-        return size
+        places = (str(sys.modules[Modules.__module__].__file__), __file__, "<m*>")
+        taken = snapshot.filter_traces([tracemalloc.Filter(True, place) for place in places])
+        return sum(trace.size for trace in taken.traces)
 
     few = held(8)
     assert held(24) - few < 16 * len(text) * 3 // 4
