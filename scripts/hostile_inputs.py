@@ -118,6 +118,8 @@ def options_of() -> dict[str, list[Option]]:
         name = command.name or command.callback.__name__
         found[name] = []
         for parameter in inspect.signature(command.callback).parameters.values():
+            if not typing.get_args(parameter.annotation):
+                continue  # the context of a command
             made, info = typing.get_args(parameter.annotation)
             flags = [
                 flag for flag in (getattr(info, "param_decls", None) or ()) if flag.startswith("--")
