@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any, TypeVar
 
 from nonsmooth.runtime.checker.exact import Failure
-from nonsmooth.runtime.core.result_files import WRONG_SHAPE, checksum_of
+from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.core.values import flint_precision
 
 __all__ = ["accepted", "as_file", "as_read", "refusal"]
@@ -42,13 +43,13 @@ def accepted(
     record
         Undecided where parts are left out, with the reasons of the checker.
     """
-    reason = refusal(lambda: check(found))
+    reason = refusal(partial(check, found))
     if not reason:
         return found
     left = dict.fromkeys(parts, reason)
     for part in parts if len(parts) > 1 else ():
         others = {name: why for name, why in left.items() if name != part}
-        reason = refusal(lambda others=others: check(without(found, others)))  # type: ignore[misc]
+        reason = refusal(partial(check, without(found, others)))
         if reason:
             left[part] = reason
         else:
@@ -76,7 +77,7 @@ def refusal(check: Callable[[], object]) -> str:
             check()
     except Failure as failure:
         return f"the checker refuses it: {failure}"
-    except WRONG_SHAPE as problem:
+    except (ArithmeticError, ValueError) as problem:  # numbers beyond what can be enclosed
         return f"the checker refuses it: {type(problem).__name__}: {problem}"
     return ""
 
