@@ -8,12 +8,15 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import sympy as sp
 
+from nonsmooth.derive import RigidStop, oscillator
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding import primitive
-from nonsmooth.runtime.explore.finding.find import find_orbits, start_box
+from nonsmooth.runtime.explore.finding.find import find_orbits
 from nonsmooth.runtime.explore.finding.found import label_names
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
+from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.orbits.solve import solve
@@ -230,6 +233,19 @@ def test_a_box_reaches_twice_as_far_as_any_boundary():
     assert friction[2].tolist() == [-2, 2]  # the belt's velocity is 1
     # f1 = x1 - chi x2 reaches ur1 at x1 = ur1, x2 = ur1/chi
     assert friction[1, 1] == pytest.approx(2 * 4.0195 / 0.5)
+
+
+def test_a_load_says_how_fast_starts_fall_where_nothing_returns():
+    gravity, height = sp.symbols("gravity height")
+    ball = oscillator(
+        "fallen", ["x"], mass=[[1]], stiffness=[[0]], load=[-gravity],
+        elements=[RigidStop("x", at=-height, restitution=1, side="lower", name="ground")],
+    )  # fmt: skip
+    for g, h in ((9.81, 0.25), (9.81e9, 2.5e-10)):
+        limits = start_box(piecewise(ball, {"gravity": g, "height": h}))
+        assert limits[:, 1].tolist() == pytest.approx([2 * h, 2 * np.sqrt(g * h)], rel=1e-12)
+    without_length = piecewise(str(GALLERY / "bouncing_ball.py"), {"gravity": 9.81, "r": 0.5})
+    assert start_box(without_length)[:, 1].tolist() == [2, 2]
 
 
 def test_progress_is_told_in_words():

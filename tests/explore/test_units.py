@@ -152,11 +152,28 @@ def stopped() -> System:
 
 
 @cache
-def between_stops(length: Any, rate: Any, mass: Any) -> Any:
-    """The orbit that is its own mirror image."""
+def motions_between_stops(length: Any, rate: Any, mass: Any) -> ns.Found:
     given = {"length": length, "rate": rate, "mass_unit": mass, "w": "1.9", "load": 0}
-    found = ns.find_orbits(stopped(), given, 3, transitions=200, seed=1)
-    return found.orbits[0].orbit
+    return ns.find_orbits(stopped(), given, 3, transitions=200, seed=1)
+
+
+def between_stops(length: Any, rate: Any, mass: Any) -> ns.Orbit:
+    """The orbit that is its own mirror image."""
+    return motions_between_stops(length, rate, mass).orbits[0].orbit
+
+
+def in_unit(states: Any, length: Any, rate: Any) -> Any:
+    """States x, v, c1, s1 without their units."""
+    return states / np.array([float(length), float(length * rate), 1, 1])
+
+
+@pytest.mark.parametrize("units", [SMALL, *UNITS], ids=str)
+def test_motions_start_and_end_at_the_same_states_in_all_units(units: Any) -> None:
+    """Boundaries lie in one state alone, so that the other's size is by the motion."""
+    wanted, found = motions_between_stops(1, 1, 1), motions_between_stops(*units)
+    np.testing.assert_allclose(in_unit(found.starts, *units[:2]), wanted.starts, rtol=1e-12)
+    np.testing.assert_array_equal(found.labels, wanted.labels)
+    assert [orbit.starts for orbit in found.orbits] == [orbit.starts for orbit in wanted.orbits]
 
 
 def test_designs_do_not_depend_on_units() -> None:

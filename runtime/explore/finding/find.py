@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from nonsmooth.runtime.core.errors import InputError, Interrupted, unknown_name
+from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.workload import check_memory
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.mirrors import mirror_places, mirrors
@@ -27,6 +27,7 @@ from nonsmooth.runtime.explore.finding.primitive import (
     primitive_orbit,
     same_orbit,
 )
+from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.model.kernels import SystemKernels, grown, kernels_of
 from nonsmooth.runtime.model.loading.declared import DeclaredSystem
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
@@ -44,7 +45,7 @@ from nonsmooth.runtime.simulation.recurrence import (
 from nonsmooth.runtime.simulation.simulate import Trajectories, checked_count, simulate_many
 from nonsmooth.runtime.simulation.starting import on_circles
 
-__all__ = ["find_orbits", "start_box"]
+__all__ = ["find_orbits"]
 
 _TOLERANCES = (1e-10, 1e-7, 1e-4, 1e-2)  # of a return: the tightest that finds one decides
 _EXACT = 1e-7  # of a return: of a motion that has settled
@@ -233,55 +234,6 @@ def _found(
         transitions,
         complete,
     )
-
-
-def start_box(
-    system: PiecewiseLinear, given: Mapping[str, tuple[float, float]] | None = None
-) -> np.ndarray:
-    """Bounds (N, 2) between which starts are drawn.
-
-    For each state twice the largest size at which a boundary or a constraint lies, on both
-    sides; the mean of the others' for a state in which none does.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    given : mapping of str to (float, float), optional
-        Bounds of some states, in their units.
-
-    Returns
-    -------
-    array (N, 2)
-
-    Raises
-    ------
-    InputError
-        For an unknown state, or bounds that are no interval.
-    """
-    structure = system.structure
-    used = {b.row for boundaries in structure.boundaries for b in boundaries}
-    used |= {row for rows in structure.constraints for row in rows}
-    rows = system.rows[sorted(used)]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        sizes = np.abs(rows[:, -1:] / rows[:, :-1])
-    sizes[~np.isfinite(sizes)] = 0.0
-    largest = sizes.max(axis=0, initial=0.0)
-    known = largest[largest > 0]
-    largest[largest == 0] = known.mean() if known.size else 1.0
-    limits = np.stack([-2 * largest, 2 * largest], axis=1)
-    forced = [state for pair in structure.forcing for state in pair]
-    limits[forced] = -1.0, 1.0  # of starts on a circle
-    for name, bounds in (given or {}).items():
-        if name not in structure.states:
-            raise unknown_name("state", str(name), structure.states)
-        try:
-            low, high = map(float, bounds)
-        except (TypeError, ValueError):
-            raise InputError(f"box of {name}: {bounds!r} is no pair of numbers") from None
-        if not (np.isfinite([low, high]).all() and low < high):
-            raise InputError(f"box of {name}: {low!r} to {high!r} is no interval")
-        limits[structure.states.index(name)] = low, high
-    return limits
 
 
 def _legal_starts(
