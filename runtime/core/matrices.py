@@ -6,6 +6,7 @@ import numpy as np
 
 __all__ = ["eigenvalues", "exponentials", "sorted_by_size"]
 
+_LARGEST = 1e6  # norm of an exponent
 _NORM, _DEGREE = 0.5, 15  # the series' rest is below 0.5^16 / 16! = 7e-19
 
 
@@ -14,7 +15,7 @@ def exponentials(matrices: np.ndarray) -> np.ndarray:
 
     Plain products alone: a tiny imaginary part comes out as a derivative, to full precision
     (Al-Mohy and Higham, 2010).
-    NaN where an entry is not finite.
+    NaN for a matrix of which an entry is not finite, or larger than 10^6.
 
     Parameters
     ----------
@@ -32,11 +33,10 @@ def exponentials(matrices: np.ndarray) -> np.ndarray:
     """
     size = matrices.shape[-1]
     norms = np.abs(matrices).sum(axis=-2).max(axis=-1, initial=0.0)
-    largest = float(np.max(norms, initial=0.0))
-    if not np.isfinite(largest) or largest > 1e6:
-        return np.full_like(matrices, np.nan)
+    moderate = norms <= _LARGEST
+    largest = float(np.max(norms, initial=0.0, where=moderate))
     halvings = max(0, int(np.ceil(np.log2(max(largest, _NORM) / _NORM))))
-    scaled = matrices / 2.0**halvings
+    scaled = np.where(moderate[:, None, None], matrices, 0.0) / 2.0**halvings
     unit = np.eye(size, dtype=scaled.dtype)
     found = unit + scaled / _DEGREE
     for order in range(_DEGREE - 1, 0, -1):
@@ -45,6 +45,7 @@ def exponentials(matrices: np.ndarray) -> np.ndarray:
         found += unit
     for _ in range(halvings):
         found = found @ found
+    found[~moderate] = np.nan
     return np.asarray(found)
 
 

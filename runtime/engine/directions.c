@@ -189,6 +189,41 @@ INLINED void pass(ptrdiff_t n, const moving_orbit *o, const arrays *a, patience 
         a->size[i] = largest == 0.0 ? 1.0 : larger(a->size[i], NOTHING * largest);
 }
 
+/* Sum of the sizes of a row's terms, in units of the states' sizes. */
+INLINED double term_sizes(ptrdiff_t n, const double *row, const double *size)
+{
+    double sum = fabs(row[n]);
+    for (ptrdiff_t j = 0; j < n; ++j)
+        sum += fabs(row[j]) * size[j];
+    return sum;
+}
+
+/* Largest relative change of the maps of a cycle in a direction: what closure misses beside it is
+ * rounding. */
+INLINED double relative_change(ptrdiff_t n, const moving_orbit *o, ptrdiff_t d, const arrays *a)
+{
+    const ptrdiff_t columns = n + 1, map = n * columns;
+    double largest = 0.0;
+    for (ptrdiff_t p = 0; p < o->phases; ++p) {
+        ptrdiff_t first;
+        const int kinds = gather(n, o, p, d, a, &first);
+        const struct {
+            int kind;
+            ptrdiff_t rows;
+            const double *value, *change;
+        } parts[] = {{OF_FIELD, n, o->field + p * map, a->field},
+                     {OF_ROW, 1, o->row + p * columns, a->row},
+                     {OF_RESET, n, o->reset + p * map, a->reset}};
+        for (int part = 0; part < 3; ++part)
+            for (ptrdiff_t i = 0; kinds & parts[part].kind && i < parts[part].rows; ++i) {
+                const double whole = term_sizes(n, parts[part].value + i * columns, a->size);
+                const double moved = term_sizes(n, parts[part].change + i * columns, a->size);
+                largest = whole > 0.0 ? larger(largest, moved / whole) : largest;
+            }
+    }
+    return largest;
+}
+
 /* Changes of the start in units of its size, for closure and where it is `timed` the period. The
  * smallest relative pivot; NaN where something is not finite. */
 INLINED double solve(ptrdiff_t n, const moving_orbit *o, int timed, const arrays *a, int *order)
@@ -235,13 +270,16 @@ INLINED double solve(ptrdiff_t n, const moving_orbit *o, int timed, const arrays
     const least_squares_room room = {order, a->pivot, a->unit};
     const double least = least_squares_of(m, n, q, a->matrix, a->right, a->step, &room);
     for (ptrdiff_t d = 0; d < q; ++d) {
-        double missed = 0.0, most = 1.0;
+        double missed = 0.0, most = relative_change(n, o, d, a);
         for (ptrdiff_t i = 0; i < m; ++i) {
-            double sum = -a->sides[i * q + d];
-            for (ptrdiff_t k = 0; k < n; ++k)
-                sum += a->kept[i * n + k] * a->step[k * q + d];
+            double sum = -a->sides[i * q + d], terms = fabs(sum);
+            for (ptrdiff_t k = 0; k < n; ++k) {
+                const double term = a->kept[i * n + k] * a->step[k * q + d];
+                sum += term;
+                terms += fabs(term);
+            }
             missed = larger(missed, fabs(sum));
-            most = larger(most, fabs(a->sides[i * q + d]));
+            most = larger(most, terms);
         }
         for (ptrdiff_t k = 0; missed > CONSISTENT * most && k < n; ++k)
             a->step[k * q + d] = NAN;

@@ -124,7 +124,7 @@ def _on_numpy(
         changes = kernels.evaluate("parameter_jacobian", points, spectrum, moved, unknowns)
         gradient = np.asarray(kernels.evaluate("trace_gradient", points, spectrum, moved, unknowns))
     size = unknowns.shape[1]
-    found[:, :size], _ = solve_linear_many(jacobian, -np.asarray(changes))
+    found[:, :size], _ = solve_linear_many(jacobian, -np.asarray(changes), np.zeros(points.shape))
     found[:, size] = gradient[:, size:]
     found[:, size] += np.einsum("kn,knq->kq", gradient[:, :size], found[:, :size])
 

@@ -14,7 +14,12 @@ from nonsmooth.runtime.model.kernels import SystemKernels, compiled_engine
 from nonsmooth.runtime.model.piecewise import tables_at
 from nonsmooth.runtime.model.table_derivatives import TableRates, table_rates
 from nonsmooth.runtime.orbits.directions import CONSISTENT
-from nonsmooth.runtime.orbits.table_directions import closed_along, passed, section_along
+from nonsmooth.runtime.orbits.table_directions import (
+    closed_along,
+    passed,
+    relative_changes,
+    section_along,
+)
 from nonsmooth.runtime.shooting.closure_conditions import linearised_closure, with_forcing
 from nonsmooth.runtime.shooting.derivatives import cycle_maps
 from nonsmooth.runtime.shooting.newton import LEAST
@@ -261,13 +266,14 @@ def _in_python(
         plain = dict(zip(("starts", "ends", "velocities"), parts, strict=True))
         size_of = sizes(now._replace(**plain), times)
         still = now._replace(starts=np.broadcast_to(states, now.starts.shape))
+        usual = np.array([_relative_changes(closed, size_of, point, q) for point in range(k)])
 
         def solved(period: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
             sides = linearised_closure(now, times + 0j, size_of, period)
             matrix, right = with_forcing(cycle, closed, still, size_of, *sides, FLOATS)
             sides_of = imaginary_parts(right, None).reshape(k, q, -1)
             plain_matrix = real_parts(matrix).reshape(k, q, -1, size)[:, 0]
-            return solve_linear_many(plain_matrix, np.moveaxis(sides_of, 1, 2))
+            return solve_linear_many(plain_matrix, np.moveaxis(sides_of, 1, 2), usual)
 
         changes, singular = solved(None)
         if timed and singular.any():
@@ -290,7 +296,17 @@ def _in_python(
     )
 
 
-def solve_linear_many(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _relative_changes(numbers: Numbers, size_of: np.ndarray, point: int, q: int) -> np.ndarray:
+    """The largest relative changes (q,) of the numbers of one point, which stand q times."""
+    own = slice(point * q, (point + 1) * q)
+    fields, rows, resets = (part[own] for part in numbers[:3])
+    one = numbers._replace(fields=fields, rows=rows, resets=resets)
+    return relative_changes(one, size_of[point * q], None)
+
+
+def solve_linear_many(
+    matrix: np.ndarray, right: np.ndarray, usual: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Solve linear equations at many points.
 
     Parameters
@@ -298,6 +314,8 @@ def solve_linear_many(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray
     matrix : array (k, m, n)
         m is n, or more for equations that follow from others.
     right : array (k, m, q)
+    usual : array (k, q)
+        Relative change of what the equations are made of, beside which one of them is rounding.
 
     Returns
     -------
@@ -325,7 +343,8 @@ def solve_linear_many(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray
     there = there[regular]
     found[there] = inverse[regular] @ sides[regular]
     missed = abs(matrix[there] @ found[there] - right[there]).max(axis=1)
-    wrong = missed > CONSISTENT * np.maximum(1.0, abs(right[there]).max(axis=1))
+    terms = (abs(matrix[there]) @ abs(found[there]) + abs(right[there])).max(axis=1)
+    wrong = missed > CONSISTENT * np.maximum(terms, usual[there])
     kept = found[there]
     kept[np.broadcast_to(wrong[:, None, :], kept.shape)] = np.nan
     found[there] = kept

@@ -174,6 +174,55 @@ def test_kernels_in_c_and_on_numpy_agree(name: str) -> None:
             assert_allclose(mine[quantity][key], rate, rtol=1e-8, atol=1e-9, err_msg=quantity)
 
 
+@pytest.mark.parametrize("rate", [1, 10**12])
+def test_a_forcing_out_of_tune_has_no_derivative_in_any_unit(rate: int) -> None:
+    """The orbit of two forcings whose frequencies have the ratio 3 is lost where one changes."""
+    w, w2, r = sp.symbols("w w2 r")
+    both = [Harmonic(w, cosine=[rate**2]), Harmonic(w2, cosine=[sp.Rational(rate**2, 5)])]
+    system = oscillator(
+        f"tuned-{rate}", ["x"], [[1]], [[rate**2]], [[sp.Rational(rate, 5)]], forcing=both,
+        elements=[RigidStop("x", at=sp.Rational(1, 8), restitution=r)],
+    )  # fmt: skip
+    data = {"w": 2.4 * rate, "w2": 7.2 * rate, "r": 0.6}
+    motion = ns.simulate(system, data, [0, 0, 1, 0, 1, 0], transitions=400)
+    orbit = ns.solve(system, data, itinerary=ns.itinerary_of(motion))
+    assert have_derivatives(orbit, data) == {"w": False, "w2": False, "r": True}
+
+
+@pytest.mark.parametrize("engine", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
+@pytest.mark.parametrize("rate", [1, 10**12])
+def test_a_family_that_is_lost_has_no_derivative_in_any_unit(
+    engine: str, rate: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of a mass that loses nothing at its stop: no period is left where it is damped."""
+    monkeypatch.setenv("NONSMOOTH_BACKEND", engine)
+    k = sp.Symbol("k")
+    c = Parameter("c", "a damping", lower=0, closed=True)
+    system = oscillator(
+        f"lossless-{rate}", ["x"], [[1]], [[k * rate**2]], [[c.symbol]],
+        elements=[RigidStop("x", at=sp.Rational(1, 2), restitution=1)], parameters=(c,),
+    )  # fmt: skip
+    data = {"c": 0, "k": 1}
+    orbit = ns.solve(
+        system, data, {"tau1": 4.2 / rate, "x": 0.5, "v": -0.9 * rate},
+        itinerary=[("free", "x-upper-reaches-stop")], given={"period": 4.2 / rate},
+    )  # fmt: skip
+    assert have_derivatives(orbit, data) == {"c": False, "k": True}
+
+
+def have_derivatives(orbit: ns.Orbit, data: dict[str, float]) -> dict[str, bool]:
+    """Of many orbits, of which this is one, by parameters; the last one is given as an array."""
+    *_, (name, value) = data.items()
+    found = ns.solve_many(
+        orbit.system, {**data, name: [value]}, [*orbit.dwell_times, *orbit.states[0]],
+        itinerary=orbit.itinerary, derivatives=list(data), given={
+            name: value for name, value in orbit.given.items() if name == "period"
+        },
+    )  # fmt: skip
+    assert found.derivatives is not None
+    return {by: bool(np.isfinite(found.derivatives["trace"][by][0])) for by in data}
+
+
 def test_they_are_those_of_fifty_digits() -> None:
     name, by = "dry-friction/global-stick", "eta"
     orbit = ns.solve(name, {by: "0.98"})

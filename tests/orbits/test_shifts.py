@@ -247,7 +247,8 @@ def test_a_sled_that_is_pulled_for_ever_neither_rests_nor_diverges(damper, outco
             elements=[Friction("x", kinetic=u, static=u + e, velocity=0, name="ground")],
         )
     data = PULLED if damper == "0" else {**PULLED, "c": damper}
-    found = ns.find_orbits(dragged, data, 30, transitions=100, seed=0)
+    box = {"v": (-2.6, 2.6), "v_y": (-2.6, 2.6)}
+    found = ns.find_orbits(dragged, data, 30, transitions=100, box=box, seed=0)
     sliding = found.starts[found.labels == outcome]
     assert set(found.outcomes) == {outcome}
     assert len(sliding) == 30 - sum(entry.starts for entry in found.orbits) > 0
