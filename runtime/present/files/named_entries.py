@@ -11,8 +11,8 @@ from functools import lru_cache
 from pathlib import Path
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.result_files import format_in, naming
-from nonsmooth.runtime.model.kernel_records import OrbitKernels, SavedTable
+from nonsmooth.runtime.core.result_files import format_in
+from nonsmooth.runtime.model.kernel_records import OrbitKernels, SavedTable, SystemKernels
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_problem import TableProblem
 from nonsmooth.runtime.present.files import found as finding
@@ -20,7 +20,7 @@ from nonsmooth.runtime.present.files.declared_table import declared_table
 from nonsmooth.runtime.present.files.loading import load
 from nonsmooth.runtime.present.files.orbits import load_orbit_file
 
-__all__ = ["saved_kernels", "saved_names", "saved_orbit"]
+__all__ = ["saved_kernels", "saved_listing", "saved_orbit"]
 
 _DESIGN = "nonsmooth design"
 
@@ -65,8 +65,8 @@ def saved_kernels(name: str) -> OrbitKernels:
     return _kernels(path, number, (stamp.st_mtime_ns, stamp.st_size, stamp.st_ino))
 
 
-def saved_names(name: str) -> tuple[str, ...]:
-    """Names of all orbits that a name ``FILE.json`` or ``FILE.json:N`` stands for.
+def saved_listing(name: str) -> tuple[SystemKernels, dict[str, OrbitKernels | str]]:
+    """The system and all orbits that a name ``FILE.json`` or ``FILE.json:N`` stands for.
 
     Parameters
     ----------
@@ -75,22 +75,28 @@ def saved_names(name: str) -> tuple[str, ...]:
 
     Returns
     -------
-    tuple of str
-        Names that `load_orbit` takes.
+    tuple of SystemKernels, dict
+        By the names that `load_orbit` takes: an orbit, or why an entry of several is none.
 
     Raises
     ------
     InputError
-        If the file holds no orbit, or as `load_found`.
+        If the file holds no orbit, or the one that is named is none; as `load_found`.
     """
     path, number = _place(name)
     if number is not None or format_in(path) != finding.FOUND.name:
-        return (name,)
-    with naming(path) as file:
-        count = len(finding.FOUND.read(file).orbits)
+        orbit = saved_kernels(name)
+        return orbit.system, {name: orbit}
+    system, count = finding.found_system(path)
     if not count:
         raise InputError(f"{name} holds no orbit that has an itinerary")
-    return tuple(f"{name}:{number}" for number in range(1, count + 1))
+    orbits: dict[str, OrbitKernels | str] = {}
+    for each in (f"{path}:{number}" for number in range(1, count + 1)):
+        try:
+            orbits[each] = saved_kernels(each)
+        except InputError as problem:
+            orbits[each] = str(problem)
+    return system, orbits
 
 
 def _place(name: str) -> tuple[Path, int | None]:
