@@ -6,7 +6,7 @@ import json
 import shlex
 import shutil
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,6 +16,7 @@ import typer
 import nonsmooth as ns
 from nonsmooth.runtime.cli import display
 from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core import workload
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.proof.events import certify_event
 from tests.cli.test_cli import run
@@ -198,6 +199,22 @@ def test_events_go_on_though_none_is_enclosed_yet(
     assert run("certify", "--resume", "part.json")[0] == 1
     (event,) = ns.load("part.json")
     assert event.kind == "branch-point"
+
+
+def test_a_chart_goes_on_as_it_was_begun(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(workload, "HOURS", 0)  # all takes longer
+    question = "chart dry-friction/global-stick V=0.99:1:6 eta=0.99:1:6 --chunk 9 --threads 1"
+    words = shlex.split(f"{question} --out F.zarr --yes --json")
+    with monkeypatch.context() as patched:
+        patched.setattr(display, "counted", lambda *_: nullcontext(Stopped(2)))
+        code, _, err = run(*words)
+    assert (code, "of 4 chunks are kept in F.zarr; go on with: nonsmooth" in err) == (130, True)
+    goes_on = shlex.split(err.partition(" with: nonsmooth ")[2])
+    assert run(*(word for word in goes_on if word != "--yes"))[0] == 2
+    code, out, err = run(*goes_on)
+    assert (code, err) == (0, "")
+    assert json.loads(out)["points"] == {"stable": 36}
 
 
 def test_every_command_that_resumes_is_asked_here() -> None:
