@@ -72,7 +72,7 @@ def certify(
     orbit: Annotated[
         str | None,
         typer.Argument(
-            metavar="[SYSTEM/ORBIT]",
+            metavar="SYSTEM/ORBIT",
             help="An orbit that `nonsmooth list` shows, your own FILE.py:ORBIT, or FILE.json:N of"
             " `find --save`.",
             show_default=False,

@@ -9,6 +9,7 @@ from typing import Any
 from nonsmooth.runtime.cli.application import ANSWERED, UNANSWERED
 from nonsmooth.runtime.cli.keeping import kept_of, worked
 from nonsmooth.runtime.cli.ranges import followed_over
+from nonsmooth.runtime.cli.resuming import hold
 from nonsmooth.runtime.cli.written import Written
 
 __all__ = ["certify_events"]
@@ -69,6 +70,8 @@ def certify_events(
     branch, (lower, upper) = followed_over(name, parameters, near, "--events V=0.6:1.3")
     with counted("enclosing events", len(branch.events)) as progress:
         found, stopped = worked(lambda: enclose(branch, bits, known, progress))
+    if not found:
+        hold(branch.orbit)
     written = Written()
     written.save(lambda path: save_events(found, path), save)
 

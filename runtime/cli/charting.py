@@ -152,6 +152,7 @@ def chart(
             if value is not None
             for word in (option, str(value))
         ]
+        beside += [flag for flag, said in (("--yes", yes), ("--json", as_json)) if said]
         goes_on = shlex.join(["nonsmooth", "chart", str(out), *beside])
         return interrupted(kept, f"go on with: {goes_on}")
     dataset = load_chart(out)

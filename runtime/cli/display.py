@@ -12,6 +12,7 @@ from rich.table import Table
 from rich.text import Text
 
 from nonsmooth.runtime.cli.tables import console_as_wide, listing, show_table
+from nonsmooth.runtime.core.errors import one_line
 from nonsmooth.runtime.core.values import decimal_string
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.orbits.orbit import PERIOD, Orbit
@@ -114,6 +115,9 @@ def show_list(systems: Iterable[Mapping[str, Any]], *, whole: bool) -> None:
         for orbit in system["orbits"]:
             console.print()
             console.print(Text(orbit["name"], style="bold"))
+            if "refused" in orbit:
+                console.print(Text(f"  refused: {one_line(orbit['refused'])}", style="red"))
+                continue
             for phase in orbit["phases"]:
                 place = f"{phase['configuration']} until {phase['boundary']}"
                 console.print(Text(f"  {phase['dwell_time']:5} {place}"))

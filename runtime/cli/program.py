@@ -115,7 +115,7 @@ def list_orbits(
         list[str] | None,
         typer.Argument(
             autocompletion=known_systems,
-            metavar="[SYSTEM]...",
+            metavar="SYSTEM",
             help="Only these: built-in ones, FILE.py, FILE.json, or a folder of `generate`.",
             show_default=False,
         ),

@@ -6,22 +6,43 @@ import functools
 import inspect
 import shlex
 from collections.abc import Callable, Mapping
+from contextlib import nullcontext
 from contextvars import ContextVar
 from enum import Enum
 from pathlib import Path
 from types import UnionType
-from typing import Any, get_args
+from typing import TYPE_CHECKING, Any, NamedTuple, get_args
 
 import typer
 
 from nonsmooth.runtime.core.errors import InputError
 
-__all__ = ["command_to_resume", "resumable"]
+if TYPE_CHECKING:
+    from nonsmooth.runtime.model.kernels import OrbitKernels
+    from nonsmooth.runtime.orbits.orbit import Orbit
+
+__all__ = ["command_to_resume", "hold", "resumable"]
 
 _FILES = {"save", "resume", "overwrite"}
 _TARGETS = {"orbit": "an orbit", "system": "a system"}
 _HOLDERS = ("orbit", "events", "branches")  # entries whose parts hold a system, as files do
-_BESIDE: ContextVar[tuple[str, ...]] = ContextVar("a command, and words beside its question")
+
+
+class _Running(NamedTuple):
+    """The command that is running: its words beside its question, and what its files state."""
+
+    words: tuple[str, ...]
+    request: dict[str, Any]
+
+
+class _Held(NamedTuple):
+    """An orbit that is not declared, as a file holds it, and its kernels."""
+
+    content: Any
+    kernels: OrbitKernels
+
+
+_RUNNING: ContextVar[_Running] = ContextVar("the command that is running")
 
 
 def resumable(question: str, anew: str = "") -> Callable[[Callable[..., int]], Callable[..., int]]:
@@ -51,11 +72,12 @@ def resumable(question: str, anew: str = "") -> Callable[[Callable[..., int]], C
         @functools.wraps(command)
         def run(context: typer.Context, **options: Any) -> int:
             from nonsmooth.runtime.core.result_files import stating
+            from nonsmooth.runtime.model.kernels import standing_for
 
-            given, held = _given(context), dict[str, str]()
+            given, held, orbit = _given(context), dict[str, str](), None
             if options["resume"] is not None:
                 given = _placed(given, options)
-                asked, held = _resumed(context, options, given & {*asked_names}, kinds)
+                asked, held, orbit = _resumed(context, options, given & {*asked_names}, kinds)
                 options |= {n: x for n, x in asked.items() if n in asked_names or n not in given}
                 options["save"] = options["save"] or options["resume"]
             for name in needed:
@@ -63,13 +85,20 @@ def resumable(question: str, anew: str = "") -> Callable[[Callable[..., int]], C
                     raise InputError(f"{_TARGETS[name]} is missing, or --resume FILE")
             stated = {n: _written(options[n]) for n in stated_names if _is_there(options[n])}
             beside = _words(context, options, given & options.keys() - {*stated_names} - _FILES)
-            token = _BESIDE.set((str(context.command.name), *beside))
+            request = {"command": context.command.name, "options": stated}
+            target: str = options.get("orbit") or ""
+            if orbit is None and options["save"] is not None:
+                orbit = _to_hold(target)
+            if orbit is not None:
+                request["orbit"] = orbit.content
+            at_hand = nullcontext() if orbit is None else standing_for(target, orbit.kernels)
+            token = _RUNNING.set(_Running((str(context.command.name), *beside), request))
             options |= held
             try:
-                with stating({"command": context.command.name, "options": stated}):
+                with stating(request), at_hand:
                     return command(**options)
             finally:
-                _BESIDE.reset(token)
+                _RUNNING.reset(token)
 
         parameters = [
             each.replace(default=None) if name in needed else each
@@ -91,8 +120,34 @@ def command_to_resume(path: Path) -> str:
     str
         Quoted for a shell.
     """
-    name, *beside = _BESIDE.get()
+    name, *beside = _RUNNING.get().words
     return shlex.join(["nonsmooth", name, "--resume", str(path), *beside])
+
+
+def hold(orbit: Orbit) -> None:
+    """Let the files of the running command hold an orbit that it begins with.
+
+    It is for files that may be written before there is a part that holds the system.
+    """
+    from nonsmooth.runtime.present.files.orbits import orbit_content
+
+    request = _RUNNING.get().request
+    if "orbit" not in request and not orbit.system.built_in:
+        request["orbit"] = orbit_content(orbit)
+
+
+def _to_hold(name: str) -> _Held | None:
+    """An orbit of another file; None for what is declared, which parts of a file hold."""
+    from nonsmooth.runtime.model.kernels import is_saved
+    from nonsmooth.runtime.present.files.named_entries import orbit_to_hold
+
+    return _as_held(orbit_to_hold(name), name) if is_saved(name) else None
+
+
+def _as_held(content: Any, name: str) -> _Held:
+    from nonsmooth.runtime.present.files.named_entries import held_kernels
+
+    return _Held(content, held_kernels(content, name))
 
 
 def _given(context: typer.Context) -> set[str]:
@@ -130,12 +185,13 @@ def _words(context: typer.Context, options: Mapping[str, Any], names: set[str]) 
 
 def _resumed(
     context: typer.Context, options: Mapping[str, Any], given: set[str], kinds: Mapping[str, Any]
-) -> tuple[dict[str, Any], dict[str, str]]:
+) -> tuple[dict[str, Any], dict[str, str], _Held | None]:
     """What the file to resume states of the command, and the orbit or system that it holds.
 
-    Both are empty if Python wrote it. What is given of the question has to be the same.
+    Nothing if Python wrote it. What is given of the question has to be the same.
     """
     from nonsmooth.runtime.core.result_files import content_of, naming
+    from nonsmooth.runtime.model.kernels import orbit_names
 
     with naming(options["resume"]):
         content = content_of(options["resume"])
@@ -143,15 +199,16 @@ def _resumed(
         if request is None:
             if not given & _TARGETS.keys():
                 raise InputError("it does not hold its question: name that too")
-            return {}, {}
+            return {}, {}, None
         if request["command"] != context.command.name:
             raise InputError(f"`nonsmooth {request['command']}` wrote it")
         asked = {name: _read(name, kinds[name], x) for name, x in request["options"].items()}
         _check_same(context, {name: options[name] for name in given}, asked)
-        return asked, {
-            name: _held(content, name, asked[name])
-            for name in _TARGETS.keys() & asked.keys() - given
-        }
+        targets = {name: asked[name] for name in _TARGETS.keys() & asked.keys() - given}
+        if "orbit" in targets and "orbit" in request and targets["orbit"] not in orbit_names():
+            return asked, {}, _as_held(request["orbit"], targets["orbit"])
+        held = {target: _held(content, target, name) for target, name in targets.items()}
+        return asked, held, None
 
 
 def _is_there(value: Any) -> bool:
@@ -219,11 +276,12 @@ def _held(content: Mapping[str, Any], target: str, name: str) -> str:
     from nonsmooth.runtime.model.kernels import is_saved, orbit_names, system_names
     from nonsmooth.runtime.model.naming import is_hashed
 
-    if is_saved(name) or name in (*system_names(), *orbit_names()):
+    if name in (*system_names(), *orbit_names()):
         return name
     held = [entry for holder in _HOLDERS if isinstance(entry := content.get(holder), list)]
     parts = [content, *(part for entry in held for part in entry)]
     system = next((part["system"] for part in parts if part.get("tables")), "")
-    if not (isinstance(system, str) and is_hashed(system)):  # a file of Python would be run
+    if is_saved(name) or not (isinstance(system, str) and is_hashed(system)):
+        # a file of Python would be run, and that of an orbit may be another one by now
         raise InputError(f"it does not hold {name}: name that too")
     return f"{system}:{name.rpartition(':')[2]}" if target == "orbit" else system

@@ -10,13 +10,15 @@ import hashlib
 import json
 import math
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
 from importlib.resources import files
 from pathlib import Path
-from types import ModuleType
+from types import MappingProxyType, ModuleType
 from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError, unknown_name
@@ -59,6 +61,7 @@ __all__ = [
     "load_system",
     "orbit_names",
     "orbits_in",
+    "standing_for",
     "system_names",
     "uncompiled",
 ]
@@ -162,6 +165,9 @@ def load_orbit(orbit: str | DeclaredOrbit) -> OrbitKernels:
     if not isinstance(orbit, str) and isinstance(orbit, DeclaredOrbit):
         return _orbit(_kernels(load_declared(orbit.system, (orbit,))), orbit.name)
     name = _text(orbit, "orbit")
+    standing = _STANDING.get()
+    if name in standing:
+        return standing[name]
     if is_saved(name):
         kernels: OrbitKernels = registered("saved_kernels")(name)
         return kernels
@@ -183,6 +189,21 @@ def load_orbit(orbit: str | DeclaredOrbit) -> OrbitKernels:
             + (f"its orbits: {known}" if known else _FIND.format(name))
         )
     raise unknown_name("orbit", name, orbit_names())
+
+
+@contextmanager
+def standing_for(name: str, kernels: OrbitKernels) -> Iterator[None]:
+    """Let a name stand for an orbit that is at hand, whatever file of that name is there."""
+    token = _STANDING.set({name: kernels})
+    try:
+        yield
+    finally:
+        _STANDING.reset(token)
+
+
+_STANDING: ContextVar[Mapping[str, OrbitKernels]] = ContextVar(
+    "orbits at hand, by the names that stand for them", default=MappingProxyType({})
+)
 
 
 def load_system(system: str | DeclaredSystem) -> SystemKernels:

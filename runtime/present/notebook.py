@@ -142,7 +142,9 @@ def found_html(found: Found) -> str:
     rows += [
         (
             f"{place}",
-            [f"equilibrium, {entry.equilibrium.verdict}", entry.equilibrium.configuration],
+            [entry.solved]
+            if isinstance(entry.solved, str)
+            else [f"equilibrium, {entry.solved.verdict}", entry.solved.configuration],
             entry.share,
         )
         for place, entry in enumerate(found.equilibria, len(found.orbits) + 1)

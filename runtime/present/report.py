@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from nonsmooth.runtime.core.values import decimal_string
@@ -21,7 +21,7 @@ from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.declared_solve import unknowns_of
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.files.named_entries import saved_names
+from nonsmooth.runtime.present.files.named_entries import saved_listing
 from nonsmooth.runtime.shooting.multipliers import Stability
 
 __all__ = ["admissibility_json", "derivatives_json", "orbit_json", "short", "systems_json"]
@@ -181,7 +181,7 @@ def systems_json(names: Sequence[str] = ()) -> dict[str, Any]:
     dict
         Ready for JSON.
     """
-    systems = {name: _listed(name) for name in names or system_names()}
+    listings = {name: _listing(name) for name in names or system_names()}
     return {
         "systems": [
             {
@@ -195,9 +195,9 @@ def systems_json(names: Sequence[str] = ()) -> dict[str, Any]:
                 },
                 "transitions": _transitions_json(system),
                 "parameters": [_parameter_json(p) for p in system.parameters],
-                "orbits": [_declared_json(o) if o.derived else _composed_json(o) for o in orbits],
+                "orbits": [_listed(orbit, entry) for orbit, entry in orbits.items()],
             }
-            for name, (system, orbits) in systems.items()
+            for name, (system, orbits) in listings.items()
         ]
     }
 
@@ -223,11 +223,18 @@ def _transitions_json(system: SystemKernels) -> list[dict[str, Any]]:
     ]
 
 
-def _listed(name: str) -> tuple[SystemKernels, list[OrbitKernels]]:
+def _listing(name: str) -> tuple[SystemKernels, Mapping[str, OrbitKernels | str]]:
     """A system with its orbits, or what a file of results has of them."""
-    saved = is_saved(name)
-    orbits = [load_orbit(orbit) for orbit in (saved_names if saved else orbits_in)(name)]
-    return orbits[0].system if saved else load_system(name), orbits
+    if is_saved(name):
+        return saved_listing(name)
+    return load_system(name), {orbit: load_orbit(orbit) for orbit in orbits_in(name)}
+
+
+def _listed(name: str, entry: OrbitKernels | str) -> dict[str, Any]:
+    """An orbit, or why an entry of a file is none."""
+    if isinstance(entry, str):
+        return {"name": name, "refused": entry}
+    return _declared_json(entry) if entry.derived else _composed_json(entry)
 
 
 def _declared_json(kernels: OrbitKernels) -> dict[str, Any]:

@@ -237,7 +237,9 @@ def _found(found: Found) -> Summary:
         for o in found.orbits
     ]
     equilibria = [
-        f"{e.equilibrium.configuration}, {e.equilibrium.verdict}, {100 * e.share:.3g} %"
+        "refused"
+        if isinstance(e.solved, str)
+        else f"{e.solved.configuration}, {e.solved.verdict}, {100 * e.share:.3g} %"
         for e in found.equilibria
     ]
     others = [f"{outcome.text}, {100 * share:.3g} %" for outcome, share in found.outcomes.items()]

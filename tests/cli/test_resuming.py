@@ -6,7 +6,7 @@ import json
 import shlex
 import shutil
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,7 +16,9 @@ import typer
 import nonsmooth as ns
 from nonsmooth.runtime.cli import display
 from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core import workload
 from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.proof.events import certify_event
 from tests.cli.test_cli import run
 from tests.places import GALLERY
 
@@ -140,6 +142,81 @@ def test_what_is_interrupted_goes_on_by_its_file_alone_to_the_whole(
         assert answer("part.json") == answer("whole.json")
 
 
+@pytest.mark.parametrize("kind", [kind for kind in QUESTIONS if kind not in ("graph", "sweep")])
+def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = QUESTIONS[kind]
+    command, name, *_ = asked.words.split()
+    first, elsewhere = tmp_path / "first", tmp_path / "elsewhere"
+    for folder in (first, elsewhere):
+        folder.mkdir()
+    monkeypatch.chdir(first)
+    if asked.source:
+        shutil.copy(GALLERY / asked.source, asked.source)
+    orbit = ns.solve(name)
+    if asked.source:  # one that the declaration does not name
+        dwell, (start, *_) = orbit.dwell_times, orbit.states
+        orbit = ns.solve(
+            asked.source, orbit.parameters, [*dwell, *start], itinerary=orbit.itinerary
+        )
+    orbit.save("orbit.json")
+    code, err = begun(asked._replace(words=asked.words.replace(name, "orbit.json")), monkeypatch)
+    assert (code == 130) == (asked.told > 0), err
+    shutil.move("part.json", elsewhere)
+    monkeypatch.chdir(elsewhere)
+    shutil.rmtree(first)
+    ns.solve("dry-friction/global-stick").save("orbit.json")  # another orbit of that name
+    before = answer("part.json")
+    for _ in range(2):
+        code, _, err = run(command, "--resume", "part.json", *asked.anew.split())
+        assert (code in (0, 1), err) == (True, "")
+    assert answer("part.json") != before
+    assert run(command, "orbit.json", "--resume", "part.json")[0] == 2
+    content = json.loads(Path("part.json").read_text())
+    del content["request"]["orbit"]
+    content["sha256"] = checksum_of(content)
+    Path("part.json").write_text(json.dumps(content))
+    code, _, err = run(command, "--resume", "part.json")
+    assert (code, "does not hold orbit.json: name that too" in err) == (2, True)
+
+
+def test_events_go_on_though_none_is_enclosed_yet(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(GALLERY / "two_stops.py", "two_stops.py")
+    words = shlex.split("certify two_stops.py:symmetric d=0.5:0.6 --events --save part.json")
+
+    def stopped(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr(certify_event, "certify_event", stopped)
+        code, _, err = run(*words)
+    assert (code, "0 of 1 events are done, kept in part.json" in err) == (130, True)
+    Path("two_stops.py").unlink()
+    assert run("certify", "--resume", "part.json")[0] == 1
+    (event,) = ns.load("part.json")
+    assert event.kind == "branch-point"
+
+
+def test_a_chart_goes_on_as_it_was_begun(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(workload, "HOURS", 0)  # all takes longer
+    question = "chart dry-friction/global-stick V=0.99:1:6 eta=0.99:1:6 --chunk 9 --threads 1"
+    words = shlex.split(f"{question} --out F.zarr --yes --json")
+    with monkeypatch.context() as patched:
+        patched.setattr(display, "counted", lambda *_: nullcontext(Stopped(2)))
+        code, _, err = run(*words)
+    assert (code, "of 4 chunks are kept in F.zarr; go on with: nonsmooth" in err) == (130, True)
+    goes_on = shlex.split(err.partition(" with: nonsmooth ")[2])
+    assert run(*(word for word in goes_on if word != "--yes"))[0] == 2
+    code, out, err = run(*goes_on)
+    assert (code, err) == (0, "")
+    assert json.loads(out)["points"] == {"stable": 36}
+
+
 def test_every_command_that_resumes_is_asked_here() -> None:
     group: Any = typer.main.get_command(app)
     resumes = {
@@ -193,8 +270,9 @@ def test_no_file_makes_a_command_run_a_declaration_or_do_something_else(
     run("certify", SYMMETRIC, "V=1:1.1", "--tiles", "1", "--save", "part.json")
     sound = json.loads(Path("part.json").read_text())
 
-    def refused(content: dict[str, Any] | None = None, **options: Any) -> str:
+    def refused(content: dict[str, Any] | None = None, held: Any = None, **options: Any) -> str:
         request = {**sound["request"], "options": {**sound["request"]["options"], **options}}
+        request |= {} if held is None else {"orbit": held}
         forged = {**sound, **(content or {}), "request": request}
         forged["sha256"] = checksum_of(forged)
         Path("forged.json").write_text(json.dumps(forged))
@@ -206,6 +284,8 @@ def test_no_file_makes_a_command_run_a_declaration_or_do_something_else(
     assert "does not hold trap.py:loop" in refused(orbit="trap.py:loop")
     named = {"system": "trap.py", "tables": {"a": 1}}
     assert "does not hold trap.py:loop" in refused(named, orbit="trap.py:loop")
+    for held in (3, [], {}, {"system": "trap.py"}):
+        assert "not a saved orbit" in refused(held=held, orbit="trap.json:1")
     assert "not in order: 'save'" in refused(save="other.json")
     assert "'tiles' is of the wrong type" in refused(tiles=[3])
     assert "'parameters' is of the wrong type" in refused(parameters=[3])

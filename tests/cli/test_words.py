@@ -35,6 +35,13 @@ def test_no_option_has_another_name() -> None:
             assert (option.opts, option.secondary_opts) == ([name], []), command
 
 
+def test_a_usage_line_puts_what_may_be_left_out_in_brackets_once() -> None:
+    group: Any = typer.main.get_command(app)
+    for name, command in group.commands.items():
+        usage = command.get_usage(typer.Context(command, info_name=name))
+        assert "[[" not in usage, usage
+
+
 def test_pictures_of_answers_are_plotted_and_products_come_out() -> None:
     """Only `plot` has a picture as its product."""
     made = {name: option.help.lower() for name, option in options()["--out"].items()}

@@ -375,10 +375,6 @@ def test_edited_and_foreign_files_are_refused(saved, tmp_path):
         ("\x00" * 50, "not JSON"),
         (signed(edited(text, lambda c: c.update(version=99))), "version 99"),
         (signed(edited(text, lambda c: c.update(system="none"))), "unknown system 'none'"),
-        (
-            signed(edited(text, lambda c: c["parameters"].update(chi="0.41"))),
-            "no such equilibrium",
-        ),
     ]
     for content, match in cases:
         path.write_text(content)
@@ -432,6 +428,51 @@ def test_an_orbit_that_is_none_of_its_system_is_refused_when_asked_for(
     for asked in (lambda: entry.orbit, lambda: solve(f"{path}:1")):
         with pytest.raises(InputError, match=rf"other\.json: orbit 1, of period .*{reason}"):
             asked()
+
+
+def test_what_is_none_of_its_system_leaves_the_rest(saved, tmp_path):
+    wanted, path = found("B"), tmp_path / "other.json"
+    orbits, steady = wanted.orbits, wanted.equilibria
+    first = len(orbits) + 1  # number of the first equilibrium
+
+    def given(edit):
+        path.write_text(signed(edited(saved.read_text(), edit)))
+        return load_found(path)
+
+    def refused(loaded, kind, told):
+        entry, known = getattr(loaded, kind)[0], getattr(wanted, kind)[0]
+        with pytest.raises(InputError, match=rf"other\.json: {told}"):
+            _ = entry.orbit if kind == "orbits" else entry.equilibrium
+        assert (entry.starts, entry.share) == (known.starts, known.share)
+        assert "refused" in str(loaded)
+        assert told in loaded._repr_html_()
+        with pytest.raises(InputError, match=r"other\.json: "):
+            loaded.save(tmp_path / "again.json")
+
+    names, state = steady[0].equilibrium.names, steady[0].equilibrium.state.tolist()
+    for edit in (
+        {"configuration": "none"},
+        {"configuration": "stick-stick"},
+        {"state": {name: repr(x + 0.5) for name, x in zip(names, state, strict=True)}},
+        {"state": {names[0]: repr(state[0])}},
+        {"state": {f"{name}0": repr(x) for name, x in zip(names, state, strict=True)}},
+        {"mirror_of": first, "symmetric": False},
+    ):
+        loaded = given(lambda c, edit=edit: c["equilibria"][0].update(edit))
+        refused(loaded, "equilibria", f"equilibrium {first}, in ")
+        for kept, entry in zip(loaded.orbits, orbits, strict=True):
+            assert kept.orbit.unknowns == entry.orbit.unknowns
+        assert solve(f"{path}:1").period == pytest.approx(orbits[0].period, rel=1e-12)
+    told = "orbit 1, of period "
+    loaded = given(lambda c: c["orbits"][0].update(mirror_of=1, symmetric=False))
+    refused(loaded, "orbits", told)
+    for kept, entry in zip(loaded.equilibria, steady, strict=True):
+        np.testing.assert_array_equal(kept.equilibrium.state, entry.equilibrium.state)
+    with pytest.raises(InputError, match=rf"other\.json: {told}"):
+        solve(f"{path}:1")
+    loaded = given(lambda c: c["parameters"].update(chi="0.41"))
+    refused(loaded, "orbits", told)
+    refused(loaded, "equilibria", f"equilibrium {first}, in ")
 
 
 def test_a_file_that_cannot_be_written_is_named(tmp_path):

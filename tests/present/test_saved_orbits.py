@@ -13,6 +13,7 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.runtime.cli.program import app
+from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.explore.charting.classes import title_of
 from tests.places import GALLERY
 
@@ -90,6 +91,31 @@ def test_every_command_takes_one_of_the_orbits(folder):
     assert title_of(ns.load("c.zarr")) == "two-stops"
     assert answered("plot", "found.json:2", "--kind", "phase")["file"] == "found-2.png"
     assert (folder / "found-2.png").is_file()
+
+
+def test_the_listing_of_a_file_tells_why_an_orbit_is_none():
+    wanted = answered("list", "found.json")["systems"]
+    content = json.loads(Path("found.json").read_text())
+    content["orbits"][0]["itinerary"][0]["dwell_time"] = "1e-16"
+    content["sha256"] = checksum_of(content)
+    Path("bad.json").write_text(json.dumps(content))
+    (system,) = answered("list", "bad.json")["systems"]
+    bad, *others = system.pop("orbits")
+    assert (bad["name"], set(bad)) == (str(Path("bad.json").resolve()) + ":1", {"name", "refused"})
+    assert len(others) > 0
+    for other, orbit in zip(others, wanted[0].pop("orbits")[1:], strict=True):
+        renamed = {"name": orbit["name"].replace("found.json", "bad.json")}
+        assert other == {**orbit, **renamed}
+    assert system == wanted[0]
+    _, shown, _ = run("list", "bad.json")
+    (line,) = [line for line in shown.splitlines() if "refused" in line]
+    for asking in ("list", "solve"):
+        code, _, told = run(asking, "bad.json:1")
+        assert code == 2
+        assert "orbit 1, of period" in told
+        assert told.strip() == f"nonsmooth: error: {bad['refused']}"
+        assert line.strip() == f"refused: {bad['refused']}"
+    assert run("list", "bad.json:2")[0] == 0
 
 
 def test_a_saved_derived_orbit_is_the_reference():

@@ -15,6 +15,7 @@ from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.proof.boxes import refusals as of_tiles
 from nonsmooth.runtime.proof.branch import refusals as of_branches
+from nonsmooth.runtime.proof.branch.certified_branch import FINISHED
 from nonsmooth.runtime.proof.chaos import certify_chaos
 from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
 from nonsmooth.runtime.proof.chaos.coverings import Coverings
@@ -161,11 +162,22 @@ def test_what_is_said_of_a_whole_box(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert passes(found, tmp_path).claims == found.claims
 
 
-def test_an_end_of_a_branch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ("refused", "begins"), [({1}, "inside"), ({0, 1}, "inside"), ({0}, "first"), ({1}, "last")]
+)
+def test_an_end_of_a_branch(
+    refused: set[int], begins: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It alone is given up, wherever the branch begins."""
+    lower = "1.078" if begins == "first" else "1.077"
+    upper = "1.078" if begins == "last" else "1.079"
     with monkeypatch.context() as planted:
-        planted.setattr(of_branches, "check_ends", refusing(of_branches.check_ends))
-        found = ns.certify_branch(branch(), interval=("1.077", "1.079"))
-    assert found.ends == (PLANTED, PLANTED)
+        claimed = refusing(
+            of_branches.check_ends, lambda tiles, ends: any(ends[k] == FINISHED for k in refused)
+        )
+        planted.setattr(of_branches, "check_ends", claimed)
+        found = ns.certify_branch(branch(), interval=(lower, upper))
+    assert found.ends == tuple(PLANTED if k in refused else FINISHED for k in (0, 1))
     assert not found.complete
     assert passes(found, tmp_path).claims == {"branch": "undecided"}
 

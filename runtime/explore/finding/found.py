@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 
@@ -16,6 +17,8 @@ from nonsmooth.runtime.explore.finding.steady import Equilibrium
 from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["Found", "FoundEquilibrium", "FoundOrbit", "label_names"]
+
+Solved = TypeVar("Solved", Orbit, Equilibrium)
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,9 +51,7 @@ class FoundOrbit:
         InputError
             Where a file holds what is no orbit of its system; so does all that is told of it.
         """
-        if isinstance(self.solved, str):
-            raise InputError(self.solved)
-        return self.solved
+        return _known(self.solved)
 
     @property
     def itinerary(self) -> tuple[tuple[str, str], ...]:
@@ -81,17 +82,29 @@ class FoundEquilibrium:
 
     Attributes
     ----------
-    equilibrium : Equilibrium
+    solved : Equilibrium or str
+        Or why an entry of a file is no equilibrium of its system.
     starts : int
     share : float
     mirror : int or None
         Place of the equilibrium before it whose mirror image it is, or its own.
     """
 
-    equilibrium: Equilibrium
+    solved: Equilibrium | str
     starts: int
     share: float
     mirror: int | None = None
+
+    @property
+    def equilibrium(self) -> Equilibrium:
+        """The equilibrium.
+
+        Raises
+        ------
+        InputError
+            Where a file holds what is no equilibrium of its system.
+        """
+        return _known(self.solved)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -164,6 +177,13 @@ class Found(Kept):
     def resting(self) -> float:
         """Share of the starts that came to rest, at any of the places where that is possible."""
         return self.share(Outcome.RESTING)
+
+
+def _known(solved: Solved | str) -> Solved:
+    """What an entry holds; InputError, with its reason, where it is refused."""
+    if isinstance(solved, str):
+        raise InputError(solved)
+    return solved
 
 
 def label_names(found: Found) -> dict[int, str]:

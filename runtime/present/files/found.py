@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -17,10 +17,10 @@ from nonsmooth.runtime.core.result_files import FileFormat, check_follows, namin
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.steady import equilibria
+from nonsmooth.runtime.explore.finding.steady import Equilibrium, equilibria
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, known_system
-from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
+from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
 from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import known_orbit
@@ -31,6 +31,7 @@ __all__ = [
     "found_held",
     "found_json",
     "found_orbit",
+    "found_system",
     "held_found",
     "load_found",
     "save_found",
@@ -170,8 +171,8 @@ def save_found(found: Found, path: str | os.PathLike[str]) -> None:
 def load_found(path: str | os.PathLike[str]) -> Found:
     """Read what `Found.save` wrote, with the same numbers.
 
-    Each orbit has to be one still: one that is not is refused, with its reason, where it is
-    asked for, and leaves the others.
+    Each orbit and equilibrium has to be one still: one that is not is refused, with its reason,
+    where it is asked for, and leaves the others.
 
     Parameters
     ----------
@@ -223,7 +224,26 @@ def found_orbit(path: str | os.PathLike[str], number: int | None = None) -> Orbi
         if not 1 <= place <= count:
             raise InputError(f"holds no orbit {place}; there is {known}")
         kernels = system_in(entries.system, entries.tables)
-        return _orbit(entries, place - 1, kernels, system_parameters(kernels, entries.parameters))
+        parameters = system_parameters(kernels, entries.parameters)
+        return _orbit(entries, place - 1, kernels, parameters).orbit
+
+
+def found_system(path: str | os.PathLike[str]) -> tuple[SystemKernels, int]:
+    """Read of which system a file is that `Found.save` wrote, and how many orbits it lists.
+
+    Parameters
+    ----------
+    path : str or path
+        File to read.
+
+    Raises
+    ------
+    InputError
+        As `load_found`.
+    """
+    with naming(path) as file:
+        entries = FOUND.read(file)
+        return system_in(entries.system, entries.tables), len(entries.orbits)
 
 
 def held_found(path: str | os.PathLike[str]) -> str:
@@ -365,18 +385,23 @@ def _mirror_of(mirror: int | None, place: int, before: int) -> int | None:
 
 
 def _found(where: str | Path, entries: FoundEntries, kernels: SystemKernels) -> Found:
-    """What entries tell, with the reason in place of an orbit that is none."""
+    """What entries tell, with the reason in place of what is none of the system."""
     parameters = system_parameters(kernels, entries.parameters)
     orbits: list[FoundOrbit] = []
-    for place, entry in enumerate(entries.orbits):
-        orbit: Orbit | str
+    for place, orbit in enumerate(entries.orbits):
         try:
             with naming(where):
-                orbit = _orbit(entries, place, kernels, parameters)
+                orbits.append(_orbit(entries, place, kernels, parameters))
         except InputError as problem:
-            orbit = str(problem)
-        orbits.append(FoundOrbit(orbit, entry.starts, entry.share, _mirror(entry, place, 0)))
-    steady = _equilibria(entries.equilibria, piecewise(kernels, parameters), len(orbits))
+            orbits.append(FoundOrbit(str(problem), orbit.starts, orbit.share))
+    known = {e.configuration: e for e in equilibria(piecewise(kernels, parameters))}
+    steady: list[FoundEquilibrium] = []
+    for place, entry in enumerate(entries.equilibria):
+        try:
+            with naming(where):
+                steady.append(_equilibrium(entries, place, known))
+        except InputError as problem:
+            steady.append(FoundEquilibrium(str(problem), entry.starts, entry.share))
     names = tuple(kernels.table["states"])
     starts, labels = entries.start_states, entries.labels
     if (
@@ -405,7 +430,7 @@ def _found(where: str | Path, entries: FoundEntries, kernels: SystemKernels) -> 
 
 def _orbit(
     entries: FoundEntries, place: int, kernels: SystemKernels, parameters: dict[str, Value]
-) -> Orbit:
+) -> FoundOrbit:
     """The orbit at a place, with the numbers of the file: it has to be one of the system."""
     entry = entries.orbits[place]
     names = tuple(kernels.table["states"])
@@ -419,9 +444,33 @@ def _orbit(
         check_solves(orbit)
         if not orbit.converged:
             raise InputError(orbit.message)
+        mirror = _mirror(entry, place, 0)
     except InputError as problem:
         raise InputError(f"orbit {place + 1}, of period {entry.period!r}: {problem}") from None
-    return orbit
+    return FoundOrbit(orbit, entry.starts, entry.share, mirror)
+
+
+def _equilibrium(
+    entries: FoundEntries, place: int, known: Mapping[str, Equilibrium]
+) -> FoundEquilibrium:
+    """The equilibrium at a place, as it is found again: by its configuration."""
+    entry, before = entries.equilibria[place], len(entries.orbits)
+    equilibrium = known.get(entry.configuration)
+    try:
+        if equilibrium is None or not _same_state(equilibrium, entry.state):
+            raise InputError("there is no such equilibrium")
+        mirror = _mirror(entry, place, before)
+    except InputError as problem:
+        named = f"equilibrium {before + place + 1}, in {entry.configuration!r}"
+        raise InputError(f"{named}: {problem}") from None
+    return FoundEquilibrium(equilibrium, entry.starts, entry.share, mirror)
+
+
+def _same_state(equilibrium: Equilibrium, state: Mapping[str, float]) -> bool:
+    """Whether a state is that of an equilibrium."""
+    return tuple(state) == equilibrium.names and np.allclose(
+        equilibrium.state, list(state.values()), rtol=_DIGITS_KEPT
+    )
 
 
 def _mirror(
@@ -436,19 +485,3 @@ def _mirror(
     if not 0 <= mirror < place:
         raise InputError("a mirror image is of no entry before it")
     return mirror
-
-
-def _equilibria(
-    entries: Sequence[FoundEquilibriumEntries], system: PiecewiseLinear, before: int
-) -> list[FoundEquilibrium]:
-    """Equilibria of a file, each found again."""
-    known = {equilibrium.configuration: equilibrium for equilibrium in equilibria(system)}
-    found: list[FoundEquilibrium] = []
-    for entry in entries:
-        state = list(entry.state.values())
-        equilibrium = known.get(entry.configuration)
-        if equilibrium is None or not np.allclose(equilibrium.state, state, rtol=_DIGITS_KEPT):
-            raise InputError(f"there is no such equilibrium in {entry.configuration}")
-        mirror = _mirror(entry, len(found), before)
-        found.append(FoundEquilibrium(equilibrium, entry.starts, entry.share, mirror))
-    return found

@@ -9,18 +9,19 @@ from __future__ import annotations
 import os
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.result_files import format_in, naming
-from nonsmooth.runtime.model.kernel_records import OrbitKernels, SavedTable
+from nonsmooth.runtime.core.result_files import format_in
+from nonsmooth.runtime.model.kernel_records import OrbitKernels, SavedTable, SystemKernels
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.table_problem import TableProblem
+from nonsmooth.runtime.orbits.table_problem import TableProblem, labelled
 from nonsmooth.runtime.present.files import found as finding
 from nonsmooth.runtime.present.files.declared_table import declared_table
 from nonsmooth.runtime.present.files.loading import load
-from nonsmooth.runtime.present.files.orbits import load_orbit_file
+from nonsmooth.runtime.present.files.orbits import load_orbit_file, orbit_content, orbit_in
 
-__all__ = ["saved_kernels", "saved_names", "saved_orbit"]
+__all__ = ["held_kernels", "orbit_to_hold", "saved_kernels", "saved_listing", "saved_orbit"]
 
 _DESIGN = "nonsmooth design"
 
@@ -60,13 +61,48 @@ def saved_kernels(name: str) -> OrbitKernels:
     OrbitKernels
         The same ones as long as the file does not change.
     """
-    path, number = _place(name)
-    stamp = path.stat()
-    return _kernels(path, number, (stamp.st_mtime_ns, stamp.st_size, stamp.st_ino))
+    return _known(*_place(name))[1]
 
 
-def saved_names(name: str) -> tuple[str, ...]:
-    """Names of all orbits that a name ``FILE.json`` or ``FILE.json:N`` stands for.
+def orbit_to_hold(name: str) -> dict[str, Any]:
+    """The orbit that a name ``FILE.json`` or ``FILE.json:N`` stands for, as its own file has it.
+
+    Parameters
+    ----------
+    name : str
+        ``FILE.json`` or ``FILE.json:N``.
+
+    Returns
+    -------
+    dict
+        Ready for JSON; an orbit without a name of its own has that of its kernels here.
+    """
+    orbit, kernels = _known(*_place(name))
+    if isinstance(orbit.problem, TableProblem):
+        orbit = labelled(orbit, kernels.name, orbit.problem.names)
+    return orbit_content(orbit)
+
+
+def held_kernels(content: Any, name: str) -> OrbitKernels:
+    """Tables and kernels of an orbit that `orbit_to_hold` gave.
+
+    Parameters
+    ----------
+    content : object
+        Read as JSON.
+    name : str
+        By which it is loaded again.
+
+    Raises
+    ------
+    InputError
+        If it is none; as for `load_orbit_file`, without the name of a file.
+    """
+    return _kernels(orbit_in(content), name)
+
+
+def saved_listing(name: str) -> tuple[SystemKernels, dict[str, OrbitKernels | str]]:
+    """The system and all orbits that a name ``FILE.json`` or ``FILE.json:N`` stands for.
 
     Parameters
     ----------
@@ -75,22 +111,28 @@ def saved_names(name: str) -> tuple[str, ...]:
 
     Returns
     -------
-    tuple of str
-        Names that `load_orbit` takes.
+    tuple of SystemKernels, dict
+        By the names that `load_orbit` takes: an orbit, or why an entry of several is none.
 
     Raises
     ------
     InputError
-        If the file holds no orbit, or as `load_found`.
+        If the file holds no orbit, or the one that is named is none; as `load_found`.
     """
     path, number = _place(name)
     if number is not None or format_in(path) != finding.FOUND.name:
-        return (name,)
-    with naming(path) as file:
-        count = len(finding.FOUND.read(file).orbits)
+        orbit = saved_kernels(name)
+        return orbit.system, {name: orbit}
+    system, count = finding.found_system(path)
     if not count:
         raise InputError(f"{name} holds no orbit that has an itinerary")
-    return tuple(f"{name}:{number}" for number in range(1, count + 1))
+    orbits: dict[str, OrbitKernels | str] = {}
+    for each in (f"{path}:{number}" for number in range(1, count + 1)):
+        try:
+            orbits[each] = saved_kernels(each)
+        except InputError as problem:
+            orbits[each] = str(problem)
+    return system, orbits
 
 
 def _place(name: str) -> tuple[Path, int | None]:
@@ -104,10 +146,18 @@ def _place(name: str) -> tuple[Path, int | None]:
     return Path(os.path.abspath(path)), int(text) if text else None
 
 
+def _known(path: Path, number: int | None) -> tuple[Orbit, OrbitKernels]:
+    stamp = path.stat()
+    return _read(path, number, (stamp.st_mtime_ns, stamp.st_size, stamp.st_ino))
+
+
 @lru_cache(maxsize=256)
-def _kernels(path: Path, number: int | None, stamp: tuple[int, ...]) -> OrbitKernels:
+def _read(path: Path, number: int | None, stamp: tuple[int, ...]) -> tuple[Orbit, OrbitKernels]:
     orbit = _orbit(path, number)
-    address = str(path) if number is None else f"{path}:{number}"
+    return orbit, _kernels(orbit, str(path) if number is None else f"{path}:{number}")
+
+
+def _kernels(orbit: Orbit, address: str) -> OrbitKernels:
     if isinstance(orbit.problem, TableProblem):
         saved = SavedTable(orbit.problem.label or address, address, declared_table(orbit))
         return OrbitKernels(orbit.system, "", saved)

@@ -172,6 +172,8 @@ class _Following:
                 outwards = place.forwards == (place.value == self.curve.region.box[0][1])
                 if outwards:
                     self._end(side, FINISHED)
+                    if self.state.tiles:
+                        self._settle()
                     continue
             for step in march(self.curve, place, partial(self._refused, side)):
                 self._take(side, step)
@@ -250,12 +252,16 @@ class _Following:
         self._tell(side, step)
 
     def _settle(self) -> None:
-        """State ends as the checker proves them."""
-        reached = {FINISHED, VANISHED}
-        reason = self.refusals.of_ends(self.state) if reached & {*self.state.ends} else ""
-        if reason:
-            first, last = (reason if why in reached else why for why in self.state.ends)
-            self.state = replace(self.state, ends=(first, last))
+        """State ends as the checker proves them: where it refuses both, it is asked of each."""
+        reached, ends = {FINISHED, VANISHED}, self.state.ends
+        if not reached & {*ends} or not self.refusals.of_ends(self.state):
+            return
+        alone = (ends[0], ""), ("", ends[1])
+        first, last = (
+            self.refusals.of_ends(replace(self.state, ends=each)) or why if why in reached else why
+            for why, each in zip(ends, alone, strict=True)
+        )
+        self.state = replace(self.state, ends=(first, last))
 
     def _end(self, side: int, why: str) -> None:
         ends = [*self.state.ends]
