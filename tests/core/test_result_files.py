@@ -343,9 +343,9 @@ def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Pat
         path.write_text(json.dumps(signed(other)))
         try:
             found = ns.load(path)
-            if isinstance(found, ns.Found):  # one wrong orbit leaves the others
-                for each in found.orbits:
-                    _ = each.orbit
+            if isinstance(found, ns.Found):  # one wrong entry leaves the others
+                _ = [each.orbit for each in found.orbits]
+                _ = [each.equilibrium for each in found.equilibria]
         except InputError as problem:
             told = str(problem)
         else:
