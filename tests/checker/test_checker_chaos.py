@@ -12,12 +12,12 @@ from flint import arb, arb_mat
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth import InputError, Interrupted
 from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.chaos import _placed
 from nonsmooth.runtime.checker.cones import check_cones
 from nonsmooth.runtime.checker.sets import StateSet
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.result_files import checksum_of
 from tests.horseshoes import (
     FRICTION_DATA,

@@ -16,6 +16,7 @@ from scipy.stats import norm
 from scipy.stats import t as student
 
 import nonsmooth as ns
+from nonsmooth import InputError, Interrupted
 from nonsmooth.derive import (
     DeclarationError,
     Harmonic,
@@ -24,7 +25,6 @@ from nonsmooth.derive import (
     oscillator,
     read_matrices,
 )
-from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.explore.fitting import minimise
 from nonsmooth.runtime.explore.fitting.local_maxima import local_maxima
 from nonsmooth.runtime.explore.fitting.tables import read_table

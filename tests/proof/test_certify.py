@@ -15,8 +15,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision, parse
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.admissibility import OpenInequality, _Phase, _Refuted
