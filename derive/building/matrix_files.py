@@ -140,9 +140,8 @@ def _size_of_matlab(file: Path, most: float) -> float:
                 stream.seek(size, os.SEEK_CUR)
     if total > most:
         return total
-    return total + sum(
-        16 * math.prod(shape) for _, shape, kind in whosmat(file) if kind != "sparse"
-    )
+    dense = (shape for _, shape, kind in whosmat(file) if kind != "sparse")
+    return float(total + 16 * sum(map(math.prod, dense)))
 
 
 def _unpacked(stream: BinaryIO, size: int, most: float) -> int:
