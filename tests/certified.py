@@ -10,6 +10,7 @@ from functools import cache
 import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth import Orbit
 from nonsmooth.derive import (
     Boundary,
     Configuration,
@@ -24,7 +25,6 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
-from nonsmooth.runtime.orbits.orbit import Orbit
 
 __all__ = ["FORCED", "forced", "kicked", "loop", "prove_basin", "prove_chaos", "rooted", "struck",
            "struck_together", "unhashed"]  # fmt: skip

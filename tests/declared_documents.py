@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import sympy as sp
 
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration, Contact
-from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
-from nonsmooth.derive.declaration.parameter import Parameter
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Condition, Transition
+from nonsmooth.derive import (
+    Boundary,
+    Condition,
+    Configuration,
+    Contact,
+    FirstOrder,
+    Itinerary,
+    Parameter,
+    Phase,
+    SecondOrder,
+    System,
+    Transition,
+)
 
 __all__ = ["chain", "forced_stop", "impacts", "one_mass", "rattle", "switched", "switching"]
 

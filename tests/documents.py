@@ -6,13 +6,9 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
-from nonsmooth.derive.declaration.itinerary import Itinerary
-from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive import DerivationError, EquationSystem, Itinerary, System, derive_equations
 from nonsmooth.derive.document.blocks import Document
 from nonsmooth.derive.document.describe import describe_orbit, describe_system
-from nonsmooth.derive.equations.derivation import derive_equations
-from nonsmooth.derive.equations.equation_system import EquationSystem
-from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.model.loading.declared import declaration_in
 from tests.declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching

@@ -13,18 +13,16 @@ import numpy as np
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive.declaration.itinerary import Itinerary
+from nonsmooth import Orbit
+from nonsmooth.derive import EquationSystem, Itinerary, derive_equations
 from nonsmooth.derive.document.blocks import Document, Line
 from nonsmooth.derive.document.describe import describe_orbit
 from nonsmooth.derive.document.notation.symbols import Notation
 from nonsmooth.derive.document.views.centres import Centres
 from nonsmooth.derive.document.views.view import view_of
-from nonsmooth.derive.equations.derivation import derive_equations
-from nonsmooth.derive.equations.equation_system import EquationSystem
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Stage
 from nonsmooth.derive.systems import SYSTEMS, declaration
-from nonsmooth.runtime.orbits.orbit import Orbit
 from tests.formulas.responses import response_functions
 from tests.formulas.values import Reading, name_of
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import os
+import struct
 import zipfile
+import zlib
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -53,11 +55,13 @@ def read_matrices(path: str | os.PathLike[str]) -> dict[str, Any]:
     if not file.is_file():
         raise DeclarationError(f"{file}: no such file")
     try:
-        size, stored = _SIZES[kind](file), file.stat().st_size
-        if size > _SMALL + _LOOSEST * stored:
+        stored = file.stat().st_size
+        most = _SMALL + _LOOSEST * stored
+        size = _SIZES[kind](file, most)
+        if size > most:
             raise ValueError(
-                f"its matrices take {size / 1e6:.3g} MB, packed into {stored / 1e6:.3g}: so much"
-                " is not unpacked; save them as sparse ones"
+                f"its matrices take {size / 1e6:.3g} MB or more, packed into {stored / 1e6:.3g}:"
+                " so much is not unpacked; save them as sparse ones"
             )
         found = _READERS[kind](file)
     except NotImplementedError:  # what SciPy says of that version, which is HDF5
@@ -93,14 +97,14 @@ def _matlab(file: Path) -> dict[str, Any]:
     return _numeric(loadmat(file))
 
 
-def _size_of_market(file: Path) -> float:
+def _size_of_market(file: Path, most: float) -> float:
     """Bytes of the entries of a matrix, as the header says."""
     from scipy.io import mminfo
 
     return 16.0 * int(mminfo(file)[2])
 
 
-def _size_of_archive(file: Path) -> float:
+def _size_of_archive(file: Path, most: float) -> float:
     """Bytes of all arrays, as their headers say, or the archive: the larger counts."""
     total = 0.0
     with zipfile.ZipFile(file) as archive:
@@ -117,11 +121,38 @@ def _size_of_archive(file: Path) -> float:
     return total
 
 
-def _size_of_matlab(file: Path) -> float:
-    """Bytes of all dense matrices, as their headers say."""
+def _size_of_matlab(file: Path, most: float) -> float:
+    """Bytes of all matrices: as they are unpacked, and of dense ones as their headers say.
+
+    It ends where they are too many.
+    """
     from scipy.io import whosmat
 
-    return float(sum(16 * math.prod(shape) for _, shape, kind in whosmat(file) if kind != "sparse"))
+    total = 0
+    with file.open("rb") as stream:
+        order = {b"IM": "<", b"MI": ">"}.get(stream.read(_HEADER)[_HEADER - 2 :])
+        while order and total <= most and len(tag := stream.read(8)) == 8:
+            kind, size = struct.unpack(f"{order}II", tag)
+            if kind == _COMPRESSED:
+                total += _unpacked(stream, size, most)
+            else:
+                total += size
+                stream.seek(size, os.SEEK_CUR)
+    if total > most:
+        return total
+    dense = (shape for _, shape, kind in whosmat(file) if kind != "sparse")
+    return float(total + 16 * sum(map(math.prod, dense)))
+
+
+def _unpacked(stream: BinaryIO, size: int, most: float) -> int:
+    """Bytes that the next ones of a file unpack to, none of which are kept."""
+    unpacking, total = zlib.decompressobj(), 0
+    while size > 0 and total <= most and (piece := stream.read(min(size, _PIECE))):
+        size -= len(piece)
+        while piece and total <= most:
+            total += len(unpacking.decompress(piece, _PIECE))
+            piece = unpacking.unconsumed_tail
+    return total
 
 
 def _numeric(entries: dict[str, Any]) -> dict[str, Any]:
@@ -138,3 +169,4 @@ def _numeric(entries: dict[str, Any]) -> dict[str, Any]:
 _READERS = {"mtx": _market, "npz": _archive, "mat": _matlab}
 _SIZES = {"mtx": _size_of_market, "npz": _size_of_archive, "mat": _size_of_matlab}
 _SMALL, _LOOSEST = 1 << 28, 20  # bytes that a file may unpack to, and times its own
+_HEADER, _COMPRESSED, _PIECE = 128, 15, 1 << 20  # of MATLAB's version 5

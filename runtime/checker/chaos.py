@@ -32,7 +32,8 @@ __all__ = ["Box", "SectionMotions", "SectionPart", "check_chaos"]
 
 _BITS = 80
 _FINEST = fmpq(1, 2**22)  # of a set: narrower parts are not tried
-_MOST = 20_000  # parts of a set
+_MORE = 8  # times the parts that the file states
+_PARTS, _SETS, _ITERATES = 10**5, 32, 64  # that a file may state at most
 _ROUNDS = 300  # of the powers of a matrix
 
 Box = tuple[tuple[Any, Any], ...]
@@ -61,15 +62,19 @@ def check_chaos(content: dict[str, Any]) -> None:
         more = ("coverings", "itineraries", "declaration", "iterates")
         demand(not any(content[name] for name in (*told, *more)), "numbers of no claim")
         demand(content["growth"] == content["entropy"] == "0", "an entropy of no claim")
+        demand(not content["parts"], "parts of no claim")
         demand(content.get("cones") is None, "cones of no claim")
         return
     demand(not content["reason"], "a reason why it is not proved")
+    demand(0 < content["parts"] <= _PARTS, "no such number of parts")
+    demand(len(content["h_sets"]) <= _SETS, "more sets than a horseshoe has")
+    demand(content["iterates"] <= _ITERATES, "too many iterates of the map")
     with ctx.workprec(_BITS):
-        motions = SectionMotions(content)
+        motions = SectionMotions(content, _MORE * content["parts"])
+        _check_entropy(content, motions.targets)
         _check_apart(motions.sets)
         for name in motions.sets:
             _check_coverings(motions, name)
-        _check_entropy(content)
         if content.get("cones") is not None:
             size = len(motions.free)
             own = partial(SectionPart, motions)
@@ -103,9 +108,12 @@ class SectionMotions:
     ----------
     content : dict
         With the entries of a certificate of chaos that tell of them.
+    most : int
+        Images of parts, of all sets together.
     """
 
-    def __init__(self, content: dict[str, Any]) -> None:
+    def __init__(self, content: dict[str, Any], most: int) -> None:
+        self.left = most
         declared = content["declaration"]
         demand("law" not in declared, "coverings with a contact law are not checked")
         values, stated, constants = values_of(
@@ -155,6 +163,25 @@ class SectionMotions:
         demand(len({*pairs}) == len(pairs), "a covering is there twice")
         demand(all({*pair} <= self.sets.keys() for pair in pairs), "a covering of no set")
         self.targets = {name: [m for n, m in pairs if n == name] for name in self.sets}
+        for way in self.ways.values():
+            self._check_way(way)
+
+    def _check_way(self, way: list[list[str]]) -> None:
+        """A way leads from the section to the section, by transitions that are declared."""
+        here, passed = self.here, 0
+        for source, boundary, target in way:
+            demand(source == here, "a way does not lead from configuration to configuration")
+            demand((source, boundary) in self.transitions, "no such transition")
+            known = boundary in self.phases[source].rows
+            demand(known, f"{source} has no boundary {boundary}")
+            demand(target in self.fields, "a configuration is not declared")
+            here = target
+            passed += (source, boundary, target) == self.section
+        if not self.forcing:
+            last = tuple(way[-1]) if way else ()
+            back = passed == self.iterates and last == self.section
+            demand(back, "a way does not lead back to the section")
+        demand(here == self.here, "a way does not lead back to the section")
 
     def _row(self, entries: list[Any]) -> tuple[Any, ...]:
         demand(len(entries) == self.size + 1, "a row of another size")
@@ -259,17 +286,13 @@ class SectionMotions:
 
     def image(self, name: str, box: Box, sloped: bool = False) -> StateSet:
         """Coordinates and 1 of the image of a part of a set; TooWide if it is not shown."""
+        self.left -= 1
+        demand(self.left >= 0, f"{name} has too many parts")
         here, facts, states = self.here, self.facts, self.part(name, box, sloped)
-        passed = 0
         for source, boundary, target in self.ways[name]:
-            demand(source == here, "a way does not lead from configuration to configuration")
-            demand((source, boundary) in self.transitions, "no such transition")
             phase = self.phases[source]
-            demand(boundary in phase.rows, f"{source} has no boundary {boundary}")
             row = phase.timed(phase.rows[boundary])
-            about = phase.guess(states.centre, row, float("inf"))
-            if about is None:
-                raise TooWide
+            about = phase.guess(states.centre, row)
             arrived, before, after = phase.arrive(states, row, about)
             watched = self._watched(source, facts, states)
             if boundary not in watched:
@@ -279,16 +302,9 @@ class SectionMotions:
             lasting = self.exactly.lasting(facts, self.fields[source])
             facts = self.exactly.echelon([*lasting, phase.rows[boundary]])
             reset, matrix = self._taken(source, boundary, target, facts, arrived)
-            demand(target in self.fields, "a configuration is not declared")
             states, facts, here = arrived.through(matrix), self._behind(facts, reset), target
-            passed += (source, boundary, target) == self.section
         if self.forcing:
             states, facts = self._to_phase(here, facts, states)
-        else:
-            last = tuple(self.ways[name][-1]) if self.ways[name] else ()
-            back = passed == self.iterates and last == self.section
-            demand(back, "a way does not lead back to the section")
-        demand(here == self.here, "a way does not lead back to the section")
         demand(all(not any(reduced(row, facts)) for row in self.facts), "off the section")
         return self._coordinates(states)
 
@@ -419,11 +435,9 @@ def _images(
     motions: SectionMotions, name: str, whole: Box, targets: Sequence[str], side: bool
 ) -> Iterator[StateSet]:
     """Images of parts of a set that are all beyond its targets, or else between their sides."""
-    boxes, looked = [whole], 0
+    boxes = [whole]
     while boxes:
         box, image = boxes.pop(), None
-        looked += 1
-        demand(looked <= _MOST, f"{name} has too many parts")
         try:
             image = motions.image(name, box)
             good = all(_placed(motions.sets[m].seen(image), side) for m in targets)
@@ -453,38 +467,27 @@ def _placed(seen: list[Any], side: bool) -> bool:
     return beyond or (not side and all(abs(x) < 1 for x in stable))
 
 
-def _check_entropy(content: dict[str, Any]) -> None:
+def _check_entropy(content: dict[str, Any], targets: dict[str, list[str]]) -> None:
     """The spectral radius of the graph is no less than stated, nor is the entropy."""
-    names = [entry["name"] for entry in content["h_sets"]]
-    matrix = [[int([a, b] in content["coverings"]) for b in names] for a in names]
     told = Fraction(content["growth"])
     demand(told > 1, "a graph that does not grow")
-    demand(told <= _radius(matrix), "the graph grows less than stated")
+    demand(told <= _radius(targets), "the graph grows less than stated")
     entropy = exact(content["entropy"])
     demand(entropy > 0, "no positive entropy")
     growth = arb(fmpq(told.numerator, told.denominator)).log() / content["iterates"]
     demand(growth >= arb(entropy), "the entropy is larger than what follows")
 
 
-def _radius(matrix: list[list[int]]) -> Fraction:
-    """A lower bound of the spectral radius: of one strong part, by a power of 1 + A."""
-    best, count = Fraction(0), len(matrix)
-    reach = [{j for j in range(count) if matrix[i][j]} for i in range(count)]
-    for _ in range(count):
-        reach = [own.union(*(reach[j] for j in own)) for own in reach]
-    for first in range(count):
-        part = [j for j in sorted(reach[first]) if first in reach[j]]
-        if first not in part or part[0] != first:
-            continue
-        vector = [1] * len(part)
-        for _ in range(_ROUNDS):
-            vector = [
-                v + sum(matrix[i][j] * w for j, w in zip(part, vector, strict=True))
-                for i, v in zip(part, vector, strict=True)
-            ]
-        quotients = [
-            Fraction(sum(matrix[i][j] * w for j, w in zip(part, vector, strict=True)), v)
-            for i, v in zip(part, vector, strict=True)
-        ]
-        best = max(best, min(quotients))
-    return best
+def _radius(targets: dict[str, list[str]]) -> Fraction:
+    """A lower bound of the spectral radius of a strong graph, by a power of 1 + A."""
+    sources = {name: [n for n, others in targets.items() if name in others] for name in targets}
+    for ahead in (targets, sources):
+        reached, left = set[str](), [*targets][:1]
+        while left:
+            reached.add(name := left.pop())
+            left += {*ahead[name]} - reached
+        demand(reached == targets.keys(), "a set is on no way from each of the others to each")
+    weights = dict.fromkeys(targets, 1)
+    for _ in range(_ROUNDS):
+        weights = {n: w + sum(weights[m] for m in targets[n]) for n, w in weights.items()}
+    return min(Fraction(sum(weights[m] for m in targets[n]), w) for n, w in weights.items())

@@ -12,6 +12,8 @@ from typing import Any, NamedTuple
 
 from flint import arb, arb_mat
 
+from nonsmooth.runtime.checker.exact import Failure
+
 __all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of"]
 
 _ORDER = 7  # of Taylor's polynomials
@@ -169,21 +171,26 @@ class CarryingPhase:
         """
         return arb_mat([[*(arb(x) for x in row[:-1]), arb(0), arb(row[-1])]])
 
-    def guess(self, centre: Any, row: Any, latest: float) -> float | None:
+    def guess(self, centre: Any, row: Any) -> float:
         """About when a function of the centre rises through zero, after it was negative.
 
         Parameters
         ----------
         centre : arb_mat (N + 2, 1)
         row : arb_mat (1, N + 2)
-        latest : float
-            Not looked for beyond.
+
+        Raises
+        ------
+        TooWide
+            If the centre is not finite.
+        Failure
+            If it does not: parts of the set do not either.
         """
         step, ahead = self._ahead
         state = [float(x.mid()) for x in centre.entries()]
         normal = [float(x.mid()) for x in row.entries()]
         if not all(map(isfinite, state)):
-            return None
+            raise TooWide
         value, time = _product(normal, state), 0.0
         for _ in range(_LONGEST):
             behind = _moved(ahead, state)
@@ -191,9 +198,7 @@ class CarryingPhase:
             if value < 0 < after or (time > 0 and value == 0 < after):
                 return time + self._root(state, normal, step * value / (value - after))
             state, value, time = behind, after, time + step
-            if time > latest:
-                break
-        return None
+        raise Failure("a state of a set does not come to the boundary that is stated")
 
     @cached_property
     def _ahead(self) -> tuple[float, list[list[float]]]:

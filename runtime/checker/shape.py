@@ -353,6 +353,7 @@ CHAOS = {
             )
         )
     ),
+    "parts": int,
     "tried": [str],
     "bits": int,
     "declaration": Either(({}, _DECLARATION, {**_DECLARATION, **_CONSTANTS[1]})),

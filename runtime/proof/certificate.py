@@ -7,12 +7,13 @@ from dataclasses import asdict, dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import Exact
 from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.proof.motion.motion_proof import Enclosure
-from nonsmooth.runtime.proof.statement import decimals, rational
+from nonsmooth.runtime.proof.statement import decimals
 
 if TYPE_CHECKING:
     from flint import arb
@@ -73,7 +74,7 @@ class Stated(Enclosure):
         from flint import arb
 
         with flint_precision(2 * bits + 64):
-            ball = arb(rational(middle)) + arb(0, arb(rational(radius)))
+            ball = arb(exact(middle)) + arb(0, arb(exact(radius)))
         return Stated(ball, bits, (middle, radius))
 
     @staticmethod

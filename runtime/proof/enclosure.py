@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import Region
 from nonsmooth.runtime.proof.certificate import Unknown
@@ -13,7 +14,7 @@ from nonsmooth.runtime.proof.krawczyk import Contraction, krawczyk, newton
 from nonsmooth.runtime.proof.orbit_claims import NOT_CONSERVED, conserved
 from nonsmooth.runtime.proof.orbit_equations import Equations, Linearised
 from nonsmooth.runtime.proof.orbit_to_prove import Subject
-from nonsmooth.runtime.proof.statement import decimals, rational
+from nonsmooth.runtime.proof.statement import decimals
 
 if TYPE_CHECKING:
     from flint import arb
@@ -127,7 +128,7 @@ def _box(
         Unknown(name, *decimals(arb(x.mid(), r), bits))
         for name, x, r in zip(names, centre, radii, strict=True)
     )
-    return box, [arb(rational(x.mid)) for x in box], [arb(rational(x.rad)) for x in box]
+    return box, [arb(exact(x.mid)) for x in box], [arb(exact(x.rad)) for x in box]
 
 
 def unknown_names(subject: Subject, closing: ClosureConditions) -> list[str]:

@@ -3,37 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.core.rational_functions import RationalFunction
 from nonsmooth.runtime.proof.contact_statement import law_json, steps_json
 from nonsmooth.runtime.proof.exact_closure import ClosureConditions
-from nonsmooth.runtime.proof.exact_tables import Tables, rational_of
+from nonsmooth.runtime.proof.exact_tables import Tables
 from nonsmooth.runtime.shooting.shooting_map import ItineraryShape
 
 if TYPE_CHECKING:
-    from flint import arb, fmpq
+    from flint import arb, fmpz
 
-__all__ = ["closing_json", "decimals", "declaration_json", "rational"]
+__all__ = ["closing_json", "decimals", "declaration_json"]
 
 _RADIUS = 3  # digits that a radius needs
-
-
-def rational(text: str) -> fmpq:
-    """A decimal or a fraction, exactly.
-
-    Parameters
-    ----------
-    text : str
-        As in "1.25e-3" or "5/4".
-
-    Returns
-    -------
-    fmpq
-        The number itself.
-    """
-    return rational_of(Fraction(text))
 
 
 def decimals(ball: arb, bits: int, digits: int = _RADIUS) -> tuple[str, str]:
@@ -57,15 +40,15 @@ def decimals(ball: arb, bits: int, digits: int = _RADIUS) -> tuple[str, str]:
     """
     if ball.is_zero():
         return "0e0", "0e0"
-    middle, radius, exponent = map(int, ball.mid_rad_10exp(int(bits * 0.302) + 5))
-    drop = max(0, len(str(radius)) - digits)
+    middle, radius, exponent = ball.mid_rad_10exp(int(bits * 0.302) + 5)
+    drop = max(0, len(radius.str()) - digits)
     unit = 10**drop
-    middle = (2 * middle + unit) // (2 * unit)
-    return _scientific(middle, exponent + drop), _scientific(radius // unit + 2, exponent + drop)
+    middle, power = (2 * middle + unit) // (2 * unit), int(exponent) + drop
+    return _scientific(middle, power), _scientific(radius // unit + 2, power)
 
 
-def _scientific(integer: int, exponent: int) -> str:
-    digits = str(abs(integer))
+def _scientific(integer: fmpz, exponent: int) -> str:
+    digits = abs(integer).str()  # Python's own integers have no text beyond some digits
     sign, tail = "-" * (integer < 0), digits[1:]
     return f"{sign}{digits[0]}{'.' * bool(tail)}{tail}e{exponent + len(tail)}"
 
@@ -225,12 +208,14 @@ def _row(row: Sequence[Any]) -> list[Any]:
 
 def _entry(number: Any) -> Any:
     """A fraction as text, a rational function by its polynomials, a ball by middle and radius."""
+    from flint import fmpq
+
     if isinstance(number, RationalFunction):
         return {"above": _terms(number.above), "below": _terms(number.below)}
     if not hasattr(number, "rad"):
         return str(number)
     if number.is_exact():
         mantissa, exponent = number.man_exp()
-        return str(Fraction(int(mantissa)) * Fraction(2) ** int(exponent))
+        return (fmpq(mantissa) * fmpq(2) ** exponent).str()
     middle, radius = decimals(number, max(64, number.rel_accuracy_bits() + 32))
     return {"mid": middle, "rad": radius}

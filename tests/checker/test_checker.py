@@ -22,6 +22,7 @@ import sympy as sp
 from flint import arb, arb_mat, ctx
 
 import nonsmooth as ns
+from nonsmooth import Certificate, InputError
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.checker.declared import StatedSystem
@@ -30,9 +31,7 @@ from nonsmooth.runtime.checker.motion import _below, _first, _Shape
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import number_at, values_of
 from nonsmooth.runtime.checker.stability import _inside, _neutral, characteristic
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.proof.certificate import Certificate
 from tests.certified import forced, loop, unhashed
 
 STICK = "dry-friction/global-stick"

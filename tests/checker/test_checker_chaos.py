@@ -12,12 +12,12 @@ from flint import arb, arb_mat
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth import InputError, Interrupted
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.chaos import _placed
+from nonsmooth.runtime.checker.chaos import _placed, check_chaos
 from nonsmooth.runtime.checker.cones import check_cones
 from nonsmooth.runtime.checker.sets import StateSet
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.result_files import checksum_of
 from tests.horseshoes import (
     FRICTION_DATA,
@@ -242,6 +242,107 @@ def test_a_file_without_cones_is_proved(coned, tmp_path):
     found = changed(coned, tmp_path, lambda content: content.pop("cones"))
     assert found.difference is None
     assert found.certificate.exponent == "0"
+
+
+def doubled(content):
+    """Each set once more, elsewhere, with the coverings of the first."""
+    other = json.loads(json.dumps(content["h_sets"]).replace('"name": "', '"name": "other '))
+    for place, own in enumerate(other):
+        own["centre"] = [str(Fraction(x) + 9 * (place + 1)) for x in own["centre"]]
+    content["h_sets"] += other
+    ways = content["itineraries"]
+    ways |= {f"other {name}": way for name, way in ways.items()}
+    pairs = content["coverings"]
+    content["coverings"] = pairs + [[f"other {a}", b] for a, b in pairs]
+
+
+def many(content):
+    """A horseshoe of very many sets, of which each covers all."""
+    own = content["h_sets"][0]
+    content["h_sets"] = [
+        {**own, "name": f"{k}", "centre": [str(9 * k), own["centre"][1]]} for k in range(120)
+    ]
+    names = [entry["name"] for entry in content["h_sets"]]
+    content["coverings"] = [[a, b] for a in names for b in names]
+    way = content["itineraries"]["A"]
+    content["itineraries"] = dict.fromkeys(names, way)
+
+
+def again(content):
+    """More iterates, and the way as often."""
+    content["iterates"] *= 3
+    content["itineraries"] = {n: 3 * way for n, way in content["itineraries"].items()}
+    content["entropy"] = "0.01"
+
+
+def first_entry(content, text):
+    """Another number in the first field."""
+    content["declaration"]["configurations"]["free-free"]["field"][0][0] = text
+
+
+def raised(content):
+    """High powers of all parameters."""
+    for entry in content["declaration"]["configurations"].values():
+        for term in (x for row in entry["field"] for x in row if isinstance(x, dict)):
+            term["above"][0][1] = [10_000] * 3
+
+
+def longer(content, share):
+    """Longer sets."""
+    for own in content["h_sets"]:
+        own["sides"] = [[str(Fraction(x) * share) for x in side] for side in own["sides"]]
+
+
+def calls_of(content):
+    """How many functions of Python a check of a file calls, and whether it proves all."""
+    calls, proved = 0, True
+
+    def count(frame, event, argument):
+        nonlocal calls
+        calls += event == "call"
+
+    sys.setprofile(count)
+    try:
+        check_chaos({**content, "sha256": checksum_of(content)})
+    except Failure:
+        proved = False
+    finally:
+        sys.setprofile(None)
+    return calls, proved
+
+
+@pytest.fixture(scope="module")
+def few(coned):
+    """A file without cones, and the calls of its check."""
+    content = {**json.loads(coned.read_text()), "cones": None, "parts": 400}
+    calls, proved = calls_of(content)
+    assert proved
+    return content, calls
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        doubled,
+        many,
+        again,
+        raised,
+        lambda content: first_entry(content, "100"),
+        lambda content: first_entry(content, "1e9999"),
+        lambda content: content.update(iterates=64, entropy="0.001"),
+        lambda content: content.update(iterates=10**6, entropy="1e-9"),
+        lambda content: content.update(parts=10**9),
+        lambda content: longer(content, 2),
+        lambda content: content["parameters"].update(w="1e9"),
+        lambda content: content["parameters"].update(a="1e300"),
+    ],
+)
+def test_a_false_file_takes_no_more_than_several_times_the_work_of_the_true_one(few, change):
+    content, most = json.loads(json.dumps(few[0])), 10 * few[1]
+    change(content)
+    calls, proved = calls_of(content)
+    assert not proved
+    assert calls < most, calls / most
 
 
 def test_another_phase_is_refused(coned, tmp_path):

@@ -20,6 +20,7 @@ from flint import arb, arb_mat
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.derive import (
     Boundary,
     Condition,
@@ -36,7 +37,6 @@ from nonsmooth.runtime.checker.stability import (
     products_less_one,
 )
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.present.files.event_certificates import load_event_certificates, save_events

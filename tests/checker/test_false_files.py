@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError
 from nonsmooth.runtime.present.files.event_certificates import save_events
 from tests.certified import LOOP, kicked, loop
 from tests.checker.test_mutations import renewed

@@ -23,8 +23,8 @@ from typing import Any, NamedTuple
 import pytest
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.runtime.cli.display_checks import show_check
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
 from tests.certified import LOOP, forced, kicked, loop, prove_chaos, rooted, struck_together
 from tests.shared import shared_file

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime.explore.finding.find import find_orbits
+from nonsmooth import find_orbits, simulate
 from nonsmooth.runtime.present.files.found import load_found
-from nonsmooth.runtime.simulation.simulate import simulate
 from tests.cli.test_cli import run, told
 
 A = "chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"

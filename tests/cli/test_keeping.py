@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 import typer
 
+from nonsmooth import Interrupted
 from nonsmooth.runtime.cli import keeping, motions
 from nonsmooth.runtime.cli.application import ANSWERED
 from nonsmooth.runtime.cli.keeping import INTERRUPTED, heed_interrupts, heeding, worked
 from nonsmooth.runtime.cli.written import Written
-from nonsmooth.runtime.core.errors import Interrupted
 
 
 @pytest.fixture(autouse=True)

@@ -6,9 +6,9 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from nonsmooth import InputError
 from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.divided_grid import DividedGrid
-from nonsmooth.runtime.core.errors import InputError
 
 GRID = BoxGrid((-2, -1), (-3, 2), (7, 5))
 

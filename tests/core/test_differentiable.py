@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import check_grad, least_squares, minimize
 
-from nonsmooth.runtime.core.differentiable import DifferentiableFunction
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import DifferentiableFunction, InputError
 
 
 def _made(*, pulled: bool) -> DifferentiableFunction:

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from flint import fmpq
 
+from nonsmooth import InputError
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.expressions import Function, written
 from nonsmooth.runtime.core.json_codec import decode, encode
 from nonsmooth.runtime.core.rational_functions import symbols

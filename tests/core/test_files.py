@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError
 from nonsmooth.runtime.core.files import (
     check_folder,
     check_target,

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth import InputError, NoConvergence
 from nonsmooth.runtime.core.processes import check_workers, in_processes
 
 MULTIPLY = "(7).__mul__"

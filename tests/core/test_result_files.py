@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError
 from nonsmooth.runtime.core.json_codec import (
     AnyComplex,
     AnyDigits,
@@ -170,7 +170,7 @@ def composed() -> Any:
 
 
 def found() -> Any:
-    from nonsmooth.runtime.explore.finding.find import find_orbits
+    from nonsmooth import find_orbits
 
     return find_orbits("dry-friction", FRICTION, 8, transitions=300)
 

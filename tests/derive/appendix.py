@@ -16,9 +16,8 @@ from collections.abc import Collection
 
 import sympy as sp
 
-from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth.derive import DerivationError, EquationSystem
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, assign, prune
-from nonsmooth.derive.errors import DerivationError
 
 __all__ = ["MISPRINTS", "appendix_kernel"]
 

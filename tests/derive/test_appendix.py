@@ -4,9 +4,8 @@ import mpmath
 import pytest
 
 import nonsmooth as ns
+from nonsmooth.derive import DerivationError, derive_equations
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
-from nonsmooth.derive.equations.derivation import derive_equations
-from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import dry_friction
 from nonsmooth.runtime.core.arithmetic import Mpmath
 from nonsmooth.runtime.model.kernels import load_orbit

@@ -13,11 +13,13 @@ from scipy.optimize import lsq_linear
 
 from nonsmooth.derive import (
     DeclarationError,
+    FirstOrder,
     Friction,
     Harmonic,
     Parameter,
     Regions,
     RigidStop,
+    SecondOrder,
     Slider,
     SoftStop,
     System,
@@ -26,7 +28,6 @@ from nonsmooth.derive import (
     chain_matrices,
     oscillator,
 )
-from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.piecewise import piecewise

@@ -8,15 +8,12 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from nonsmooth.derive.declaration.itinerary import Itinerary, Reference
-from nonsmooth.derive.equations.derivation import derive_equations
-from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth import solve
+from nonsmooth.derive import DerivationError, EquationSystem, Itinerary, Reference, derive_equations
 from nonsmooth.derive.equations.program import evaluate
 from nonsmooth.derive.equations.section import section_of
-from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import rigid_stop
 from nonsmooth.runtime.model.loading.declared import declaration_in
-from nonsmooth.runtime.orbits.solve import solve
 from tests.places import GALLERY
 
 DATA = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "T": 2 * sp.pi}

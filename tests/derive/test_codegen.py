@@ -19,7 +19,8 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.derive import RigidStop, oscillator
+from nonsmooth import InputError
+from nonsmooth.derive import DerivationError, RigidStop, oscillator
 from nonsmooth.derive.codegen import regenerate
 from nonsmooth.derive.codegen.any_arithmetic import print_python, python_kernel
 from nonsmooth.derive.codegen.body import Body, body_of, hoisted, needed, split
@@ -27,10 +28,8 @@ from nonsmooth.derive.codegen.c import c_kernel, print_c
 from nonsmooth.derive.codegen.emit import COMMAND, emit_system
 from nonsmooth.derive.equations.explicit import Angle
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, evaluate
-from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import SYSTEMS
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model import kernels as door
 from tests.places import CHECKOUT
 

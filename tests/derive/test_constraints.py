@@ -12,15 +12,14 @@ import sympy as sp
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth import InputError, solve
 from nonsmooth.derive import DeclarationError, Friction, RigidStop, Slider, SoftStop, oscillator
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.codegen.tables import system_table
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.model.parameters import check_constraints
-from nonsmooth.runtime.orbits.solve import solve
 
 BELT = """
 import sympy as sp

@@ -8,12 +8,8 @@ import pytest
 import sympy as sp
 from scipy.linalg import expm
 
+from nonsmooth.derive import Boundary, Configuration, Parameter, SecondOrder, System, Transition
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration
-from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.parameter import Parameter
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Transition
 from nonsmooth.derive.flows.modal import TIME, derive_flows
 from nonsmooth.derive.flows.modes import modes_of
 from nonsmooth.derive.systems import SYSTEMS, declaration

@@ -18,14 +18,21 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration
-from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
-from nonsmooth.derive.declaration.parameter import Parameter, is_positive
-from nonsmooth.derive.declaration.presentation import Presentation
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Condition, Transition
-from nonsmooth.derive.errors import DeclarationError
+from nonsmooth.derive import (
+    Boundary,
+    Condition,
+    Configuration,
+    DeclarationError,
+    FirstOrder,
+    Itinerary,
+    Parameter,
+    Phase,
+    Presentation,
+    SecondOrder,
+    System,
+    Transition,
+)
+from nonsmooth.derive.declaration.parameter import is_positive
 from nonsmooth.derive.systems import dry_friction
 
 X, Y, V, W = STATES = sp.symbols("x y v w", real=True)

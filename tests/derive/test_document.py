@@ -13,12 +13,17 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration
-from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
-from nonsmooth.derive.declaration.parameter import Parameter
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    Itinerary,
+    Parameter,
+    Phase,
+    SecondOrder,
+    System,
+    Transition,
+    derive_equations,
+)
 from nonsmooth.derive.document.blocks import Document, Formula, Line, Paragraph, Table
 from nonsmooth.derive.document.describe import (
     describe_itinerary,
@@ -33,7 +38,6 @@ from nonsmooth.derive.document.writers.hypertext import to_html
 from nonsmooth.derive.document.writers.latex import LatexMissing, compile_pdf, to_latex
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.document.writers.mathml import mended
-from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
 from tests.documents import declarations, document_of, names

@@ -11,12 +11,20 @@ import sympy as sp
 from scipy.linalg import expm
 from scipy.optimize import brentq, fsolve
 
-from nonsmooth.derive.building import Harmonic, RigidStop, oscillator
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration
-from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    DerivationError,
+    FirstOrder,
+    Harmonic,
+    Itinerary,
+    Phase,
+    RigidStop,
+    SecondOrder,
+    System,
+    Transition,
+    oscillator,
+)
 from nonsmooth.derive.document.blocks import Document, Line, Paragraph, Table
 from nonsmooth.derive.document.describe import describe_itinerary, describe_orbit, describe_system
 from nonsmooth.derive.document.notation.characteristic import characteristic_pieces
@@ -25,7 +33,6 @@ from nonsmooth.derive.document.notation.symbols import Notation
 from nonsmooth.derive.document.notation.wording import Naming
 from nonsmooth.derive.document.views.cycle import Cycle, harmonics_of
 from nonsmooth.derive.document.writers.markdown import to_markdown
-from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import (

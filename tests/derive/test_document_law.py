@@ -11,19 +11,19 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
-from nonsmooth.derive.building import (
+from nonsmooth.derive import (
     Friction,
     Harmonic,
+    Itinerary,
     Regions,
     RigidStop,
     Slider,
     SoftStop,
+    System,
     Terms,
     chain_matrices,
     oscillator,
 )
-from nonsmooth.derive.declaration.itinerary import Itinerary
-from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.unfolding import unfolded
 from nonsmooth.derive.document.blocks import Document, Formula, Line, Table
 from nonsmooth.derive.document.describe import describe_itinerary, describe_system, naming_of

@@ -20,10 +20,9 @@ import pytest
 import sympy as sp
 from sympy.printing.pycode import MpmathPrinter
 
+from nonsmooth.derive import Itinerary, derive_equations
 from nonsmooth.derive.codegen.kernels import orbit_kernels
 from nonsmooth.derive.codegen.naming import python_function
-from nonsmooth.derive.declaration.itinerary import Itinerary
-from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.core.values import parse

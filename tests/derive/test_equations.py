@@ -20,22 +20,27 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    DerivationError,
+    EquationSystem,
+    Itinerary,
+    Parameter,
+    Phase,
+    SecondOrder,
+    System,
+    Transition,
+    derive_equations,
+)
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import spectrum_kernel
 from nonsmooth.derive.codegen.naming import c_function
 from nonsmooth.derive.codegen.solver import solve_source
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration
-from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
-from nonsmooth.derive.declaration.parameter import Parameter
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Transition
-from nonsmooth.derive.equations.derivation import derive_equations
-from nonsmooth.derive.equations.equation_system import EquationSystem, spectral_derivative
+from nonsmooth.derive.equations.equation_system import spectral_derivative
 from nonsmooth.derive.equations.explicit import RETURN, Angle, explicit_time
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, prune
 from nonsmooth.derive.equations.saltation import monodromy, saltation_matrix
-from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.flows.modal import TIME
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
 from nonsmooth.runtime.core.arithmetic import Mpmath

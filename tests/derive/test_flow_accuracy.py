@@ -27,12 +27,19 @@ import sympy as sp
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from nonsmooth.derive import FirstOrder, Harmonic, Parameter, Slider, System, oscillator
+from nonsmooth.derive import (
+    Configuration,
+    FirstOrder,
+    Harmonic,
+    Parameter,
+    Slider,
+    System,
+    oscillator,
+)
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.c import c_kernel
 from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
 from nonsmooth.derive.codegen.naming import c_function
-from nonsmooth.derive.declaration.configuration import Configuration
 from nonsmooth.derive.equations.program import Kernel
 from nonsmooth.derive.flows.modal import derive_flows
 from nonsmooth.runtime.core.arithmetic import FLOATS, Mpmath

@@ -8,14 +8,20 @@ import mpmath
 import pytest
 import sympy as sp
 
-from nonsmooth.derive import Harmonic, Itinerary, Reference, RigidStop, oscillator
+from nonsmooth.derive import (
+    DerivationError,
+    Harmonic,
+    Itinerary,
+    Reference,
+    RigidStop,
+    derive_equations,
+    oscillator,
+)
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import orbit_kernels, spectrum_kernel
 from nonsmooth.derive.codegen.naming import python_function
-from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.equations.elimination import eliminate_coordinates
 from nonsmooth.derive.equations.program import Stage, evaluate
-from nonsmooth.derive.errors import DerivationError
 from nonsmooth.runtime.core.arithmetic import Mpmath
 
 zeta, Omega, gap, r = sp.symbols("zeta Omega gap r")

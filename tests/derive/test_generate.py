@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+from nonsmooth import solve
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.model.kernels import load_orbit, load_system
-from nonsmooth.runtime.orbits.solve import solve
 from tests.user_systems import DAMPED, KICKED, declare
 
 FILES = [

@@ -18,12 +18,9 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from nonsmooth.derive import Configuration, Parameter, SecondOrder, System
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import flow_kernels, spectrum_kernel
-from nonsmooth.derive.declaration.configuration import Configuration
-from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.parameter import Parameter
-from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, Stage, differentiate
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum, derive_flows
 from nonsmooth.derive.systems import dry_friction

@@ -6,8 +6,8 @@ import mpmath
 import pytest
 import sympy as sp
 
+from nonsmooth.derive import DeclarationError
 from nonsmooth.derive.declaration.real_numbers import is_irrational, number_text, settled
-from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.runtime.core.values import parse
 
 X, Y = sp.symbols("x y")

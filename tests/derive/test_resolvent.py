@@ -10,9 +10,17 @@ import mpmath
 import pytest
 import sympy as sp
 
-from nonsmooth.derive import DerivationError, FirstOrder, Harmonic, Parameter, SecondOrder, System
-from nonsmooth.derive.building import Slider, oscillator
-from nonsmooth.derive.declaration.configuration import Configuration
+from nonsmooth.derive import (
+    Configuration,
+    DerivationError,
+    FirstOrder,
+    Harmonic,
+    Parameter,
+    SecondOrder,
+    Slider,
+    System,
+    oscillator,
+)
 from nonsmooth.derive.flows.entire import ExponentialDifference
 from nonsmooth.derive.flows.modal import TIME, derive_flows
 

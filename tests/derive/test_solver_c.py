@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
+from nonsmooth.derive import DerivationError, derive_equations
 from nonsmooth.derive.codegen.solver import solve_source
-from nonsmooth.derive.equations.derivation import derive_equations
-from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit
 from tests.declared import random_points

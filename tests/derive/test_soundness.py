@@ -10,14 +10,20 @@ from typing import Any
 import pytest
 import sympy as sp
 
+from nonsmooth.derive import (
+    Boundary,
+    Condition,
+    Configuration,
+    DeclarationError,
+    FirstOrder,
+    Itinerary,
+    Parameter,
+    Reference,
+    SecondOrder,
+    System,
+    Transition,
+)
 from nonsmooth.derive.codegen.derived import derive_system
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration
-from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary, Reference
-from nonsmooth.derive.declaration.parameter import Parameter
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Condition, Transition
-from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.systems import SYSTEMS, declaration
 
 X, V = STATES = sp.symbols("x v", real=True)

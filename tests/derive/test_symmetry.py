@@ -9,20 +9,25 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration
-from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary, Phase, Reference
-from nonsmooth.derive.declaration.parameter import Parameter
-from nonsmooth.derive.declaration.presentation import Presentation
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Transition
-from nonsmooth.derive.equations.derivation import derive_equations
-from nonsmooth.derive.equations.equation_system import EquationSystem
+from nonsmooth import refine, solve
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    DeclarationError,
+    DerivationError,
+    EquationSystem,
+    Itinerary,
+    Parameter,
+    Phase,
+    Presentation,
+    Reference,
+    SecondOrder,
+    System,
+    Transition,
+    derive_equations,
+)
 from nonsmooth.derive.equations.symmetry import half_phases
-from nonsmooth.derive.errors import DeclarationError, DerivationError
 from nonsmooth.derive.systems import dry_friction, elastic_stop, rigid_stop
-from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import solve
 from tests.derive.test_equations import MP, Derived
 
 X, V = sp.symbols("x v", real=True)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from flint import arb, arb_mat, ctx
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError
 from nonsmooth.runtime.events.linear_motions import AlongMotion, LinearMotion
 from nonsmooth.runtime.events.trigonometric_sums import TrigonometricSum
 from tests.places import CHECKOUT

@@ -7,7 +7,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError
 from nonsmooth.runtime.events.first_crossing import Start, _Search, first_crossing
 from nonsmooth.runtime.model.quasi_polynomials import UNIT, QuasiPolynomial
 

@@ -16,8 +16,8 @@ import xarray
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth import InputError, MissingExtra
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.errors import InputError, MissingExtra
 from nonsmooth.runtime.explore.charting import problem as problems
 from nonsmooth.runtime.explore.charting.chart import Work, chart_problem, work_on
 from nonsmooth.runtime.explore.charting.classes import counts_of, parts_of

@@ -12,8 +12,8 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, SoftStop, System, oscillator
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.charting.chart import begun_problem, work_on
 from nonsmooth.runtime.explore.charting.classes import counts_of
 from nonsmooth.runtime.explore.finding.basins import basins

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.errors import InputError, MissingExtra
+from nonsmooth import InputError, MissingExtra
 from nonsmooth.runtime.explore.charting import cluster as clusters
 from nonsmooth.runtime.explore.charting.chart import chart_problem
 from nonsmooth.runtime.explore.charting.grid import Grid

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError
 from nonsmooth.runtime.explore.charting.chart import chart_problem
 from nonsmooth.runtime.explore.charting.grid import Grid
 from nonsmooth.runtime.orbits import table_limits

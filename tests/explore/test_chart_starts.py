@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError
 from nonsmooth.runtime.explore.charting.anchors import Solver, anchor_starts, solve_block
 from nonsmooth.runtime.explore.charting.grid import Grid, linear_axis
 from nonsmooth.runtime.model.kernels import load_orbit

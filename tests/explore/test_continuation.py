@@ -14,8 +14,8 @@ import pytest
 from scipy.linalg import expm
 
 import nonsmooth
+from nonsmooth import Branch
 from nonsmooth.runtime.core.matrices import exponentials
-from nonsmooth.runtime.explore.continuation.branch import Branch
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS
 from nonsmooth.runtime.explore.continuation.orbit_family import OrbitFamily
 from nonsmooth.runtime.explore.intervals import admissible_intervals

@@ -5,10 +5,9 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth import InputError, observe
 from nonsmooth.derive import Parameter, SoftStop, oscillator
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.continuation.energy import energy_of
-from nonsmooth.runtime.simulation.observables import observe
 from tests.places import GALLERY
 
 PAGE = GALLERY / "den_hartog.py"

@@ -6,14 +6,13 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from nonsmooth import find_orbits, simulate_many
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.explore.finding.escape import natural_size
-from nonsmooth.runtime.explore.finding.find import find_orbits
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.settled import PERIODIC, settled
 from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.simulation.simulate import simulate_many
 from nonsmooth.runtime.simulation.starting import on_circles
 
 pytestmark = pytest.mark.compiled

@@ -10,19 +10,16 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from nonsmooth import InputError, find_orbits, simulate, solve
 from nonsmooth.derive import RigidStop, oscillator
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding import primitive
-from nonsmooth.runtime.explore.finding.find import find_orbits
 from nonsmooth.runtime.explore.finding.found import label_names
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.start_box import start_box
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.files.found import load_found
 from nonsmooth.runtime.simulation.recurrence import Candidate, canonical
-from nonsmooth.runtime.simulation.simulate import simulate
 from tests.places import GALLERY
 
 # the engine in Python takes minutes for these starts; test_cli_motions has a short one

@@ -5,17 +5,20 @@ from __future__ import annotations
 import math
 import tracemalloc
 import zipfile
+import zlib
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import sympy as sp
-from scipy import optimize
+from scipy import optimize, sparse
+from scipy.io import savemat
 from scipy.stats import norm
 from scipy.stats import t as student
 
 import nonsmooth as ns
+from nonsmooth import InputError, Interrupted
 from nonsmooth.derive import (
     DeclarationError,
     Harmonic,
@@ -24,7 +27,6 @@ from nonsmooth.derive import (
     oscillator,
     read_matrices,
 )
-from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.explore.fitting import minimise
 from nonsmooth.runtime.explore.fitting.local_maxima import local_maxima
 from nonsmooth.runtime.explore.fitting.tables import read_table
@@ -521,6 +523,33 @@ def test_archives_that_are_unpacked_as_a_whole_are_refused(tmp_path: Path, packi
         read_matrices(path)
     assert tracemalloc.get_traced_memory()[1] < 1e7
     tracemalloc.stop()
+
+
+def test_what_sparse_matrices_of_matlab_unpack_to_is_bounded(tmp_path: Path) -> None:
+    """300 MB of zeros, or a matrix whose numbers are as many as it says."""
+    path = tmp_path / "sparse.mat"
+    matrix = sparse.random_array((300, 300), density=0.1, rng=np.random.default_rng(2))
+    savemat(path, {"K": matrix}, do_compression=True)
+    assert abs(read_matrices(path)["K"] - matrix).max() == 0
+    whole = path.read_bytes()
+    tag, packed = whole[128:136], zlib.decompress(whole[136:])
+    pieces = zlib.compressobj()
+    more = pieces.compress(packed) + b"".join(pieces.compress(bytes(10**7)) for _ in range(30))
+    more += pieces.flush()
+    path.write_bytes(whole[:128] + tag[:4] + len(more).to_bytes(4, "little") + more)
+    tracemalloc.start()
+    with pytest.raises(DeclarationError, match=r"sparse\.mat: .* so much is not unpacked"):
+        read_matrices(path)
+    assert tracemalloc.get_traced_memory()[1] < 3e7
+    tracemalloc.stop()
+
+
+def test_what_a_dataset_unpacks_to_is_bounded(tmp_path: Path) -> None:
+    xarray = pytest.importorskip("xarray")
+    path = tmp_path / "data.zarr"
+    xarray.Dataset({"x": ("i", np.zeros(20_000_000))}).to_zarr(path, consolidated=False)
+    with pytest.raises(InputError, match=r"it takes 160 MB, packed into .*: so much is not"):
+        read_table(path)
 
 
 def test_what_a_small_archive_unpacks_to_is_bounded(tmp_path: Path) -> None:

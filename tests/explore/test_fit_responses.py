@@ -11,8 +11,8 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, oscillator
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.fitting.affine_outputs import output_of
 from nonsmooth.runtime.explore.fitting.response_quantities import KINDS, response_quantity
 from nonsmooth.runtime.explore.fitting.steady_orbits import settled_from

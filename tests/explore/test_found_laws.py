@@ -9,10 +9,9 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 import nonsmooth as ns
+from nonsmooth import InputError, find_orbits, simulate_many
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, SoftStop, oscillator
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding import outcomes
-from nonsmooth.runtime.explore.finding.find import find_orbits
 from nonsmooth.runtime.explore.finding.mirrors import mirrors
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.explore.finding.primitive import orbit_scale
@@ -25,7 +24,6 @@ from nonsmooth.runtime.explore.finding.settled import (
 from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.simulation.simulate import simulate_many
 
 pytestmark = pytest.mark.compiled
 

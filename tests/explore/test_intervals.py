@@ -4,11 +4,9 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError, solve, solve_many
 from nonsmooth.runtime.explore.intervals import admissible_intervals, singular_values
 from nonsmooth.runtime.model.kernels import backend
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.solve import solve
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"
 STICK, BORDER = "dry-friction/global-stick", "dry-friction/solution-ii"

@@ -7,17 +7,14 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from nonsmooth import InputError, find_orbits, simulate, sweep
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.cli.display_motions import show_sweep
 from nonsmooth.runtime.cli.report_motions import sweep_json
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding.basins import basins
-from nonsmooth.runtime.explore.finding.find import find_orbits
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.sweep import sweep
 from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
-from nonsmooth.runtime.simulation.simulate import simulate
 
 STICK = {"chi": "0.5", "eta": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 TWO = {

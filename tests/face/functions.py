@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from nonsmooth.runtime.core.differentiable import DifferentiableFunction
+from nonsmooth import DifferentiableFunction
 
 
 def made(*, pulled: bool = False, calls: list[str] | None = None) -> DifferentiableFunction:

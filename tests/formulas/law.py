@@ -14,8 +14,7 @@ import sympy as sp
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
-from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.declaration.system import System
+from nonsmooth.derive import SecondOrder, System
 from nonsmooth.derive.document.blocks import Document, Formula, Heading, Paragraph, Table
 from nonsmooth.derive.document.notation.letters import letters_of
 from nonsmooth.derive.document.notation.wording import Naming

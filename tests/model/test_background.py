@@ -15,13 +15,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from nonsmooth import solve, solve_many
 from nonsmooth.runtime.core.files import PARTIAL
 from nonsmooth.runtime.model.kernels import kernels_of, load_orbit
 from nonsmooth.runtime.model.loading import background, caching
 from nonsmooth.runtime.model.loading import load as loading
 from nonsmooth.runtime.model.loading.background import KernelLibrary
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.solve import solve
 from tests.user_systems import KICKED, declare
 
 compiler = pytest.mark.skipif(background.lacking() is not None, reason=str(background.lacking()))

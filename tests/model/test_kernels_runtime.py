@@ -11,7 +11,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.linalg import expm
 
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth import InputError, NoConvergence, solve
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model import kernels
 from nonsmooth.runtime.model.completion import complete, default_parameters
@@ -23,7 +23,6 @@ from nonsmooth.runtime.model.kernels import (
     system_names,
 )
 from nonsmooth.runtime.model.parameter_batches import complete_arrays
-from nonsmooth.runtime.orbits.solve import solve
 
 SYSTEM, ORBIT = "dry-friction", "dry-friction/global-stick"
 PHYSICAL = ("chi", "eta", "V", "us1", "ur1", "us2", "ur2")

@@ -19,18 +19,16 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import nonsmooth
+from nonsmooth import InputError, simulate, solve
+from nonsmooth.derive import DeclarationError
 from nonsmooth.derive.codegen import python_file
 from nonsmooth.derive.codegen.emit import emit_package, emit_system
-from nonsmooth.derive.errors import DeclarationError
 from nonsmooth.derive.systems import dry_friction, rigid_stop
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import kernels_of, load_orbit, load_system
 from nonsmooth.runtime.model.loading import caching
 from nonsmooth.runtime.model.loading import load as loading
 from nonsmooth.runtime.model.loading.declared import Declared, declaration_in
 from nonsmooth.runtime.model.loading.modules import Modules, module_of_text
-from nonsmooth.runtime.orbits.solve import solve
-from nonsmooth.runtime.simulation.simulate import simulate
 from tests.user_systems import DAMPED, KICKED, declare
 
 

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError
 from nonsmooth.runtime.model.eigenvalue_clusters import precise_candidates, smallest_projectors
 from nonsmooth.runtime.model.exponential import exponential
 from nonsmooth.runtime.model.modes import NumericModes, numeric_modes

@@ -8,16 +8,13 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.linalg import expm
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError, Orbit, refine, solve, solve_many
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit
 from nonsmooth.runtime.orbits.admissible import _admissible_numpy, admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
 from nonsmooth.runtime.orbits.kernel_solve import search
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.orbits.orbit import DOUBLE
 from nonsmooth.runtime.present.report import orbit_json
 
 ORBIT = "dry-friction/global-stick"

@@ -7,13 +7,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from nonsmooth import Orbit, refine, solve, solve_many
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
 from nonsmooth.runtime.orbits.admissible import admissible_points
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.orbits.orbit import DOUBLE
 from tests.declared import RANGES, Declared, random_points
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"

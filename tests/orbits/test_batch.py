@@ -8,13 +8,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError, solve, solve_many
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import backend, load_orbit, orbit_names
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
 from tests.declared import random_points

@@ -3,15 +3,12 @@
 import numpy as np
 import pytest
 
+from nonsmooth import InputError, NoConvergence, refine, solve, solve_many
 from nonsmooth.derive import RigidStop, oscillator
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.model.kernels import compiled_engine, kernels_of, load_system
 from nonsmooth.runtime.model.parameter_batches import parameter_points
 from nonsmooth.runtime.model.piecewise import numbers_at
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.shooting import table_newton
 from nonsmooth.runtime.shooting.newton import CONVERGED, INVALID, NEGATIVE, SINGULAR, STALLED

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Itinerary, Parameter, Reference, RigidStop, oscillator
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.charting.chart import chart_problem
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.loading import background

@@ -12,8 +12,8 @@ import pytest
 from typer.testing import CliRunner
 
 import nonsmooth
+from nonsmooth import InputError, NoConvergence
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.orbits import solve as solving

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError
 from nonsmooth.runtime.core.values import as_value
 from tests.places import GALLERY
 

@@ -9,8 +9,8 @@ import sympy as sp
 from numpy.testing import assert_allclose
 
 import nonsmooth as ns
+from nonsmooth import InputError, NoConvergence
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, oscillator
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import as_value
 
 STEP = Fraction(1, 10**25)

@@ -12,8 +12,8 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth import NoConvergence
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.shooting.newton import CONVERGED, UNSURE
 
 VARIED = {

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, SoftStop, System, oscillator
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.kernels import kernels_of, load_system
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.table_many import solve_itineraries

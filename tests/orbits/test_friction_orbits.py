@@ -11,13 +11,9 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.linalg import expm
 
+from nonsmooth import InputError, NoConvergence, Orbit, refine, solve, solve_many
 from nonsmooth.derive.systems import dry_friction
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.model.kernels import load_orbit
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import solve
 from tests.declared import Declared, random_points
 from tests.derive.test_equations import MP, Derived
 from tests.shooting.test_stability import Friction

@@ -9,9 +9,9 @@ from numpy.testing import assert_allclose, assert_array_equal
 from scipy.integrate import solve_ivp
 
 import nonsmooth
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError, Motion
 from nonsmooth.runtime.model.kernels import orbit_names
-from nonsmooth.runtime.orbits.motion import Motion, orbit_motion
+from nonsmooth.runtime.orbits.motion import orbit_motion
 from tests.declared import Declared
 
 ORBIT = "dry-friction/global-stick"

@@ -9,13 +9,11 @@ import mpmath
 import numpy as np
 import pytest
 
+from nonsmooth import InputError, NoConvergence, refine, solve
 from nonsmooth.runtime.core import values
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.core.values import as_value, parse
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
-from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.present.report import orbit_json
 from tests.declared import Declared
 

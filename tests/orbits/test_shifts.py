@@ -14,6 +14,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 import nonsmooth as ns
+from nonsmooth import simulate_many
 from nonsmooth.derive import Friction, Harmonic, Itinerary, Reference, RigidStop, oscillator
 from nonsmooth.derive.declaration.translation import moves_freely
 from nonsmooth.runtime.core.arithmetic import Mpmath
@@ -27,7 +28,6 @@ from nonsmooth.runtime.orbits.table_many import solve_itineraries
 from nonsmooth.runtime.proof.exact_closure import exact_translations
 from nonsmooth.runtime.proof.exact_tables import exact_tables
 from nonsmooth.runtime.shooting.translations import projection_along, translations_of
-from nonsmooth.runtime.simulation.simulate import simulate_many
 from tests.places import GALLERY
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it

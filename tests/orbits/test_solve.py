@@ -9,12 +9,11 @@ from numpy.testing import assert_allclose
 from scipy.linalg import expm
 from scipy.optimize import root
 
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
+from nonsmooth import InputError, NoConvergence, solve
 from nonsmooth.runtime.model.kernels import backend, load_orbit
 from nonsmooth.runtime.orbits.admissible import admissible_points
 from nonsmooth.runtime.orbits.kernel_problem import STATUS
 from nonsmooth.runtime.orbits.kernel_solve import search
-from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.shooting.kernel_newton import solve_reduced
 from nonsmooth.runtime.shooting.newton import CONVERGED
 

@@ -14,22 +14,18 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh, expm
 from scipy.optimize import brentq
 
+from nonsmooth import NoConvergence, Orbit, solve, solve_many
+from nonsmooth.derive import Configuration, SecondOrder, derive_equations
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.kernels import spectrum_kernel
-from nonsmooth.derive.declaration.configuration import Configuration
-from nonsmooth.derive.declaration.dynamics import SecondOrder
-from nonsmooth.derive.equations.derivation import derive_equations
 from nonsmooth.derive.equations.energy import energy_of
 from nonsmooth.derive.equations.program import Argument, Kernel, Output, prune
 from nonsmooth.derive.systems import elastic_stop, rigid_stop
 from nonsmooth.runtime.core.arithmetic import FLOATS
-from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.core.values import as_value
 from nonsmooth.runtime.model.kernels import load_orbit
 from nonsmooth.runtime.orbits.kernel_problem import KernelProblem
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.orbit import DOUBLE, Orbit
-from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth.runtime.orbits.orbit import DOUBLE
 from tests.declared import Declared, random_points
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"

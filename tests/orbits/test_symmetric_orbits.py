@@ -8,11 +8,9 @@ import pytest
 from scipy.linalg import expm
 from scipy.optimize import fsolve
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError, simulate, solve
 from nonsmooth.runtime.model.structure import structure_of
-from nonsmooth.runtime.orbits.solve import solve
 from nonsmooth.runtime.shooting.symmetry import matrix_of
-from nonsmooth.runtime.simulation.simulate import simulate
 from tests.handmade import DATA, MIRROR, box, pair, two_stops
 
 RIGHT = [("free", "reaches-right")]

@@ -8,6 +8,7 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.derive import (
     DeclarationError,
     Friction,
@@ -22,7 +23,6 @@ from nonsmooth.derive import (
 from nonsmooth.derive.declaration.unfolding import unfolded
 from nonsmooth.derive.document.describe import describe_itinerary
 from nonsmooth.derive.document.writers.markdown import to_markdown
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.model.kernels import kernels_of, load_orbit
 from nonsmooth.runtime.orbits.table_many import solve_itineraries

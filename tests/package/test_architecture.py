@@ -16,12 +16,12 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 import nonsmooth.derive
+from nonsmooth.derive import Boundary
 from nonsmooth.derive.building.constraints import needed_of
 from nonsmooth.derive.building.element_parts import part_of
 from nonsmooth.derive.building.elements import Element
 from nonsmooth.derive.building.frame import Frame
 from nonsmooth.derive.building.parts import Exit, SwitchPart
-from nonsmooth.derive.declaration.configuration import Boundary
 from nonsmooth.runtime.cli.application import ANSWERED, answering, app, print_json
 from nonsmooth.runtime.cli.options import AsJson
 from nonsmooth.runtime.explore.continuation.event_kinds import KINDS, EventKind

@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError, sweep
 from nonsmooth.runtime.explore.continuation.response import forcing_frequencies, usual_quantities
-from nonsmooth.runtime.explore.finding.sweep import sweep
 from tests.places import GALLERY
 
 PAGE = str(GALLERY / "impact_oscillator.py")

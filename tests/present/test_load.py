@@ -12,8 +12,8 @@ import pytest
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.present.files.loading import READERS
 from tests.core.test_result_files import KINDS, TWO_MASSES, file_of

@@ -13,9 +13,9 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonsmooth
-from nonsmooth.derive.equations.derivation import derive_equations
+from nonsmooth import InputError, MissingExtra
+from nonsmooth.derive import derive_equations
 from nonsmooth.derive.systems import dry_friction
-from nonsmooth.runtime.core.errors import InputError, MissingExtra
 from nonsmooth.runtime.model.kernels import orbit_names
 from nonsmooth.runtime.model.naming import symbol
 from nonsmooth.runtime.present.pictures.kinds import KINDS

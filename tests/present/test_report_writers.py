@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from nonsmooth.runtime.core.errors import MissingExtra
+from nonsmooth import MissingExtra
 from nonsmooth.runtime.present.paper.mathml import Formulas
 from nonsmooth.runtime.present.paper.records import (
     Chapter,

@@ -14,8 +14,7 @@ import pytest
 from mpmath import mp
 from scipy.linalg import expm
 
-from nonsmooth.runtime.core.errors import MissingExtra
-from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth import MissingExtra, solve
 from nonsmooth.runtime.present.paper import writing
 from nonsmooth.runtime.present.paper.chapters import ORBITS, paper_orbits, paper_report
 from nonsmooth.runtime.present.paper.comparing import AGREES, compared

@@ -2,8 +2,7 @@
 
 import mpmath
 
-from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth import refine, solve
 from nonsmooth.runtime.present.paper.proofs import with_certificates
 from nonsmooth.runtime.present.paper.records import Chapter, Report, Table, Text
 

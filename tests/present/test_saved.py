@@ -14,7 +14,7 @@ import mpmath
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError
 from nonsmooth.runtime.core.values import decimal_string
 from nonsmooth.runtime.model.kernels import orbit_names
 from nonsmooth.runtime.present.files import orbits as saved

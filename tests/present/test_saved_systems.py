@@ -14,8 +14,8 @@ import pytest
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.json_codec import decode, encode
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.model.kernels import load_orbit, load_system

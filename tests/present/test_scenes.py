@@ -9,13 +9,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from nonsmooth.runtime.core.errors import InputError, MissingExtra
+from nonsmooth import InputError, MissingExtra, Trajectory, observe, simulate
 from nonsmooth.runtime.present.pictures.maps import basin_figure, bifurcation_figure
 from nonsmooth.runtime.present.pictures.plot import save_figure
 from nonsmooth.runtime.present.pictures.scenes import KINDS, plot_trajectory, trajectory_figure
-from nonsmooth.runtime.simulation.observables import observe
-from nonsmooth.runtime.simulation.simulate import simulate
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")

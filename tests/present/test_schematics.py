@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.core.errors import MissingExtra
+from nonsmooth import MissingExtra
 from nonsmooth.runtime.present.paper.schematics import (
     belt_schematic,
     poincare_schematic,

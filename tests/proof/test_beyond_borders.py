@@ -16,6 +16,7 @@ import sympy as sp
 from flint import ctx
 
 import nonsmooth as ns
+from nonsmooth import CertifiedBranch
 from nonsmooth.derive import (
     Boundary,
     Configuration,
@@ -36,7 +37,7 @@ from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.proof.admissibility import OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
 from nonsmooth.runtime.proof.branch import beyond_border
-from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch, OrbitBeyond
+from nonsmooth.runtime.proof.branch.certified_branch import OrbitBeyond
 from nonsmooth.runtime.proof.branch.crossing import SHARP
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve
 from nonsmooth.runtime.proof.branch.same_motion import is_same_motion

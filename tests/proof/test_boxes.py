@@ -18,9 +18,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
+from nonsmooth import InputError, Interrupted
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
 from nonsmooth.runtime.proof.boxes.tile_event import side_of

@@ -16,21 +16,16 @@ import sympy as sp
 from flint import arb, fmpq
 
 import nonsmooth as ns
+from nonsmooth import CertifiedBranch, InputError, Interrupted, certify_event
 from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.checker.branch_tile import CheckedTile
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.jets import part_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.admissibility import OpenInequality
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of, with_open_ones
 from nonsmooth.runtime.proof.branch import passage as passage_module
-from nonsmooth.runtime.proof.branch.certified_branch import (
-    FINISHED,
-    VANISHED,
-    BranchTile,
-    CertifiedBranch,
-)
+from nonsmooth.runtime.proof.branch.certified_branch import FINISHED, VANISHED, BranchTile
 from nonsmooth.runtime.proof.branch.certify_branch import _begin
 from nonsmooth.runtime.proof.branch.crossing import crossing_of
 from nonsmooth.runtime.proof.branch.curve import OrbitCurve, directions
@@ -39,7 +34,6 @@ from nonsmooth.runtime.proof.branch.march import _equations_for
 from nonsmooth.runtime.proof.branch.passage import CyclePassage, time_of_touch
 from nonsmooth.runtime.proof.branch.stating import _event, stated_branch
 from nonsmooth.runtime.proof.branch.tube import orbit_at, proved_piece
-from nonsmooth.runtime.proof.events.certify_event import certify_event
 from nonsmooth.runtime.proof.orbit_to_prove import subject_near
 from tests.explore import test_continuation_forced as impacts
 

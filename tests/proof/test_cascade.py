@@ -10,13 +10,12 @@ import pytest
 from flint import arb
 
 import nonsmooth as ns
-from nonsmooth.runtime.core.errors import InputError, Interrupted
+from nonsmooth import CertifiedCascade, InputError, Interrupted
 from nonsmooth.runtime.core.taylor_averages import AT_BOTH_ENDS, BENT_MEAN, MEAN, averaged, lifted
 from nonsmooth.runtime.core.taylor_models import TaylorModel, range_of, space_of
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
 from nonsmooth.runtime.proof.doubling.beside_flip import flip_with_direction
-from nonsmooth.runtime.proof.doubling.certified_cascade import CertifiedCascade
 from nonsmooth.runtime.proof.doubling.doubled_equations import DoubledEquations
 from nonsmooth.runtime.proof.doubling.doubling_tube import proved_tube
 from tests.explore import test_continuation_forced as impacts

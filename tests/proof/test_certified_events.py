@@ -10,9 +10,9 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.derive import Friction, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.errors import InputError
 from tests.certified import kicked, loop
 from tests.explore import test_continuation_forced as impacts
 

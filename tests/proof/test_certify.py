@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,8 +16,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import flint_precision, parse
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.proof.admissibility import OpenInequality, _Phase, _Refuted
@@ -83,6 +84,13 @@ def test_orbits_of_the_paper_are_certified(name: str, bits: int) -> None:
         )
     for enclosure in certificate.enclosures.values():
         assert float(enclosure.ball.rad()) < 1e6 * 2.0**-bits
+
+
+def test_digits_beyond_those_of_pythons_integers(tmp_path: Path) -> None:
+    file = tmp_path / "many.json"
+    found = ns.certify(ns.solve("elastic-stop/one-contact"), 20_000)
+    found.save(file)
+    assert set(ns.check_certificate(file).claims.values()) == {"proved"} == {*found.claims.values()}
 
 
 def test_the_physical_start_is_the_presented_one_moved() -> None:

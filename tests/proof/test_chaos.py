@@ -8,10 +8,10 @@ import pytest
 from flint import arb, arb_mat
 
 import nonsmooth as ns
+from nonsmooth import certify_chaos
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.events.leading_derivative import Undecided
 from nonsmooth.runtime.model.kernels import load_system
-from nonsmooth.runtime.proof.chaos.certify_chaos import certify_chaos
 from nonsmooth.runtime.proof.chaos.cone_conditions import positive
 from nonsmooth.runtime.proof.chaos.coverings import coverings
 from nonsmooth.runtime.proof.chaos.entropy import growth

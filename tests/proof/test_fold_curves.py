@@ -19,12 +19,12 @@ import sympy as sp
 from flint import arb
 
 import nonsmooth as ns
+from nonsmooth import Orbit
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.checker.exact import Failure
 from nonsmooth.runtime.checker.shape import Malformed
 from nonsmooth.runtime.checker.tiles import check_tiles
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof.boxes.box_certificate import Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
 from nonsmooth.runtime.proof.boxes.regions import map_json

@@ -12,6 +12,7 @@ import sympy as sp
 from flint import arb_mat
 
 import nonsmooth as ns
+from nonsmooth import Certificate, InputError, Orbit
 from nonsmooth.derive import (
     Boundary,
     Configuration,
@@ -25,13 +26,11 @@ from nonsmooth.derive import (
     oscillator,
 )
 from nonsmooth.runtime.core.arithmetic import exact_ball
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.jets import Jet
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
-from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.proof import parameter_derivatives
-from nonsmooth.runtime.proof.certificate import Certificate, Stated
+from nonsmooth.runtime.proof.certificate import Stated
 from tests.certified import LOOP, loop, rooted, struck_together
 
 STICK = "dry-friction/global-stick"

@@ -11,6 +11,7 @@ import sympy as sp
 from flint import ctx
 
 import nonsmooth as ns
+from nonsmooth import CertifiedBranch
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.checker.branch import checked_tiles
@@ -18,7 +19,6 @@ from nonsmooth.runtime.checker.stability import outside_if_reached
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.core.taylor_models import range_of
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
-from nonsmooth.runtime.proof.branch.certified_branch import CertifiedBranch
 from nonsmooth.runtime.proof.branch.passage import CyclePassage
 from tests.proof.test_beyond_borders import forged, only
 

@@ -13,14 +13,13 @@ from typing import Any
 import pytest
 from mpmath import MPContext
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError, Proof, validate
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.model.structure import BoundaryShape
 from nonsmooth.runtime.proof.motion.ball_flow import AffineFlow
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants
 from nonsmooth.runtime.proof.motion.first_crossing import first_crossing
-from nonsmooth.runtime.proof.motion.validate import Proof, validate
 
 mp = MPContext()
 mp.dps = 60

@@ -12,17 +12,22 @@ import pytest
 import sympy as sp
 from mpmath import MPContext
 
+from nonsmooth import Proof, validate
+from nonsmooth.derive import (
+    Boundary,
+    Condition,
+    Configuration,
+    FirstOrder,
+    Parameter,
+    SecondOrder,
+    System,
+    Transition,
+)
 from nonsmooth.derive.codegen.any_arithmetic import python_kernel
 from nonsmooth.derive.codegen.simulation_form import SimulationForm
 from nonsmooth.derive.codegen.tables import system_table
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration
-from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.declaration.parameter import Parameter
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Condition, Transition
 from nonsmooth.derive.flows.modal import TIME, Flow, Spectrum
 from nonsmooth.runtime.model.kernels import SystemKernels
-from nonsmooth.runtime.proof.motion.validate import Proof, validate
 
 mp = MPContext()
 mp.dps = 50

@@ -13,19 +13,21 @@ import sympy as sp
 from numpy.testing import assert_allclose
 from scipy.linalg import expm
 
-from nonsmooth.derive.declaration.configuration import Boundary, Configuration
-from nonsmooth.derive.declaration.dynamics import FirstOrder, SecondOrder
-from nonsmooth.derive.declaration.itinerary import Itinerary, Phase
-from nonsmooth.derive.declaration.parameter import Parameter
-from nonsmooth.derive.declaration.system import System
-from nonsmooth.derive.declaration.transition import Transition
+from nonsmooth import Orbit, refine, solve, solve_many
+from nonsmooth.derive import (
+    Boundary,
+    Configuration,
+    FirstOrder,
+    Itinerary,
+    Parameter,
+    Phase,
+    SecondOrder,
+    System,
+    Transition,
+)
 from nonsmooth.derive.equations.energy import energy_of, is_conservative
 from nonsmooth.derive.systems import SYSTEMS, declaration, elastic_stop, rigid_stop
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import solve
 from tests.declared import Declared, itinerary_of, random_points
 
 RIGID, ELASTIC = "rigid-stop/one-impact", "elastic-stop/one-contact"

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from nonsmooth import InputError, NoConvergence
 from nonsmooth.runtime.core.arithmetic import Mpmath
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.shooting.kernel_newton import solve_full, solve_reduced
 from nonsmooth.runtime.shooting.newton import (
     CONVERGED,

@@ -14,11 +14,9 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from scipy.optimize import linear_sum_assignment
 
+from nonsmooth import refine, solve, solve_many
 from nonsmooth.derive.equations.saltation import saltation_matrix
 from nonsmooth.runtime.model.kernels import orbit_names
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import solve
 from tests.declared import Declared, random_points
 
 PROPERTY = settings(deadline=None, max_examples=40, derandomize=True)

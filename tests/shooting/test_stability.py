@@ -8,9 +8,7 @@ from numpy.testing import assert_allclose
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
-from nonsmooth.runtime.orbits.many import solve_many
-from nonsmooth.runtime.orbits.refine import refine
-from nonsmooth.runtime.orbits.solve import solve
+from nonsmooth import refine, solve, solve_many
 
 ORBIT = "dry-friction/global-stick"
 PARAMETERS = ("chi", "eta", "V", "e1", "e2")

@@ -14,16 +14,15 @@ import sympy as sp
 from scipy.optimize import minimize
 
 import nonsmooth as ns
+from nonsmooth import InputError, itinerary_of
 from nonsmooth.derive import DeclarationError, Friction, Harmonic, RigidStop, System, oscillator
 from nonsmooth.runtime.checker import Failure, check
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.events import contact_choice
 from nonsmooth.runtime.events.transition_choice import Decider
 from nonsmooth.runtime.model.engine_run import Run, Status
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear, piecewise
 from nonsmooth.runtime.present.checking.compare_declarations import compare
-from nonsmooth.runtime.simulation.last_cycle import itinerary_of
 from nonsmooth.runtime.simulation.starting import configuration_of
 from nonsmooth.runtime.simulation.stepping import run
 

@@ -7,11 +7,11 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth import simulate_many
 from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
 from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.simulation.simulate import simulate_many
 from nonsmooth.runtime.simulation.starting import configuration_of, start_state
 from nonsmooth.runtime.simulation.stepping import run
 

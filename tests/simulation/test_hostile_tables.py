@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import compiled_engine

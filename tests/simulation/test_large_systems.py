@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from nonsmooth import simulate
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.model.boundary_sets import mask_of, masks_of, members_of, words_of
 from nonsmooth.runtime.model.engine_layout import layout_of, numbers_of
@@ -18,7 +19,7 @@ from nonsmooth.runtime.model.modes import numeric_modes
 from nonsmooth.runtime.model.piecewise import PiecewiseLinear
 from nonsmooth.runtime.model.structure import ModeShape
 from nonsmooth.runtime.simulation.engines import run_compiled, run_motions
-from nonsmooth.runtime.simulation.simulate import follow, simulate
+from nonsmooth.runtime.simulation.simulate import follow
 from nonsmooth.runtime.simulation.stepping import run
 from tests.large_systems import RESTITUTION, chain, integrated, masses_apart
 

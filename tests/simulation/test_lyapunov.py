@@ -8,17 +8,15 @@ import pytest
 from numpy.testing import assert_allclose
 
 import nonsmooth as ns
+from nonsmooth import InputError, Trajectory, lyapunov, simulate, simulate_many
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, System, oscillator
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.explore.finding.stretching import stretching
 from nonsmooth.runtime.model.flows import flow_states
 from nonsmooth.runtime.model.kernels import kernels_of
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.simulation.lyapunov import lyapunov, lyapunov_spectrum
+from nonsmooth.runtime.simulation.lyapunov import lyapunov_spectrum
 from nonsmooth.runtime.simulation.recurrence import scales_of
-from nonsmooth.runtime.simulation.simulate import simulate, simulate_many
 from nonsmooth.runtime.simulation.tangent import tangent_map
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
+from nonsmooth import DifferentiableFunction
 from nonsmooth.derive import Friction, Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.core.differentiable import DifferentiableFunction
 from tests.moved_motions import compared_with_digits
 
 DATA = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.5}

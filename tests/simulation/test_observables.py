@@ -10,12 +10,9 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 from scipy.optimize import minimize_scalar
 
-from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.simulation.lyapunov import lyapunov
-from nonsmooth.runtime.simulation.observables import Observables, observe
-from nonsmooth.runtime.simulation.simulate import simulate
+from nonsmooth import InputError, Trajectory, lyapunov, observe, simulate
+from nonsmooth.runtime.simulation.observables import Observables
 from nonsmooth.runtime.simulation.tangent import tangent_map
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 DATA_A = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 DATA_B = {

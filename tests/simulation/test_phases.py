@@ -9,9 +9,9 @@ import sympy as sp
 from typer.testing import CliRunner
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.derive import Harmonic, RigidStop, System, oscillator
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.errors import InputError
 
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 

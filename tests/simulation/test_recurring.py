@@ -7,8 +7,8 @@ import pytest
 from scipy.linalg import expm
 
 import nonsmooth
+from nonsmooth import InputError, NoConvergence
 from nonsmooth.derive import Harmonic, Regions, RigidStop, Terms, oscillator
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.simulation.recurrence import sizes_of
 from tests.handmade import DATA, pair, two_stops

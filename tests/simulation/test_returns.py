@@ -3,12 +3,9 @@
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.core.errors import InputError, NoConvergence
-from nonsmooth.runtime.explore.finding.find import find_orbits
+from nonsmooth import InputError, NoConvergence, find_orbits, poincare_map, solve
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.model.piecewise import piecewise
-from nonsmooth.runtime.orbits.solve import solve
-from nonsmooth.runtime.simulation.returns import poincare_map
 
 STICK = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 SYMMETRIC = {

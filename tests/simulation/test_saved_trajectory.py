@@ -18,12 +18,10 @@ import numpy as np
 import pytest
 
 import nonsmooth
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth import InputError, Trajectory, simulate
 from nonsmooth.runtime.model.engine_run import Grazing, Status
 from nonsmooth.runtime.present.files import motions as saved_trajectory
 from nonsmooth.runtime.present.files.motions import load_trajectory
-from nonsmooth.runtime.simulation.simulate import simulate
-from nonsmooth.runtime.simulation.trajectory import Trajectory
 
 FRICTION = {
     **{"chi": "2/5", "eta": 4, "V": 0.6773, "us1": "0.0127", "ur1": "0.0255"},

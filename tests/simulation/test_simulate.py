@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from nonsmooth.runtime.core.errors import InputError, MissingExtra
+from nonsmooth import InputError, MissingExtra, simulate, simulate_many
 from nonsmooth.runtime.model.engine_run import Status
 from nonsmooth.runtime.model.kernels import compiled_engine
-from nonsmooth.runtime.simulation.simulate import simulate, simulate_many
 
 FRICTION = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 STOP = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": "0.8"}

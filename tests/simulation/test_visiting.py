@@ -8,6 +8,7 @@ import pytest
 import sympy as sp
 
 import nonsmooth as ns
+from nonsmooth import InputError
 from nonsmooth.derive import (
     DeclarationError,
     Friction,
@@ -16,13 +17,13 @@ from nonsmooth.derive import (
     RigidStop,
     Slider,
     SoftStop,
+    System,
+    chain_matrices,
     oscillator,
 )
-from nonsmooth.derive.building import chain_matrices, growing
+from nonsmooth.derive.building import growing
 from nonsmooth.derive.building.growing import GrowingSystem
-from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.document.describe import describe_system
-from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_run import Status
 
 

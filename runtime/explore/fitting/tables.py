@@ -89,6 +89,12 @@ def _from_file(path: Path) -> Table:
             warnings.simplefilter("ignore")  # of metadata that are in several places, or not
             opened = xarray.open_zarr(path) if ending == ".zarr" else xarray.open_dataset(path)
             with opened as dataset:
+                stored = sum(f.stat().st_size for f in [path, *path.rglob("*")] if f.is_file())
+                if dataset.nbytes > _SMALL + _LOOSEST * stored:
+                    raise InputError(
+                        f"it takes {dataset.nbytes / 1e6:.3g} MB, packed into {stored / 1e6:.3g}:"
+                        " so much is not unpacked"
+                    )
                 return _from_dataset(dataset.load())
     except InputError:
         raise

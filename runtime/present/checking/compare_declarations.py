@@ -13,6 +13,7 @@ from itertools import product
 from typing import Any
 
 from nonsmooth.runtime.checker import Failure
+from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.core.errors import NoConvergence
 from nonsmooth.runtime.core.json_codec import decode, given_value
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
@@ -32,7 +33,6 @@ from nonsmooth.runtime.proof.parametric_declaration import (
 )
 from nonsmooth.runtime.proof.sets.images import PassedTransition
 from nonsmooth.runtime.proof.sets.visited_declaration import listed_declaration, visited_declaration
-from nonsmooth.runtime.proof.statement import rational
 
 __all__ = ["check_domains", "compare"]
 
@@ -103,7 +103,7 @@ def _events(content: Content) -> bool:
         name = event["parameter"]
         # a dwell time may have the same name: the parameter follows it
         *_, side = (side for side in event["box"] if side["name"] == name)
-        middle, radius = rational(side["mid"]), rational(side["rad"])
+        middle, radius = exact(side["mid"]), exact(side["rad"])
         box = {name: [str(middle - radius), str(middle + radius)]}
         try:
             compared.append(_box({**event, "box": box}))

@@ -51,6 +51,7 @@ class ChaosEntries:
     growth: Exact
     entropy: Exact
     cones: ConeCondition | None = None
+    parts: int
     tried: tuple[str, ...]
     bits: int
     declaration: Mapping[str, Any]

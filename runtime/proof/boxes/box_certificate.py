@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.core.registry import registered
 from nonsmooth.runtime.core.showing import Kept
 from nonsmooth.runtime.core.values import Value, as_value, flint_precision
@@ -29,7 +30,6 @@ from nonsmooth.runtime.proof.certificate import (
     balls_json,
     orbit_json,
 )
-from nonsmooth.runtime.proof.statement import rational
 
 __all__ = ["DIGITS", "VERDICTS", "BoxCertificate", "Tile", "tile_json"]
 
@@ -315,10 +315,10 @@ def _hull(found: Sequence[Stated]) -> Stated:
     """What contains all of them: rounded once, not with each."""
     from flint import arb
 
-    ends = [(Fraction(x.texts[0]), Fraction(x.texts[1])) for x in found]
+    ends = [(exact(x.texts[0]), exact(x.texts[1])) for x in found]
     low, high = min(mid - rad for mid, rad in ends), max(mid + rad for mid, rad in ends)
     with flint_precision(2 * found[0].bits):
-        middle, radius = (arb(rational(str(x))) for x in ((low + high) / 2, (high - low) / 2))
+        middle, radius = (arb(x) for x in ((low + high) / 2, (high - low) / 2))
         return Stated.around(middle + arb(0, radius), found[0].bits, DIGITS)
 
 

@@ -184,7 +184,7 @@ class _ChaosQuestion:
         if not all(apart(a, b) for k, a in enumerate(sets) for b in sets[:k]):
             self.tried.append(f"{told}: two sets meet")
             return None
-        mapped = SectionMap(self.system, section, candidate.iterates)
+        mapped, before = SectionMap(self.system, section, candidate.iterates), self.images
         found: list[Coverings] = []
         for k, h_set in enumerate(sets):
             wanted = [j for i, j in edges if i == k]
@@ -199,7 +199,8 @@ class _ChaosQuestion:
         number = {k: place for place, k in enumerate(kept)}
         own = [sets[k] for k in kept]
         between = [(number[i], number[j]) for i, j in inner]
-        whole = self._certificate(mapped, bound, own, between, [found[k] for k in kept])
+        count = self.images - before
+        whole = self._certificate(mapped, bound, own, between, [found[k] for k in kept], count)
         reason = _refused(whole)
         if reason:
             self.tried.append(f"{told}: {reason}")
@@ -210,10 +211,10 @@ class _ChaosQuestion:
         self, proved: ChaosCertificate, mapped: SectionMap, edges: Sequence[tuple[int, int]]
     ) -> ChaosCertificate:
         """The certificate with a cone condition; without, and why not, where none is proved."""
-        most = _CONE_PARTS * self.parts
+        most, before = _CONE_PARTS * self.parts, self.images
         try:
             cones = cone_condition(mapped, proved.h_sets, edges, most, self._tick)
-            with_cones = replace(proved, cones=cones)
+            with_cones = replace(proved, cones=cones, parts=proved.parts + self.images - before)
             reason = _refused(with_cones)
             if not reason:
                 return with_cones
@@ -236,6 +237,7 @@ class _ChaosQuestion:
         sets: Sequence[HSet],
         edges: Sequence[tuple[int, int]],
         found: Sequence[Coverings],
+        count: int,
     ) -> ChaosCertificate:
         section, structure = mapped.section, self.system.structure
         names = structure.configurations
@@ -271,6 +273,7 @@ class _ChaosQuestion:
             entropy=logarithm_below(bound, mapped.iterates),
             cones=None,
             images={own.name: of.parts for own, of in zip(sets, found, strict=True)},
+            parts=count,
             tried=tuple(self.tried),
             bits=self.system.bits,
             declaration=visited_declaration(self.kernels, self.system, passages),
@@ -296,6 +299,7 @@ class _ChaosQuestion:
             entropy="0",
             cones=None,
             images={},
+            parts=0,
             tried=tuple(self.tried),
             bits=self.system.bits,
             declaration={},

@@ -66,6 +66,9 @@ class ChaosCertificate(Shown):
     images : dict of str to tuple of tuple of tuple of float
         For pictures, of the image of each h-set the corners of the parts that contain it; empty
         for what was loaded, and on sections of more than two coordinates.
+    parts : int
+        How many images of parts of h-sets the proof enclosed; a check encloses at most eight
+        times as many.
     tried : tuple of str
         What was looked for, line by line.
     bits : int
@@ -92,6 +95,7 @@ class ChaosCertificate(Shown):
     entropy: Exact
     cones: ConeCondition | None
     images: Mapping[str, Any] = field(repr=False)
+    parts: int = field(repr=False)
     tried: tuple[str, ...] = field(repr=False)
     bits: int
     declaration: Mapping[str, Any] = field(repr=False)
@@ -205,6 +209,7 @@ class ChaosCertificate(Shown):
             "growth": self.growth,
             "entropy": self.entropy,
             "cones": None if self.cones is None else encode(self.cones),
+            "parts": self.parts,
             "tried": list(self.tried),
             "bits": self.bits,
         }

@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.proof.sets.affine_sets import AffineSet, affine_set
 from nonsmooth.runtime.proof.sets.sections import MapSection
-from nonsmooth.runtime.proof.statement import rational
 
 if TYPE_CHECKING:
     from flint import arb, arb_mat
@@ -78,7 +78,7 @@ class HSet:
         if not size or len(self.sides) != size or any(len(side) != size for side in self.sides):
             raise InputError("an h-set has a centre and as many sides as coordinates")
         try:
-            return [*map(rational, self.centre)], [[*map(rational, side)] for side in self.sides]
+            return [*map(exact, self.centre)], [[*map(exact, side)] for side in self.sides]
         except (ValueError, ZeroDivisionError):
             raise InputError("the centre and the sides of an h-set are decimal texts") from None
 

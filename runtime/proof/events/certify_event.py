@@ -16,6 +16,7 @@ from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
 from nonsmooth.runtime.checker.events import check_events
+from nonsmooth.runtime.checker.exact import exact
 from nonsmooth.runtime.core.errors import InputError, Interrupted
 from nonsmooth.runtime.core.values import Value, flint_precision
 from nonsmooth.runtime.explore.continuation.branch import Branch
@@ -32,7 +33,7 @@ from nonsmooth.runtime.proof.events.augmented_system import Augmented, augmented
 from nonsmooth.runtime.proof.events.event_certificate import EventCertificate
 from nonsmooth.runtime.proof.orbit_to_prove import NotCovered, guess_of, system_of
 from nonsmooth.runtime.proof.refusals import accepted, as_file
-from nonsmooth.runtime.proof.statement import decimals, rational
+from nonsmooth.runtime.proof.statement import decimals
 
 if TYPE_CHECKING:
     from flint import arb
@@ -278,8 +279,8 @@ def _enclosed(
                 Unknown(name, *decimals(x.mid() + arb(0, unit * size), bits + GUARD))
                 for name, x, size in zip(system.names, point, sizes, strict=True)
             )
-            middles = [arb(rational(side.mid)) for side in box]
-            halves = [arb(rational(side.rad)) for side in box]
+            middles = [arb(exact(side.mid)) for side in box]
+            halves = [arb(exact(side.rad)) for side in box]
             inside = _solved(system, middles, halves)
             if inside is not None and all(abs(e) < 1 for e in inside):
                 if not system.closes(middles, halves):
