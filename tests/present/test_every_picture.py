@@ -1,4 +1,4 @@
-"""Every kind of picture as it is written: labels stand apart, nothing is cut, legends tell apart."""
+"""Every kind of picture: labels stand apart, nothing is cut, legends tell apart."""
 
 import itertools
 from collections.abc import Callable, Iterator
@@ -16,8 +16,7 @@ from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 from tests.certified import loop
 
-matplotlib = pytest.importorskip("matplotlib")
-matplotlib.use("Agg")
+pytest.importorskip("matplotlib")
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
@@ -249,16 +248,16 @@ def faults(figure: Figure) -> Iterator[str]:
             and room.containsx(box.x1)
             and room.containsy(box.y0)
             and room.containsy(box.y1)
-        ):
-            if not _hidden_tick(figure, text):
-                yield f"{text.get_text()!r} is cut"
+        ) and not _hidden_tick(figure, text):
+            yield f"{text.get_text()!r} is cut"
     for axes in figure.axes:
         legend = axes.get_legend()
         if legend is None:
             continue
         texts = [text.get_text() for text in legend.get_texts()]
         looks = [_look(handle) for handle in legend.legend_handles]
-        for (one, first), (other, second) in itertools.combinations(zip(texts, looks), 2):
+        entries = list(zip(texts, looks, strict=True))
+        for (one, first), (other, second) in itertools.combinations(entries, 2):
             if one == other:
                 yield f"two entries are {one!r}"
             if first == second:

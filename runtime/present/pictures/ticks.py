@@ -38,14 +38,23 @@ class _InFull(ScalarFormatter):
     may be.
     """
 
+    def __init__(self) -> None:
+        super().__init__()
+        self._places = np.zeros(0)
+
+    def set_locs(self, locs: Any) -> None:
+        """Take the places that are numbered."""
+        self._places = np.asarray(locs, dtype=float)
+        super().set_locs(locs)
+
     def __call__(self, number: float, pos: int | None = None) -> str:
         """A number with as many digits as tell it from those beside it."""
         if not super().get_offset():
             return super().__call__(number, pos)
-        step = np.diff(self.locs).min(initial=np.inf)
+        step = np.diff(self._places).min(initial=np.inf)
         if abs(number) < step / 100:
             return "0"
-        digits = 2 + math.ceil(math.log10(max(1.0, np.abs(self.locs).max() / step)))
+        digits = 2 + math.ceil(math.log10(max(1.0, np.abs(self._places).max() / step)))
         return self.fix_minus(f"{number:.{digits}g}")
 
     def get_offset(self) -> str:
