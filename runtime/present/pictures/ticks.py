@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -68,7 +67,7 @@ class _Apart(MaxNLocator):
     def __init__(self) -> None:
         super().__init__(_MOST, steps=[1, 2, 2.5, 5, 10])
 
-    def tick_values(self, vmin: float, vmax: float) -> Sequence[float]:
+    def tick_values(self, vmin: float, vmax: float) -> Any:
         """Places of the labels between two ends."""
         places: Any = ()
         for count in range(_MOST, 0, -1):
