@@ -72,7 +72,7 @@ def response_and_basins(folder: Path) -> None:
     branch.plot("amplitude_x", axes=axes)
     below = ns.continue_orbit(quiet.orbit, "Omega", (16, 30), admissible=True)
     below.plot("amplitude_x", axes=axes)
-    axes.set_title("a machine that strikes a rubber stop: frequency response")
+    axes.set_title("a machine that strikes a rubber stop: frequency response", loc="left")
     save_figure(figure, folder / "response.svg")
 
     plane = basins(found, ("x", -0.02, 0.02, 300), ("v", -0.5, 0.5, 300), {"c1": 1})

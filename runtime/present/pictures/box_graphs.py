@@ -120,16 +120,6 @@ def _draw_boxes(axes: Axes, found: GraphCertificate) -> None:
     else:
         axes.set_ylim(*region[1])
         axes.set_ylabel(units.label(found.coordinates[1]))
-    handles, labels = axes.get_legend_handles_labels()
-    order = np.argsort([not text.startswith("trapping") for text in labels], kind="stable")
-    axes.legend(
-        [handles[k] for k in order],
-        [labels[k] for k in order],
-        fontsize="small",
-        loc="upper center",
-        bbox_to_anchor=(0.5, -0.14),
-        ncols=2,
-    )
     finish(axes, shown_name(found.system))
 
 

@@ -19,7 +19,12 @@ from nonsmooth.runtime.explore.continuation.response import (
 )
 from nonsmooth.runtime.model.naming import shown_name, symbol
 from nonsmooth.runtime.model.units import units_of
-from nonsmooth.runtime.present.pictures.drawing import LINES, check_picture, given_axes
+from nonsmooth.runtime.present.pictures.drawing import (
+    LINES,
+    check_picture,
+    finish,
+    given_axes,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -92,7 +97,7 @@ def branch_figure(
         _draw(branch, quantity, over or branch.parameter, axes, frequency)
         first = first or axes
         if place > 1:
-            axes.set_title("")
+            axes.set_title("", loc="left")
             legend = axes.get_legend()
             if legend is not None:
                 legend.remove()
@@ -218,8 +223,7 @@ def _draw_locus(locus: Locus, axes: Any) -> None:
     units = units_of(system_of(locus.orbit))
     axes.set_xlabel(units.label(first))
     axes.set_ylabel(units.label(second))
-    axes.set_title(shown_name(locus.name))
-    axes.legend(frameon=False)
+    finish(axes, shown_name(locus.name))
 
 
 def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -> None:
@@ -272,8 +276,7 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
         axes.set_xscale("log")
     axes.set_xlabel(across.label)
     axes.set_ylabel(up.label)
-    axes.set_title(shown_name(branch.name))
-    axes.legend(frameon=False)
+    finish(axes, shown_name(branch.name))
 
 
 def _widen(axes: Any) -> None:

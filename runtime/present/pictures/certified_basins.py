@@ -10,7 +10,7 @@ from nonsmooth.runtime.core.box_grid import BoxGrid
 from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.units import units_of
-from nonsmooth.runtime.present.pictures.drawing import check_picture, given_axes
+from nonsmooth.runtime.present.pictures.drawing import check_picture, finish, given_axes
 from nonsmooth.runtime.proof.basin.basin_certificate import BasinCertificate
 
 if TYPE_CHECKING:
@@ -117,7 +117,7 @@ def _draw_section(axes: Axes, found: BasinCertificate) -> None:
         axes.pcolormesh(_edges(grid, 0), _edges(grid, 1), ranks.T, cmap="viridis", rasterized=True)
         axes.set_ylabel(units.label(found.coordinates[1]))
     axes.set_xlabel(units.label(found.coordinates[0]))
-    axes.set_title("the section: steps to the core", fontsize="small")
+    finish(axes, "the section: steps to the core")
 
 
 def _draw_tiles(axes: Axes, found: BasinCertificate, pair: tuple[int, int]) -> None:
@@ -135,5 +135,5 @@ def _draw_tiles(axes: Axes, found: BasinCertificate, pair: tuple[int, int]) -> N
     units = units_of(found.system)
     axes.set_xlabel(units.label(found.states[one]))
     axes.set_ylabel(units.label(found.states[two]))
-    axes.set_title("share of the tiles that were looked at", fontsize="small")
+    finish(axes, "share of the tiles that were looked at")
     axes.figure.colorbar(mesh, ax=axes)

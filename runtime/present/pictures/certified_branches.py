@@ -60,7 +60,7 @@ def _draw(found: CertifiedBranch, quantity: str | None, axes: Axes) -> None:
     mark_events([found], name, axes)
     units = units_of(found.system)
     axes.set_xlabel(units.label(found.parameter))
-    axes.set_ylabel(name)
+    axes.set_ylabel(units.label(name))
     finish(axes, shown_name(found.orbit))
 
 

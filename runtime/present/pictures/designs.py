@@ -10,7 +10,12 @@ from nonsmooth.runtime.explore.continuation.response import system_of
 from nonsmooth.runtime.explore.design.around import along, along_branch
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.units import units_of
-from nonsmooth.runtime.present.pictures.drawing import LINES, check_picture, given_axes
+from nonsmooth.runtime.present.pictures.drawing import (
+    LINES,
+    check_picture,
+    finish,
+    given_axes,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -89,8 +94,7 @@ def _iterates(design: Design, axes: Any) -> None:
         values = design.history[:, count + place]
         axes.plot(values, color=color, linestyle=dashes, marker=".", label=_word(name))
     axes.set_xlabel("iterate")
-    axes.set_title(shown_name(design.orbit.name))
-    axes.legend(frameon=False)
+    finish(axes, shown_name(design.orbit.name))
 
 
 def _along(design: Design, name: str, axes: Any) -> None:
@@ -103,7 +107,7 @@ def _along(design: Design, name: str, axes: Any) -> None:
     if len(finite):
         axes.set_xlim(finite.min(), finite.max())
     axes.set_xlabel(units_of(system_of(design.orbit)).label(name))
-    axes.legend(frameon=False)
+    finish(axes, "")
 
 
 def _along_branch(design: Design, axes: Any) -> None:
@@ -117,8 +121,7 @@ def _along_branch(design: Design, axes: Any) -> None:
     worst = [design.after[design.quantity]] * len(design.worst_at)
     axes.plot(design.worst_at, worst, marker="o", linestyle="none", color=LINES[0][0])
     axes.set_xlabel(units_of(system_of(design.orbit)).label(name))
-    axes.set_title("pale: where it began")
-    axes.legend(frameon=False)
+    finish(axes, "pale: where it began")
 
 
 def _word(name: str) -> str:

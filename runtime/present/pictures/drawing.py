@@ -6,11 +6,10 @@ lines differ by their dashes too.
 
 from __future__ import annotations
 
-import itertools
 import math
 import re
+import textwrap
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,11 +18,10 @@ from nonsmooth.runtime.core.errors import InputError, missing_extra, unknown_nam
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.axis import Axis
-    from matplotlib.figure import Figure
 
 __all__ = [
     "LINES",
+    "SHADES",
     "band_style",
     "check_picture",
     "chosen_masses",
@@ -33,15 +31,25 @@ __all__ = [
     "draw_levels",
     "drawn_alone",
     "finish",
+    "fits",
     "given_axes",
     "line_style",
+    "mark_style",
     "noun",
-    "part_tick_labels",
+    "shaded",
+    "tex_number",
+    "within",
 ]
 
-LINES = (("#0072B2", "-"), ("#D55E00", (0, (5, 1.6))), ("#009E73", "-."), ("#CC79A7", ":"))
-_FEWEST = 2  # labels of an axis, however long they are
+_HUES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")
+_DASHES: tuple[Any, ...] = ("-", (0, (5, 1.6)), "-.", ":")
+_MARKS = "osD^vPX*"
+# each colour with its own dashes, then with the others': no two lines are alike
+LINES = tuple((_HUES[k % 4], _DASHES[(k + k // 4) % 4]) for k in range(16))
+SHADES = 3  # of a colour that can be told apart
 _HEIGHT, _WIDTH = 0.07, 0.12  # of a label, in those of the data
+_LETTER, _HANDLE = 0.066, 0.45  # inches: of small print, and of what stands before a label
+_TITLE = 0.08  # inches of a letter of a title
 _CONFIGURATIONS = (
     *("#99DDFF", "#EEDD88", "#FFAABB", "#BBCC33", "#DDDDDD"),
     *("#EE8866", "#77AADD", "#44BB99", "#AAAA00"),
@@ -61,7 +69,28 @@ def configuration_color(place: int) -> str:
     str
         A colour of matplotlib.
     """
-    return _CONFIGURATIONS[place % len(_CONFIGURATIONS)]
+    return shaded(_CONFIGURATIONS, place)
+
+
+def shaded(colors: Sequence[str], place: int) -> str:
+    """A colour by its place: those that are given, then the same darker, then paler.
+
+    Parameters
+    ----------
+    colors : sequence of str
+        As "#RRGGBB".
+    place : int
+        From 0.
+
+    Returns
+    -------
+    str
+        A colour of matplotlib.
+    """
+    turn, number = divmod(place, len(colors))
+    other, share = ((0, 0.0), (0, 0.4), (255, 0.55))[turn % SHADES]
+    parts = (int(colors[number][k : k + 2], 16) for k in (1, 3, 5))
+    return "#" + "".join(f"{round((1 - share) * part + share * other):02X}" for part in parts)
 
 
 def check_picture(kind: str, kinds: Sequence[str]) -> None:
@@ -253,7 +282,7 @@ def draw_arrow(axes: Axes, x: np.ndarray, v: np.ndarray, style: Mapping[str, Any
 
 
 def finish(axes: Axes, title: str) -> None:
-    """Title, and a legend between it and the frame, where it covers no curve.
+    """Numbers, title, and a legend between it and the frame, where it covers no curve.
 
     Parameters
     ----------
@@ -262,6 +291,9 @@ def finish(axes: Axes, title: str) -> None:
     title : str
         Empty for none.
     """
+    from nonsmooth.runtime.present.pictures.ticks import number_axes
+
+    number_axes(axes)
     _, labels = axes.get_legend_handles_labels()
     columns = _columns(axes, labels)
     if labels:
@@ -279,67 +311,32 @@ def finish(axes: Axes, title: str) -> None:
         )
     if title:
         rows = math.ceil(len(labels) / columns)
-        axes.set_title(title, loc="left", fontsize="medium", pad=6 + 14 * rows)
+        room = (axes.figure.bbox.width - axes.bbox.x0) / axes.figure.dpi
+        text = within(title, room)
+        axes.set_title(text, loc="left", fontsize="medium", pad=6 + 14 * rows, va="bottom")
     axes.spines[["top", "right"]].set_visible(False)
 
 
-def part_tick_labels(figure: Figure) -> None:
-    """Write the numbers of axes in full, and as few of them as do not touch each other.
-
-    Where they are tiny, or differ in late digits, matplotlib writes what they have in common
-    beside the axes, where a legend may be.
-    """
-    from matplotlib.ticker import FuncFormatter, MaxNLocator, ScalarFormatter
-
-    numbered = [
-        axis
-        for axes in figure.axes
-        for axis in (axes.xaxis, axes.yaxis)
-        if isinstance(axis.get_major_formatter(), ScalarFormatter) and axis.get_scale() == "linear"
-    ]
-    figure.draw_without_rendering()
-    for axis in numbered:
-        if axis.get_offset_text().get_text():
-            axis.set_major_formatter(FuncFormatter(partial(_in_full, axis)))
-    touching = numbered
-    while touching:
-        figure.draw_without_rendering()
-        touching = [
-            axis for axis in touching if _touch(axis) and len(axis.get_majorticklocs()) > _FEWEST
-        ]
-        for axis in touching:
-            count = len(axis.get_majorticklocs())
-            axis.set_major_locator(MaxNLocator(count // 2, steps=[1, 2, 2.5, 5, 10]))
+def within(title: str, room: float) -> str:
+    """A title in as many lines as fit into some inches."""
+    return textwrap.fill(title, max(int(room / _TITLE), 10)) if title.strip() else title
 
 
-def _in_full(axis: Axis, number: float, _: int | None) -> str:
-    """A number with as many digits as tell it from those beside it."""
-    places = axis.get_majorticklocs()
-    step = np.diff(places).min(initial=np.inf)
-    if abs(number) < step / 100:
-        return "0"
-    digits = 2 + math.ceil(math.log10(max(1.0, np.abs(places).max() / step)))
-    return f"{number:.{digits}g}".replace("-", "\N{MINUS SIGN}")
+def fits(label: str, axes: Axes, share: float) -> bool:
+    """Whether a label in small print is shorter than a share of the width of Axes."""
+    return _LETTER * _letters(label) <= share * axes.bbox.width / axes.figure.dpi
 
 
-def _touch(axis: Axis) -> bool:
-    """Whether two labels of an axis that was drawn touch each other."""
-    ends = sorted(axis.get_view_interval())
-    shown = [
-        tick.label1.get_window_extent()
-        for tick in axis.get_major_ticks()
-        if tick.label1.get_visible()
-        and tick.label1.get_text()
-        and ends[0] <= tick.get_loc() <= ends[1]
-    ]
-    return any(first.overlaps(second) for first, second in itertools.pairwise(shown))
+def _letters(label: str) -> int:
+    """About how many letters a label has that may be a formula."""
+    return len(re.sub(r"[$\\{}_^]|mathrm", "", re.sub(r"\\(?!mathrm)[a-z]+", "x", label)))
 
 
 def _columns(axes: Axes, labels: Sequence[str]) -> int:
     """As many columns of a legend as are about as wide as the Axes."""
     square = axes.get_aspect() == 1  # the layout makes it as narrow as it is low
     room = (min(axes.bbox.size) if square else axes.bbox.width) / axes.figure.dpi
-    inches = [0.45 + 0.066 * len(re.sub(r"[$\\{}_^]|mathrm", "", label)) for label in labels]
+    inches = [_HANDLE + _LETTER * _letters(label) for label in labels]
     for columns in range(len(labels), 1, -1):
         if sum(max(column) for column in np.array_split(inches, columns)) <= room:
             return columns
@@ -361,6 +358,23 @@ def line_style(mass: int) -> dict[str, Any]:
     """
     color, dashes = LINES[mass % len(LINES)]
     return {"color": color, "linestyle": dashes, "linewidth": 1.6}
+
+
+def mark_style(place: int) -> dict[str, Any]:
+    """Colour and marker of one of several points.
+
+    Parameters
+    ----------
+    place : int
+        Its number, from 0.
+
+    Returns
+    -------
+    dict
+        Arguments of matplotlib's `plot`.
+    """
+    marker = _MARKS[(place % 4 + place // 4) % len(_MARKS)]
+    return {"color": _HUES[place % 4], "marker": marker, "linestyle": "none"}
 
 
 def band_style(color: str) -> dict[str, Any]:
@@ -395,6 +409,15 @@ def dot_style(style: Mapping[str, Any]) -> dict[str, Any]:
     """
     shape = {"linestyle": "none", "marker": "o", "markersize": 4.5, "zorder": 3}
     return {**shape, "markerfacecolor": "white", "markeredgecolor": style["color"]}
+
+
+def tex_number(value: float) -> str:
+    """A number in TeX's notation, short where it has an exponent."""
+    text = f"{value:.6g}"
+    if "e" not in text:
+        return text
+    digits, exponent = f"{value:.2e}".split("e")
+    return f"{float(digits):g}\\cdot 10^{{{int(exponent)}}}"
 
 
 def noun(kind: str, labels: Sequence[str]) -> str:

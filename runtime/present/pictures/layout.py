@@ -7,7 +7,7 @@ from dataclasses import replace
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from nonsmooth.runtime.present.pictures.drawing import given_axes
+from nonsmooth.runtime.present.pictures.drawing import given_axes, within
 from nonsmooth.runtime.present.pictures.kinds import KINDS
 from nonsmooth.runtime.present.pictures.panels import Scene
 from nonsmooth.runtime.present.pictures.view import View
@@ -47,7 +47,8 @@ def draw_all(scene: Scene | View, places: Sequence[Axes]) -> None:
     places : sequence of Axes
         What is drawn into.
     """
-    places[0].figure.suptitle(scene.title)
+    figure = places[0].figure
+    figure.suptitle(within(scene.title, figure.bbox.width / figure.dpi))
     part = replace(scene, composed=True)
     for kind, place in zip(("time", "velocity", "strip"), places, strict=False):
         draw(part, kind, [place])

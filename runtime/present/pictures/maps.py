@@ -12,7 +12,13 @@ from nonsmooth.runtime.explore.finding.found import label_names
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
 from nonsmooth.runtime.model.naming import shown_name, symbol
 from nonsmooth.runtime.model.units import units_of
-from nonsmooth.runtime.present.pictures.drawing import LINES, check_picture, finish
+from nonsmooth.runtime.present.pictures.drawing import (
+    SHADES,
+    check_picture,
+    finish,
+    mark_style,
+    shaded,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -28,7 +34,6 @@ _BASINS = (
     *("#CC6677", "#44AA99", "#AA4499", "#999933"),
 )
 _UNCLASSIFIED = "#DDDDDD"
-_MARKERS = (".", "x", "+", "1")
 
 
 def basin_figure(
@@ -78,9 +83,10 @@ def basin_figure(
         raise InputError("the labels are not integers")
     if found.min() < -1 or found.max() >= len(names):
         raise InputError(f"the labels are not between -1 and {len(names) - 1}")
-    if len(names) > len(_BASINS):
-        raise InputError(f"{len(names)} attractors, of which {len(_BASINS)} can be told apart")
-    colors = [_UNCLASSIFIED, *_BASINS[: len(names)]]
+    most = SHADES * len(_BASINS)
+    if len(names) > most:
+        raise InputError(f"{len(names)} attractors, of which {most} can be told apart")
+    colors = [_UNCLASSIFIED, *(shaded(_BASINS, place) for place in range(len(names)))]
     figure = Figure(figsize=(6.0, 5.4))
     figure.set_layout_engine("constrained")
     axes = figure.add_subplot()
@@ -167,20 +173,18 @@ def bifurcation_figure(
 def _draw_sweep(axes: Any, across: np.ndarray, points: np.ndarray, name: str, place: int) -> None:
     """Draw the points of one sweep: the smaller, the more there are."""
     size = float(np.clip(60.0 / np.sqrt(1 + len(points)), 1.1, 4.0))
-    marker = _MARKERS[place % len(_MARKERS)]
-    style: dict[str, Any] = {"linestyle": "none", "color": LINES[place % len(LINES)][0]}
+    style = mark_style(place)
     axes.plot(
         across,
         points,
-        marker="o" if marker == "." else marker,
-        markersize=size * (1 if marker == "." else 2.2),
-        markeredgewidth=0 if marker == "." else 0.4,
+        markersize=size,
+        markeredgewidth=0,
         alpha=0.7,
         rasterized=len(points) > 20_000,
         **style,
     )
     if name:
-        axes.plot([], [], marker="o" if marker == "." else marker, label=name, **style)
+        axes.plot([], [], label=name, **style)
 
 
 def draw_basins(plane: Basins) -> Figure:

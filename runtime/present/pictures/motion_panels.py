@@ -19,6 +19,7 @@ from nonsmooth.runtime.present.pictures.drawing import (
     finish,
     line_style,
     noun,
+    tex_number,
 )
 from nonsmooth.runtime.present.pictures.view import BINS, MANY, View
 
@@ -265,15 +266,16 @@ def _riding(view: View, points: np.ndarray, held: np.ndarray) -> np.ndarray:
 
 def _levels(view: View, drawn: Sequence[tuple[int, str]]) -> dict[float, str]:
     """Values, and labels, at which boundaries in one of the drawn states alone lie."""
-    system, found = view.trajectory.system, {}
+    system, found = view.trajectory.system, dict[float, list[str]]()
     rows = {b.row for shapes in system.structure.boundaries for b in shapes}
     for state, label in drawn:
         for row in sorted(rows):
             if np.flatnonzero(system.rows[row, :-1]).tolist() == [state]:
                 level = _level(system, row, state)
                 name = _parameter(view, row, state)
-                found[level] = f"${symbol(name)}$" if name else f"{label} = ${level:.6g}$"
-    return found
+                text = f"${name}$" if name else f"{label} = ${tex_number(level)}$"
+                found.setdefault(level, []).append(text)
+    return {level: ", ".join(dict.fromkeys(texts)) for level, texts in found.items()}
 
 
 def _level(system: PiecewiseLinear, row: int, state: int) -> float:
@@ -281,7 +283,7 @@ def _level(system: PiecewiseLinear, row: int, state: int) -> float:
 
 
 def _parameter(view: View, row: int, state: int) -> str:
-    """Parameter that a level is, and stays when the parameter changes; empty if none."""
+    """Parameter, or minus it, that a level is, and stays when it changes; empty if none."""
     system = view.trajectory.system
     kernels = view.kernels
     if kernels is None:
@@ -289,10 +291,10 @@ def _parameter(view: View, row: int, state: int) -> str:
     level = _level(system, row, state)
     numbers = {name: float(value) for name, value in system.parameters.items()}
     for name, number in numbers.items():
-        if number == level != 0:
+        if abs(number) == abs(level) != 0:
             moved = {**numbers, name: number * 1.0078125}
             point = np.array(list(moved.values()))
-            other = piecewise_at(kernels, point)
-            if _level(other, row, state) == moved[name]:
-                return name
+            ratio = level / number
+            if _level(piecewise_at(kernels, point), row, state) == ratio * moved[name]:
+                return ("-" if ratio < 0 else "") + symbol(name)
     return ""

@@ -20,8 +20,11 @@ from nonsmooth.runtime.present.pictures.drawing import (
     draw_arrow,
     draw_levels,
     finish,
+    fits,
     line_style,
+    mark_style,
     noun,
+    tex_number,
 )
 
 if TYPE_CHECKING:
@@ -39,7 +42,6 @@ __all__ = [
     "draw_velocities",
 ]
 
-_MARKERS = ("o", "s", "D", "^")
 _PHASE_POINTS = 1200
 _CONSTANT = 1e-9  # relative change of a velocity that is held
 
@@ -244,6 +246,9 @@ def draw_strip(scene: Scene, places: Sequence[Axes]) -> None:
             axes.axvline(begin, color="0.5", linewidth=0.6, zorder=0)
         name, middle = symbol(dwell_times[phase]), ((begin + end) / 2, row)
         label, side = (f"${name}$", "center") if end > begin else (f"${name} = 0$", "left")
+        room = end - begin if end > begin else scene.motion.period
+        if not fits(label, axes, room / float(scene.samples.times[-1])):
+            continue
         style: dict[str, Any] = {"ha": side, "va": "center", "fontsize": "small", "clip_on": True}
         axes.annotate(label, middle, (3 * (end == begin), 0), textcoords="offset points", **style)
     axes.set_yticks(range(len(rows)), rows)
@@ -274,18 +279,16 @@ def draw_multipliers(scene: Scene | View, places: Sequence[Axes]) -> None:
     extent = 1.0
     for number, multiplier in enumerate(scene.orbit.stability.multipliers, 1):
         real, imaginary = float(multiplier.real), float(multiplier.imaginary)
-        value = _number(real)
+        value = tex_number(real)
         if imaginary:
-            value += f"{'+' * (imaginary > 0)}{_number(imaginary)}\\,\\mathrm{{i}}"
-        color = line_style(number - 1)["color"]
+            value += f"{'+' * (imaginary > 0)}{tex_number(imaginary)}\\,\\mathrm{{i}}"
+        style = mark_style(number - 1)
         axes.plot(
             [real],
             [imaginary],
-            linestyle="none",
-            marker=_MARKERS[(number - 1) % len(_MARKERS)],
-            color=color,
-            markerfacecolor="none" if multiplier.trivial else color,
+            markerfacecolor="none" if multiplier.trivial else style["color"],
             label=f"$\\mu_{{{number}}} = {value}$" + ", trivial" * multiplier.trivial,
+            **style,
         )
         extent = max(extent, abs(real), abs(imaginary))
     axes.set_xlim(-1.15 * extent, 1.15 * extent)
@@ -294,12 +297,3 @@ def draw_multipliers(scene: Scene | View, places: Sequence[Axes]) -> None:
     axes.set_xlabel(with_unit(r"$\mathrm{Re}\,\mu$", NO_UNIT))
     axes.set_ylabel(with_unit(r"$\mathrm{Im}\,\mu$", NO_UNIT))
     finish(axes, scene.title)
-
-
-def _number(value: float) -> str:
-    """A number in TeX's notation, short where it has an exponent."""
-    text = f"{value:.6g}"
-    if "e" not in text:
-        return text
-    digits, exponent = f"{value:.2e}".split("e")
-    return f"{float(digits):g}\\cdot 10^{{{int(exponent)}}}"

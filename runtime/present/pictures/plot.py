@@ -15,11 +15,7 @@ from nonsmooth.runtime.core.files import check_ending, write_file
 from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.orbits.motion import orbit_motion
 from nonsmooth.runtime.orbits.orbit import Orbit
-from nonsmooth.runtime.present.pictures.drawing import (
-    check_picture,
-    chosen_masses,
-    part_tick_labels,
-)
+from nonsmooth.runtime.present.pictures.drawing import check_picture, chosen_masses
 from nonsmooth.runtime.present.pictures.kinds import KINDS
 from nonsmooth.runtime.present.pictures.layout import draw_into, figure_of
 from nonsmooth.runtime.present.pictures.panels import Scene
@@ -164,7 +160,6 @@ def figure_bytes(figure: Figure, ending: str) -> bytes:
     from matplotlib import rc_context
 
     content = io.BytesIO()
-    part_tick_labels(figure)
     with rc_context({"svg.hashsalt": "nonsmooth"}):
         figure.savefig(content, format=ending[1:], dpi=200, metadata=_METADATA[ending])
     return content.getvalue()

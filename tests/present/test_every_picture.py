@@ -1,0 +1,313 @@
+"""Every kind of picture: labels stand apart, nothing is cut, legends tell apart."""
+
+import itertools
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import nonsmooth as ns
+from nonsmooth.derive import Harmonic, SoftStop, oscillator
+from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
+from tests.certified import loop
+
+pytest.importorskip("matplotlib")
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+from nonsmooth.runtime.explore.finding.basins import basins
+from nonsmooth.runtime.present.pictures.branches import branch_figure, locus_figure
+from nonsmooth.runtime.present.pictures.charts import chart_figure
+from nonsmooth.runtime.present.pictures.fits import fit_figure
+from nonsmooth.runtime.present.pictures.found import found_figure
+from nonsmooth.runtime.present.pictures.maps import (
+    basin_figure,
+    bifurcation_figure,
+    draw_basins,
+    draw_sweep,
+)
+from nonsmooth.runtime.present.pictures.plot import orbit_figure
+from nonsmooth.runtime.present.pictures.scenes import trajectory_figure
+
+GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
+FRICTION = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
+STICK = "dry-friction/global-stick"
+
+
+def gallery(name: str, **data: str) -> Any:
+    return ns.solve(f"{GALLERY}/{name}", data)
+
+
+@cache
+def stop(length: float = 1.0) -> Any:
+    """A machine before a stop in units of length: 1e-6 for micrometres that are metres."""
+    F, w = sp.symbols("F w")
+    size = sp.nsimplify(length)
+    return oscillator(
+        "a-machine-of-a-long-name-before-a-stop", ["x"], [[1]], [[sp.Rational(1, 20)]], [[1]],
+        forcing=[Harmonic(w, cosine=[F * size])],
+        elements=[SoftStop("x", at=size / 2, stiffness=20, damping=sp.Rational(4, 5))],
+    )  # fmt: skip
+
+
+@cache
+def found(length: float = 1.0, w: str = "1.3") -> Any:
+    return ns.find_orbits(stop(length), {"F": "0.7", "w": w}, 12, transitions=120)
+
+
+@cache
+def branch(low: str = "1.0", high: str = "1.7", length: float = 1.0) -> Any:
+    orbit = found(length).orbits[0].orbit
+    return ns.continue_orbit(orbit, "w", (low, high), points=60)
+
+
+@cache
+def motion(count: int = 4) -> Any:
+    return ns.simulate("dry-friction", FRICTION, [5, 3, 1, 1], transitions=count)
+
+
+CASES: dict[str, Callable[[], Figure]] = {
+    **{
+        f"orbit {kind}": lambda kind=kind: orbit_figure(ns.solve(STICK), kind)
+        for kind in ("time", "velocity", "phase", "strip", "multipliers", "all")
+    },
+    "orbit over periods": lambda: orbit_figure(ns.solve(STICK), "strip", periods=4),
+    "orbit between two stops": lambda: orbit_figure(gallery("two_stops.py:broken"), "all"),
+    "orbit of many phases": lambda: orbit_figure(gallery("three_masses.py:two-each"), "all"),
+    "orbit in metres": lambda: orbit_figure(found(1e-6).orbits[0].orbit, "all"),
+    "orbit over many periods": lambda: orbit_figure(
+        gallery("two_stops.py:broken"), "time", periods=40
+    ),
+    "motion": lambda: trajectory_figure(motion(), "all"),
+    "motion in micrometres": lambda: trajectory_figure(
+        ns.simulate(stop(1e5), {"F": "0.7", "w": "1.3"}, {"x": 0, "v": 0}, until=60), "all"
+    ),
+    "found": lambda: found_figure(found()),
+    "found velocity": lambda: found_figure(found(), "velocity"),
+    "basins": lambda: draw_basins(basins(found(), ("x", -1, 1, 12), ("v", -1, 1, 12))),
+    "branch": lambda: branch_figure(branch()),
+    "narrow branch": lambda: branch_figure(branch("1.3", "1.3001"), ("amplitude_x", "trace")),
+    "branch in metres": lambda: branch_figure(branch(length=1e-6)),
+    "locus": lambda: locus_figure(flips()),
+    "sweep": lambda: draw_sweep(swept()),
+    "two sweeps": lambda: bifurcation_figure(
+        "omega",
+        np.linspace(1e5, 1.00001e5, 9),
+        {
+            "up, which has quite a long name": np.full((9, 3), 1e-6),
+            "down": np.full((9, 2), -1e-6),
+        },
+        state="a state of a long name",
+    ),
+    "chart": lambda: chart_figure(charted()),
+    "chart along a line": lambda: chart_figure(charted().isel(eta=0)),
+    "fit": lambda: fit_figure(fitted()),
+    "design": lambda: ns.design(
+        ns.solve("dry-friction/symmetric"), minimise="spectral_radius", over={"V": (0.3, 3)}
+    ).plot(),
+    "box": lambda: ns.certify_box(
+        loop(r="-19/20", a="3/5"), {"r": ("-11/10", "-9/10"), "a": ("27/50", "7/10")}
+    ).plot(),
+    "line of a box": lambda: ns.certify_box(
+        ns.solve("dry-friction/symmetric", {"V": "1.1"}), {"V": ("1", "1.2")}
+    ).plot(),
+    "certified branch": lambda: proved_branch().plot(),
+    "motion of a chain": lambda: trajectory_figure(chain_motion(), "all"),
+    "motion of a chain over time": lambda: trajectory_figure(chain_motion(), "time"),
+    "many multipliers": lambda: orbit_figure(many_multipliers(), "multipliers"),
+    "all with many multipliers": lambda: orbit_figure(many_multipliers(), "all"),
+    "orbits of one period": lambda: found_figure(one_period()),
+    "portraits of one period": lambda: found_figure(one_period(), "phase"),
+    "basins of one period": lambda: draw_basins(
+        basins(one_period(), ("x", -0.5, 0.5, 12), ("v", -1, 1, 12))
+    ),
+    "one point": lambda: bifurcation_figure("omega", [1.0], [[0.5]]),
+    "at rest": lambda: trajectory_figure(
+        ns.simulate(stop(), {"F": "1e-9", "w": "1.3"}, {"x": 0, "v": 0}, until=1e-7), "all"
+    ),
+    "late": lambda: trajectory_figure(
+        ns.simulate(stop(), {"F": "0.7", "w": "1.3"}, {"x": 1e5, "v": 0}, until=1e-3), "all"
+    ),
+    "many sweeps": lambda: bifurcation_figure(
+        "F", [1, 2], {f"sweep {k}": [[k], [k]] for k in range(20)}
+    ),
+    "many basins": lambda: basin_figure(
+        np.arange(5),
+        np.arange(5),
+        np.arange(25).reshape(5, 5) % 12,
+        [f"orbit {k}" for k in range(12)],
+    ),
+}
+
+
+@cache
+def chain_motion() -> Any:
+    """Five masses, two of them before stops: more curves than there are colours."""
+    size = 5
+    K = sp.Matrix(size, size, lambda i, j: 2 * (i == j) - (abs(i - j) == 1))
+    names = [f"x{k}" for k in range(1, size + 1)]
+    chain = oscillator(
+        "chain", names, sp.eye(size), K, sp.eye(size) / 20,
+        elements=[SoftStop(name, at=1, stiffness=9, name=f"stop-of-{name}") for name in names[:2]],
+    )  # fmt: skip
+    start = {**{name: 0.1 for name in names}, **{f"v{k}": k for k in range(1, size + 1)}}
+    return ns.simulate(chain, {}, start, until=9)
+
+
+@cache
+def many_multipliers() -> Any:
+    orbit = replace(ns.solve(STICK))
+    every = tuple(Multiplier(-0.123456 * k, 0.01234567 * k) for k in range(1, 13))
+    vars(orbit.evaluation)["stability"] = Stability(every, 4.4, 3, -1.94, "unstable", "")
+    return orbit
+
+
+@cache
+def one_period() -> Any:
+    return ns.find_orbits(
+        f"{GALLERY}/two_stops.py", {"d": "0.5", "r": "0.8", "w": "1.5"}, 20, transitions=300
+    )
+
+
+@cache
+def symmetric_branch(high: str = "1.3") -> Any:
+    return ns.continue_orbit(ns.solve("dry-friction/symmetric", {"V": "1.05"}), "V", (1.0, high))
+
+
+@cache
+def proved_branch() -> Any:
+    return ns.certify_branch(symmetric_branch("1.2"), interval=("1", "1.2"))
+
+
+@cache
+def flips() -> Any:
+    (flip,) = (event for event in symmetric_branch().events if event.kind == "flip")
+    return ns.continue_event(symmetric_branch(), flip, "eta", (3.9, 4.1))
+
+
+@cache
+def swept() -> Any:
+    from nonsmooth.runtime.explore.finding.sweep import sweep
+
+    data = {name: value for name, value in FRICTION.items() if name != "V"}
+    return sweep(
+        "dry-friction",
+        data,
+        "V",
+        np.linspace(0.95, 1.05, 5),
+        start=dict.fromkeys(("x1", "x2", "v1", "v2"), 0),
+        state="x1",
+        configuration="slip-stick",
+        transient=400,
+        samples=10,
+    )
+
+
+@cache
+def charted() -> Any:
+    return ns.chart("dry-friction/symmetric", V=(0.8, 1.3, 20), eta=(0.8, 1.3, 16))
+
+
+@cache
+def fitted() -> Any:
+    times = np.linspace(0.2, 9, 30)
+    x = ns.simulate("dry-friction", FRICTION, [5, 3, 1, 1], until=10)(times)[:, 0]
+    data = {"t": times, "x1": x}
+    return ns.fit(
+        "dry-friction",
+        data,
+        parameters={**FRICTION, "us1": 1.01},
+        free=["us1"],
+        start={"x1": 5, "x2": 3, "v1": 1, "v2": 1},
+        sigma=1e-3,
+    )
+
+
+def faults(figure: Figure) -> Iterator[str]:
+    """What is wrong with the labels of a figure that is drawn as it is."""
+    FigureCanvasAgg(figure).draw()
+    room = figure.bbox.padded(1)
+    for axes in figure.axes:
+        ticks = [_labels(axis) for axis in (axes.xaxis, axes.yaxis)]
+        for labels in ticks:
+            for one, other in itertools.pairwise(labels):
+                if one.get_window_extent().overlaps(other.get_window_extent()):
+                    yield f"{one.get_text()!r} touches {other.get_text()!r}"
+    for text in figure.findobj(Text):
+        if not (text.get_visible() and text.get_text().strip()):
+            continue
+        box = text.get_window_extent()
+        if not (
+            room.containsx(box.x0)
+            and room.containsx(box.x1)
+            and room.containsy(box.y0)
+            and room.containsy(box.y1)
+        ) and not _hidden_tick(figure, text):
+            yield f"{text.get_text()!r} is cut"
+    for axes in figure.axes:
+        legend = axes.get_legend()
+        if legend is None:
+            continue
+        texts = [text.get_text() for text in legend.get_texts()]
+        looks = [_look(handle) for handle in legend.legend_handles]
+        entries = list(zip(texts, looks, strict=True))
+        for (one, first), (other, second) in itertools.combinations(entries, 2):
+            if one == other:
+                yield f"two entries are {one!r}"
+            if first == second:
+                yield f"{one!r} looks like {other!r}"
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_labels_stand_apart_and_legends_tell_apart(name: str) -> None:
+    assert not list(faults(CASES[name]()))
+
+
+def _labels(axis: Any) -> list[Text]:
+    low, high = sorted(axis.get_view_interval())
+    return [
+        tick.label1
+        for tick in axis.get_major_ticks()
+        if axis.axes.axison
+        and axis.get_visible()
+        and tick.label1.get_visible()
+        and tick.label1.get_text()
+        and low <= tick.get_loc() <= high
+    ]
+
+
+def _hidden_tick(figure: Figure, text: Text) -> bool:
+    """Of an axis that is not shown, or beyond its ends."""
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            ticks = [*axis.get_major_ticks(), *axis.get_minor_ticks()]
+            if any(text in (tick.label1, tick.label2) for tick in ticks):
+                return text not in _labels(axis)
+            if text in (axis.label, axis.offsetText):
+                return not axes.axison
+    return False
+
+
+def _look(handle: Any) -> tuple[Any, ...]:
+    found = []
+    for name in (
+        "color",
+        "facecolor",
+        "linestyle",
+        "linewidth",
+        "marker",
+        "markerfacecolor",
+        "alpha",
+        "hatch",
+    ):
+        get = getattr(handle, f"get_{name}", None)
+        found.append(str(get()) if get else None)
+    if hasattr(handle, "_dash_pattern"):
+        found.append(str(handle._dash_pattern))
+    return tuple(found)
