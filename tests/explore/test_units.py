@@ -136,6 +136,34 @@ SMALL = (Fraction(1, 10**9), 10**5, 7)  # nanometres
 
 
 @cache
+def bistable() -> System:
+    """A mass that is pushed away from the middle, to one of two stops."""
+    return oscillator(
+        "bistable", ["x"],
+        mass=[[MASS]], stiffness=[[-STIFFNESS]], damping=[[DAMPING / 5]],
+        elements=[
+            SoftStop({"x": sign}, at=LENGTH, stiffness=4 * STIFFNESS, name=name)
+            for name, sign in (("right", 1), ("left", -1))
+        ],
+        parameters=OF_UNITS,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("units", [SMALL, *UNITS], ids=str)
+def test_equilibria_are_the_same_in_all_units(units: Any) -> None:
+    listed = []
+    for length, rate, mass in ((1, 1, 1), units):
+        given = {"length": length, "rate": rate, "mass_unit": mass}
+        found = ns.find_orbits(bistable(), given, 8, transitions=100, seed=2)
+        places = [each.equilibrium.state[0] / float(length) for each in found.equilibria]
+        listed.append((places, [(each.starts, each.mirror) for each in found.equilibria]))
+    (wanted, starts), (places, of_units) = listed
+    assert sorted(wanted) == pytest.approx([-4 / 3, 0, 4 / 3])
+    assert places == pytest.approx(wanted, rel=1e-12)
+    assert of_units == starts
+
+
+@cache
 def stopped() -> System:
     """A mass between two stops, that a load may push to one of them."""
     w, load = Parameter("w", "frequency of the force"), Parameter("load", "load", lower=-sp.oo)
@@ -249,3 +277,16 @@ def test_energies_do_not_depend_on_units(rate: float) -> None:
         energies = branch.quantity("energy") / unit**2
         found.append((energies[0], energies[-1]))
     np.testing.assert_allclose(found[1], found[0], rtol=1e-8)
+
+
+def test_the_region_of_a_graph_has_the_units_of_the_motion() -> None:
+    """The states at the forcing's phase of a periodic motion are one point."""
+    grids = []
+    for length, rate in ((1, 1), (Fraction(1, 2**30), 2**17)):
+        given = {"length": length, "rate": rate, "mass_unit": 1, "w": "1.9", "load": 0}
+        start = {"x": float(length) / 4, "v": 0}
+        graph = ns.certify_graph(stopped(), given, start, boxes=1, parts=1)
+        sizes = np.array([float(length), float(length * rate)])
+        low, high = graph.graph.grid.bounds(np.arange(len(graph.graph.grid)))
+        grids.append(np.array([low.min(axis=0), high.max(axis=0)]) / sizes)
+    np.testing.assert_allclose(grids[1], grids[0], rtol=1e-6)

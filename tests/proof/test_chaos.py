@@ -15,7 +15,7 @@ from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.chaos.cone_conditions import positive
 from nonsmooth.runtime.proof.chaos.coverings import coverings
 from nonsmooth.runtime.proof.chaos.entropy import growth
-from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart, piece
+from nonsmooth.runtime.proof.chaos.h_sets import HSet, apart, decimal_set, piece
 from nonsmooth.runtime.proof.chaos.search import _walks
 from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.sets.affine_sets import affine_set
@@ -202,6 +202,20 @@ def test_sets_apart():
     one = HSet("a", ("0", "0"), (("1", "0"), ("0", "1")))
     assert apart(one, HSet("b", ("2.5", "0"), (("1", "1"), ("0", "0.1")))) is True
     assert apart(one, HSet("c", ("1.5", "0"), (("1", "1"), ("0", "0.1")))) is False
+
+
+@pytest.mark.parametrize("units", [(1, 1), (1e-9, 1e-4), (1e6, 1e-6)], ids=str)
+def test_decimals_of_sets_are_short_and_near_in_all_units(units):
+    rng = np.random.default_rng(5)
+    for _ in range(20):
+        scale = np.array(units)
+        centre, sides = rng.normal(size=2), rng.normal(size=(2, 2)) * [0.1, 0.01]
+        h_set = decimal_set("N", (centre * scale).tolist(), sides * scale[:, None])
+        middle, columns = h_set.near
+        assert np.abs(middle / scale - centre).max() < 1e-7
+        assert np.abs(columns / scale[:, None] - sides).max() < 1e-7
+        digits = [text.lstrip("-0.").rstrip("0") for text in (*h_set.centre, *h_set.sides[0])]
+        assert max(map(len, digits)) <= 12
 
 
 def test_wrong_input_is_told():

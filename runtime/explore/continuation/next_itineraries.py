@@ -17,6 +17,7 @@ from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.continuation.composed_family import SystemAt, composed_family
 from nonsmooth.runtime.explore.continuation.event import Event
+from nonsmooth.runtime.explore.finding.primitive import repeated_part
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.piecewise import piecewise
 from nonsmooth.runtime.model.structure import FORCING_PHASE, Structure
@@ -40,7 +41,7 @@ _LONGER, _MOST_WAYS = 2, 300  # phases that a way may have more; ways
 _SHORT = 0.02  # of the phases that are replaced: a new one
 _SHORTER = _SHORT / 50  # very near the collision
 _SHORTEST = 1e-9  # of the period: what lasts less is no phase
-_SAME = 1e-6  # of dwell times: how near those of one orbit are
+_SAME = 1e-6  # of the period: how near the dwell times of one orbit are
 _NEAR = 0.3  # of the period: how much another orbit's may differ
 _TRANSITIONS = 400
 
@@ -238,7 +239,7 @@ def _composed(
                 period=period,
                 symmetry=None if symmetry is None else symmetry.matrix,
             )
-            if orbit.converged and orbit.admissibility.verdict is True and not _repeats(orbit):
+            if orbit.converged and orbit.admissibility.verdict is True and not repeated_part(orbit):
                 yield orbit
 
 
@@ -259,21 +260,12 @@ def _solved(
         away = abs(found.dwell[sound] - dwell[sound]).max(axis=-1)
         told: list[int] = []
         for k in sound[np.argsort(away, kind="stable")]:
-            if not any(np.allclose(found.dwell[k], found.dwell[j], rtol=_SAME) for j in told):
+            apart = np.abs(found.dwell[told] - found.dwell[k]) > _SAME * found.dwell[k].sum()
+            if apart.any(axis=-1).all():
                 told.append(int(k))
         if told:
             return [(found.dwell[k], found.starts[k, 0]) for k in told]
     return []
-
-
-def _repeats(orbit: Orbit) -> bool:
-    """Whether it is an orbit of a shorter period, passed several times."""
-    phases, dwell, states = orbit.itinerary, orbit.dwell_times, orbit.states.astype(float)
-    told = np.column_stack((dwell.astype(float), states))
-    return any(
-        phases == phases[k:] + phases[:k] and np.allclose(told, np.roll(told, -k, 0), _SAME, _SAME)
-        for k in range(1, len(phases))
-    )
 
 
 def _ways(

@@ -29,6 +29,7 @@ __all__ = [
     "in_a_family",
     "orbit_scale",
     "primitive_orbit",
+    "repeated_part",
     "same_orbit",
 ]
 
@@ -51,7 +52,7 @@ def primitive_orbit(
     orbit = _composed(kernels, point, candidate)
     if orbit is None or not orbit.converged or not (orbit.dwell_times > 0).all():
         return None
-    part = _part(orbit)
+    part = repeated_part(orbit)
     if part is not None:
         return primitive_orbit(kernels, point, part)
     return orbit if admissible(orbit) else None
@@ -238,8 +239,14 @@ def _composed(kernels: SystemKernels, point: PiecewiseLinear, candidate: Candida
     )
 
 
-def _part(orbit: Orbit) -> Candidate | None:
-    """The shortest part that an orbit repeats, in its phases, dwell times and states."""
+def repeated_part(orbit: Orbit) -> Candidate | None:
+    """Find the shortest part that an orbit repeats, in its phases, dwell times and states.
+
+    Parameters
+    ----------
+    orbit : Orbit
+        By tables.
+    """
     count = len(orbit.itinerary)
     near = min(max(_TURNS, 100 * 10.0**-orbit.digits), _MOST)
     scale = orbit_scale(orbit)

@@ -15,10 +15,11 @@ from nonsmooth.runtime.orbits.orbit import Orbit
 from nonsmooth.runtime.orbits.table_solve import solve_itinerary
 from nonsmooth.runtime.simulation.starting import configurations_of, on_circles
 
-__all__ = ["Equilibrium", "equilibria", "forcing_turns", "responses"]
+__all__ = ["Equilibrium", "equilibria", "forcing_turns", "responses", "same_state"]
 
 _DEPENDENT = 1e-10  # relative singular value below which equations are dependent
 _ROUNDING = 4 * np.finfo(float).eps  # of a root: what is smaller than its error is zero
+_SAME = 1e-9  # of each number of a state: how near two roots of it are
 _NEUTRAL = 1e-9  # real part, in units of the largest eigenvalue
 _MOST_TURNS = 24  # of the first forcing, until all meet again
 _WHOLE = 1e-9  # of a turn
@@ -84,7 +85,7 @@ def equilibria(system: PiecewiseLinear) -> list[Equilibrium]:
         field = system.fields[configuration]
         constraints = system.rows[list(structure.constraints[configuration])]
         state = _root(np.concatenate([field, constraints]))
-        if state is None or any(np.allclose(state, known.state) for known in found):
+        if state is None or any(same_state(state, known.state) for known in found):
             continue
         (where,) = configurations_of(
             structure, system.fields[None], system.rows[None], state[None], name
@@ -96,6 +97,16 @@ def equilibria(system: PiecewiseLinear) -> list[Equilibrium]:
             Equilibrium(structure.name, system.parameters, name, structure.states, state, values)
         )
     return found
+
+
+def same_state(state: np.ndarray, other: np.ndarray) -> bool:
+    """Whether two equilibria are one; what is zero in one of them is so in both.
+
+    Parameters
+    ----------
+    state, other : array (N,)
+    """
+    return bool((np.abs(state - other) <= _SAME * np.abs(state)).all())
 
 
 def forcing_turns(system: PiecewiseLinear) -> tuple[int, ...] | None:

@@ -17,7 +17,7 @@ from nonsmooth.runtime.core.result_files import FileFormat, check_follows, namin
 from nonsmooth.runtime.core.values import Value
 from nonsmooth.runtime.explore.finding.found import Found, FoundEquilibrium, FoundOrbit
 from nonsmooth.runtime.explore.finding.outcomes import Outcome
-from nonsmooth.runtime.explore.finding.steady import Equilibrium, equilibria
+from nonsmooth.runtime.explore.finding.steady import Equilibrium, equilibria, same_state
 from nonsmooth.runtime.model.completion import system_parameters
 from nonsmooth.runtime.model.kernels import SystemKernels, known_system
 from nonsmooth.runtime.model.piecewise import piecewise
@@ -36,8 +36,6 @@ __all__ = [
     "load_found",
     "save_found",
 ]
-
-_DIGITS_KEPT = 1e-9  # relative change of an equilibrium that solving again may make
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -468,8 +466,8 @@ def _equilibrium(
 
 def _same_state(equilibrium: Equilibrium, state: Mapping[str, float]) -> bool:
     """Whether a state is that of an equilibrium."""
-    return tuple(state) == equilibrium.names and np.allclose(
-        equilibrium.state, list(state.values()), rtol=_DIGITS_KEPT
+    return tuple(state) == equilibrium.names and same_state(
+        equilibrium.state, np.array([*state.values()])
     )
 
 

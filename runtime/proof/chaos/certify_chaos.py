@@ -155,12 +155,12 @@ class _ChaosQuestion:
         """Sections of a motion, and what seems to be a horseshoe on them."""
         values = {name: float(value) for name, value in self.system.values.items()}
         visited = False
-        for section, points in sampled_sections(self.system, motion):
+        for section, points, ranges in sampled_sections(self.system, motion):
             visited = True
             name = _told(self.system, section)
             period = float(section.period(self.system)) if section.phase is not None else 0.0
             floats = FloatSection(self.kernels, values, section, period)
-            orbits = orbits_on(floats, points)
+            orbits = orbits_on(floats, points, ranges)
             if orbits is None:
                 self.tried.append(f"{name}: the motion is one point, or does not stay")
                 continue

@@ -174,15 +174,18 @@ def decimal_set(name: str, centre: Sequence[float], sides: np.ndarray, digits: i
         As columns.
     digits : int
         Of each side, relative to its length; of the centre relative to the shortest side.
+        Lengths are measured in units of the coordinates' extents.
     """
-    lengths = np.linalg.norm(sides, axis=0)
-    least = float(lengths.min())
+    extents = np.abs(sides).max(axis=1)
+    lengths = np.linalg.norm(sides / extents[:, None], axis=0)
     return HSet(
         name,
-        tuple(_text(x, least, digits) for x in centre),
         tuple(
-            tuple(_text(x, size, digits) for x in side)
-            for side, size in zip(sides.T, lengths, strict=True)
+            _text(x, lengths.min() * unit, digits) for x, unit in zip(centre, extents, strict=True)
+        ),
+        tuple(
+            tuple(_text(x, length * unit, digits) for x, unit in zip(side, extents, strict=True))
+            for side, length in zip(sides.T, lengths, strict=True)
         ),
     )
 

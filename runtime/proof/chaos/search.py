@@ -26,6 +26,7 @@ from nonsmooth.runtime.proof.chaos.h_sets import HSet, decimal_set
 __all__ = ["Horseshoe", "StretchedOrbits", "candidates", "orbits_on"]
 
 _SEED = 3
+_POINT = 1e-9  # of the range along a motion: points of a section that are one
 _ORBITS, _LENGTH = 600, 10  # each begins behind the end of the one before
 _TURNING = 8  # iterates in which directions turn to the one that is stretched
 _RADII = (0.12, 0.06, 0.03)  # half the long sides, in units of the motion's range
@@ -79,7 +80,9 @@ class Horseshoe(NamedTuple):
         return math.log(max(float(growth(len(self.h_sets), self.edges)[0]), 1.0)) / self.iterates
 
 
-def orbits_on(section: FloatSection, points: np.ndarray) -> StretchedOrbits | None:
+def orbits_on(
+    section: FloatSection, points: np.ndarray, ranges: np.ndarray
+) -> StretchedOrbits | None:
     """Follow some motions on a section, with the direction that is stretched most.
 
     Parameters
@@ -87,6 +90,8 @@ def orbits_on(section: FloatSection, points: np.ndarray) -> StretchedOrbits | No
     section : FloatSection
     points : array (n, d)
         Of a long motion.
+    ranges : array (d,)
+        Of the coordinates along the motion.
 
     Returns
     -------
@@ -95,7 +100,7 @@ def orbits_on(section: FloatSection, points: np.ndarray) -> StretchedOrbits | No
     """
     low, high = points.min(axis=0), points.max(axis=0)
     sizes, middle = (high - low) / 2, (high + low) / 2
-    if not (sizes > 1e-9 * (1 + np.abs(middle))).all():
+    if not (sizes > _POINT * ranges).all():
         return None
     now = points[np.linspace(0, len(points) - 1, _ORBITS).astype(int)]
     random = np.random.default_rng(_SEED)

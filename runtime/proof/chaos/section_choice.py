@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonsmooth.runtime.model.boundary_sets import members_of
+from nonsmooth.runtime.model.engine_run import Run
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.sets.sections import (
     MapSection,
@@ -29,10 +30,11 @@ _TRIED = 4  # sections
 
 
 class Sampled(NamedTuple):
-    """A section, and points (n, d) of a motion on it."""
+    """A section, points (n, d) of a motion on it, and ranges (d,) of its coordinates on the way."""
 
     section: MapSection
     points: np.ndarray
+    ranges: np.ndarray
 
 
 def sampled_sections(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
@@ -80,8 +82,7 @@ def _forced(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
         values = states @ rows[:, :-1].T + rows[:, -1]
         spread = values.std(axis=0)
         near = (values.max(axis=0)[spread > 0] / spread[spread > 0]).max(initial=-np.inf)
-        points = states[:, list(section.free)]
-        found.append((-counts.max() / counts.sum(), near, Sampled(section, points)))
+        found.append((-counts.max() / counts.sum(), near, _sampled(section, states, run)))
     found.sort(key=lambda entry: entry[:2])
     yield from (sampled for *_, sampled in found[:_TRIED])
 
@@ -105,4 +106,11 @@ def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
     found.sort(key=lambda entry: entry[:3])
     for _, _, way, section in found[:_TRIED]:
         places = [e for e, other in zip(entries, ways, strict=True) if other == way]
-        yield Sampled(section, run.states[places][:, list(section.free)])
+        yield _sampled(section, run.states[places], run)
+
+
+def _sampled(section: MapSection, states: np.ndarray, run: Run) -> Sampled:
+    """Take the free coordinates of states (n, N) on a section, which a motion passes."""
+    free = list(section.free)
+    on_the_way = np.concatenate([states, run.states])[:, free]
+    return Sampled(section, states[:, free], np.ptp(on_the_way, axis=0))

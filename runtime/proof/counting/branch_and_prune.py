@@ -33,7 +33,7 @@ _CLOSE = 0.4  # of a box's radius: its image, from which on a root is looked for
 _FAR = 3.0  # of a box's radius: an image so large does not help before the box is cut twice
 _POLISHES = 6
 _WIDER = (2.0, 8.0)  # of an image: boxes around it in which a root may be unique
-_LEAST = 1e-13  # of an unknown's size: what a box is widened by at least
+_LEAST = 1e-13  # of an unknown's domain or size: what a box is widened by at least
 _MOST_LEFT = 2000  # undecided boxes that are told apart
 _TOLD = 64  # boxes between two reports
 
@@ -205,9 +205,9 @@ def _around(problem: Problem, image: Sides) -> Root | None:
     """A root that is the only one of a box around an image."""
     for factor in _WIDER:
         wide = []
-        for low, high in image:
+        for (low, high), (first, last) in zip(image, problem.domain, strict=True):
             middle, radius = low + (high - low) / 2, (high - low) / 2
-            radius = factor * radius + _LEAST * max(1.0, abs(middle))
+            radius = factor * radius + _LEAST * max(last - first, abs(middle))
             wide.append((middle - radius, middle + radius))
         sides = tuple(wide)
         linear = problem.linear(sides)

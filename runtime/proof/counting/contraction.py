@@ -384,7 +384,7 @@ def _weights(over: arb_mat) -> np.ndarray:
     radii = np.array([float(x.rad()) for x in over.entries()])
     radii = radii.reshape(over.nrows(), over.ncols()).max(axis=1)
     radii = np.where(np.isfinite(radii), radii, _UNKNOWN)
-    weights: np.ndarray = 1 / (radii + 1e-9 * radii.max() + 1e-15)
+    weights: np.ndarray = 1 / (radii + 1e-9 * radii.max() + np.finfo(float).tiny)
     return weights
 
 

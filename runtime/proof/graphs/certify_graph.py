@@ -35,7 +35,7 @@ __all__ = ["certify_graph"]
 _BITS = 64
 _FEWEST_BITS, _MOST_BITS = 64, 4096
 _WIDER = 0.25  # of the sampled extent, at each side
-_LEAST = 1e-3  # of a coordinate's size: a sampled extent is widened as if it were no less
+_LEAST = 1e-3  # of a coordinate's range along the motion: what is taken for its extent at least
 _WIDEST = 0.2  # of the extent of states: wider sets are divided on the way
 _FOLLOWED = 200  # transitions, to see how large states become
 _AT_ONCE = 2048  # boxes
@@ -262,7 +262,7 @@ def _grid(
     if other := sorted(region.keys() - {*names}):
         raise InputError(f"{other[0]} is no coordinate of the section, which has {names}")
     low, high = sampled.points.min(axis=0), sampled.points.max(axis=0)
-    size = np.maximum(high - low, _LEAST * np.maximum(np.abs(low), np.abs(high)) + _LEAST)
+    size = np.maximum(high - low, _LEAST * sampled.ranges)
     low, high = low - _WIDER * size, high + _WIDER * size
     for name, ends in region.items():
         place = names.index(name)

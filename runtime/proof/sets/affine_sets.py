@@ -28,7 +28,7 @@ __all__ = ["AffineSet", "affine_set", "with_time"]
 
 _STEPS = 3  # of Newton's method for the time at which the centre arrives
 _PASSES = 2  # of the mean value form
-_LEAST = 2.0**-40  # of the radius of a window of times
+_LEAST = 2.0**-40  # of a time: the radius of its window at least
 
 
 def with_time(rows: Sequence[Sequence[Any]], rate: int) -> arb_mat:
@@ -118,7 +118,7 @@ class AffineSet(NamedTuple):
         moved = self.mapped((field * middle).exp())
         hull = _matrix([[x] for x in moved.ranges])
         (level,) = moved.mapped(row).ranges
-        late = _late(field, row, hull, level, arb(0, 2 * window.rad() + _LEAST))
+        late = _late(field, row, hull, level, arb(0, 2 * window.rad() + _LEAST * abs(middle)))
         shift = (field * late).exp()
         listed = moved.columns.tolist()
         centre = _arrived(field, row, _matrix([[entries[0]] for entries in listed]), late)
