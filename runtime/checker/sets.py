@@ -19,7 +19,7 @@ __all__ = ["CarryingPhase", "StateSet", "TooWide", "matrix_of"]
 _ORDER = 7  # of Taylor's polynomials
 _DEEPEST = 14  # halvings of a phase
 _WIDER = 1.25  # windows of times are so much wider than they have to be
-_LEAST = 2.0**-44
+_LEAST = 2.0**-44  # of a time: the width of its window at least
 _GRID, _LONGEST = 0.1, 100_000  # steps of the guess, in radians of the fastest motion
 
 
@@ -310,7 +310,7 @@ class CarryingPhase:
         rate = (row * (self.matrix * hull))[0, 0]
         if not rate > 0:
             raise TooWide
-        size = (level / rate).abs_upper() * arb(_WIDER) + arb(_LEAST)
+        size = (level / rate).abs_upper() * arb(_WIDER) + time * arb(_LEAST)
         late = arb(0, size.upper())
         shift = self.flow(late)
         there = shift * hull

@@ -9,9 +9,11 @@ window is halved. A window as short as the digits allow is a contact that they c
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import reduce
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonsmooth.runtime.events.leading_derivative import Undecided
+from nonsmooth.runtime.proof.expansion import Expansion
 from nonsmooth.runtime.proof.motion.asymptotics import stays_negative
 from nonsmooth.runtime.proof.motion.enclosures import EnclosedSystem
 from nonsmooth.runtime.proof.motion.exact_rows import Invariants, product
@@ -163,7 +165,28 @@ class _WatchedBoundary:
             return None
         times = self.function.time(begin).union(function.time(beyond))
         rate = (slope / self.function.half).union(rates / function.half)
-        return self.flow.crossing(self.row, self.state, times, rate)
+        return self._crossing(times, rate, self.function, function)
+
+    def _crossing(self, times: arb, rate: arb, *functions: Expansion) -> tuple[arb, list[arb]]:
+        """The time and the state of the one crossing in a ball of times, which some cover."""
+        while True:
+            time, reached = self.flow.crossing(self.row, self.state, times, rate)
+            if 2 * time.rad() >= times.rad():
+                return time, reached
+            times, rate = time, self._rate_over(time, functions)
+            if not rate > 0:
+                return time, reached
+
+    def _rate_over(self, times: arb, functions: Sequence[Expansion]) -> arb:
+        """Enclose the function's derivative by time over a ball, part by part of what it is in."""
+        from flint import arb
+
+        rates = []
+        for function in functions:
+            places = (times - function.start) / function.half - 1
+            if places.overlaps(arb(0, 1)):
+                rates.append(function.over(places.intersection(arb(0, 1))).rates / function.half)
+        return reduce(arb.union, rates)
 
     def _newton(self, places: arb, slope: arb) -> tuple[arb, list[arb]]:
         """The one crossing in a ball of places over which the slope is positive."""
@@ -175,8 +198,7 @@ class _WatchedBoundary:
             if 2 * better.rad() >= places.rad():
                 # a slope that is not known well leaves the halves, told by the sign
                 if not (value < 0 or value > 0):
-                    times, rate = function.time(better), slope / function.half
-                    return self.flow.crossing(self.row, self.state, times, rate)
+                    return self._crossing(function.time(better), slope / function.half, function)
                 end = places.upper() if value < 0 else places.lower()
                 better = better.intersection(middle.union(end))
             places = better
