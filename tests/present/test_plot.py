@@ -462,7 +462,14 @@ def test_latex_of_an_orbit() -> None:
 
 @pytest.mark.parametrize(
     ("name", "latex"),
-    [("e1", "e_{1}"), ("us1", "u_{s1}"), ("chi", "\\chi"), ("w", "w"), ("mass", "\\mathrm{mass}")],
+    [
+        ("e1", "e_{1}"),
+        ("us1", "u_{s1}"),
+        ("chi", "\\chi"),
+        ("Omega2", "\\Omega_{2}"),
+        ("w", "w"),
+        ("mass", "\\mathrm{mass}"),
+    ],
 )
 def test_symbols(name: str, latex: str) -> None:
     assert symbol(name) == latex
