@@ -72,7 +72,8 @@ def response_and_basins(folder: Path) -> None:
     branch.plot("amplitude_x", axes=axes)
     below = ns.continue_orbit(quiet.orbit, "Omega", (16, 30), admissible=True)
     below.plot("amplitude_x", axes=axes)
-    axes.set_title("a machine that strikes a rubber stop: frequency response", loc="left")
+    axes.set_title("", loc="left")
+    figure.suptitle("a machine that strikes a rubber stop: frequency response", size="medium")
     save_figure(figure, folder / "response.svg")
 
     plane = basins(found, ("x", -0.02, 0.02, 300), ("v", -0.5, 0.5, 300), {"c1": 1})
@@ -110,8 +111,10 @@ def stablest(path: Path) -> None:
     figure = design.plot()
     figure.axes[0].remove()
     figure.set_size_inches(3.2, 2.4)
-    figure.axes[0].legend_.remove()
-    figure.axes[0].set_xlabel("")
+    (axes,) = figure.axes
+    axes.set_subplotspec(figure.add_gridspec(1, 1)[0])
+    axes.legend_.remove()
+    axes.set_xlabel("")
     figure.savefig(path, dpi=80, metadata={"Software": None})
 
 

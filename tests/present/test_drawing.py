@@ -55,6 +55,29 @@ def test_tick_labels_stand_apart_and_say_all(middle: float, width: float) -> Non
         assert numbers == pytest.approx(list(axis.get_majorticklocs()), abs=width / 50, rel=0)
 
 
+def test_tick_labels_stand_apart_at_every_draw() -> None:
+    """Of a figure that is made narrower, and whose numbers are written longer, once drawn."""
+
+    def labels() -> list[str]:
+        figure.draw_without_rendering()
+        drawn = [label for label in axes.get_xticklabels() if label.get_text()]
+        boxes = [label.get_window_extent() for label in drawn]
+        assert all(not a.overlaps(b) for a, b in itertools.pairwise(boxes))
+        return [label.get_text() for label in drawn]
+
+    figure = Figure(figsize=(9, 3))
+    axes = figure.add_subplot()
+    finish(axes, "")
+    wide = labels()
+    figure.set_size_inches(1.2, 3)
+    narrow = labels()
+    assert 2 <= len(narrow) < len(wide)
+    figure.set_size_inches(9, 3)
+    assert labels() == wide
+    axes.xaxis.set_major_formatter(lambda x, _: f"{x:.9f} of a unit")
+    assert 2 <= len(labels()) < len(wide)
+
+
 def test_the_legend_of_a_square_picture_is_within_a_wide_panel() -> None:
     """Of multipliers with many digits beside the unit circle."""
     figure = Figure(figsize=(4.2, 2.4), layout="constrained")

@@ -17,7 +17,6 @@ from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 from tests.certified import loop
 
 pytest.importorskip("matplotlib")
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
@@ -62,9 +61,9 @@ def found(length: float = 1.0, w: str = "1.3") -> Any:
 
 
 @cache
-def branch(low: str = "1.0", high: str = "1.7", length: float = 1.0) -> Any:
-    orbit = found(length).orbits[0].orbit
-    return ns.continue_orbit(orbit, "w", (low, high), points=60)
+def branch(low: str, high: str, length: float = 1.0) -> Any:
+    orbit = found(length, low).orbits[0].orbit
+    return ns.continue_orbit(orbit, "w", (low, high), points=8)
 
 
 @cache
@@ -90,10 +89,10 @@ CASES: dict[str, Callable[[], Figure]] = {
     ),
     "found": lambda: found_figure(found()),
     "found velocity": lambda: found_figure(found(), "velocity"),
-    "basins": lambda: draw_basins(basins(found(), ("x", -1, 1, 12), ("v", -1, 1, 12))),
-    "branch": lambda: branch_figure(branch()),
+    "basins": lambda: draw_basins(basins(found(), ("x", -1, 1, 6), ("v", -1, 1, 6))),
+    "branch": lambda: branch_figure(symmetric_branch()),
     "narrow branch": lambda: branch_figure(branch("1.3", "1.3001"), ("amplitude_x", "trace")),
-    "branch in metres": lambda: branch_figure(branch(length=1e-6)),
+    "branch in metres": lambda: branch_figure(branch("1.0", "1.05", 1e-6)),
     "locus": lambda: locus_figure(flips()),
     "sweep": lambda: draw_sweep(swept()),
     "two sweeps": lambda: bifurcation_figure(
@@ -115,7 +114,7 @@ CASES: dict[str, Callable[[], Figure]] = {
         loop(r="-19/20", a="3/5"), {"r": ("-11/10", "-9/10"), "a": ("27/50", "7/10")}
     ).plot(),
     "line of a box": lambda: ns.certify_box(
-        ns.solve("dry-friction/symmetric", {"V": "1.1"}), {"V": ("1", "1.2")}
+        ns.solve("dry-friction/symmetric", {"V": "1.1"}), {"V": ("1.09", "1.11")}
     ).plot(),
     "certified branch": lambda: proved_branch().plot(),
     "motion of a chain": lambda: trajectory_figure(chain_motion(), "all"),
@@ -182,7 +181,7 @@ def symmetric_branch(high: str = "1.3") -> Any:
 
 @cache
 def proved_branch() -> Any:
-    return ns.certify_branch(symmetric_branch("1.2"), interval=("1", "1.2"))
+    return ns.certify_branch(symmetric_branch("1.2"), interval=("1", "1.05"))
 
 
 @cache
@@ -231,7 +230,7 @@ def fitted() -> Any:
 
 def faults(figure: Figure) -> Iterator[str]:
     """What is wrong with the labels of a figure that is drawn as it is."""
-    FigureCanvasAgg(figure).draw()
+    figure.draw_without_rendering()
     room = figure.bbox.padded(1)
     for axes in figure.axes:
         ticks = [_labels(axis) for axis in (axes.xaxis, axes.yaxis)]

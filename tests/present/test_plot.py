@@ -115,7 +115,7 @@ def test_every_orbit_is_drawn(name: str) -> None:
         ("rigid", "elastic")
     )
     assert len(curve(phase, f"(${letter}_{{1}}$, ${letter}_{{1}}'$)")) > 1000
-    time.figure.canvas.draw()
+    time.figure.draw_without_rendering()
 
 
 @pytest.mark.parametrize("name", ["rigid-stop/one-impact", "elastic-stop/one-contact"])
@@ -289,7 +289,7 @@ def test_a_configuration_has_one_colour_in_all_pictures() -> None:
 @pytest.mark.parametrize("kind", KINDS)
 def test_legends_and_titles_cover_nothing(kind: str) -> None:
     figure = orbit_figure(orbit(), kind)
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     for axes in figure.axes:
         frame, box = axes.get_window_extent(), axes.get_legend()
         texts = [axes.title, axes._left_title] if kind != "all" else []
@@ -462,7 +462,14 @@ def test_latex_of_an_orbit() -> None:
 
 @pytest.mark.parametrize(
     ("name", "latex"),
-    [("e1", "e_{1}"), ("us1", "u_{s1}"), ("chi", "\\chi"), ("w", "w"), ("mass", "\\mathrm{mass}")],
+    [
+        ("e1", "e_{1}"),
+        ("us1", "u_{s1}"),
+        ("chi", "\\chi"),
+        ("Omega2", "\\Omega_{2}"),
+        ("w", "w"),
+        ("mass", "\\mathrm{mass}"),
+    ],
 )
 def test_symbols(name: str, latex: str) -> None:
     assert symbol(name) == latex

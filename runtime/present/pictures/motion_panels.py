@@ -275,7 +275,7 @@ def _levels(view: View, drawn: Sequence[tuple[int, str]]) -> dict[float, str]:
                 name = _parameter(view, row, state)
                 text = f"${name}$" if name else f"{label} = ${tex_number(level)}$"
                 found.setdefault(level, []).append(text)
-    return {level: ", ".join(dict.fromkeys(texts)) for level, texts in found.items()}
+    return {level: "\n".join(dict.fromkeys(texts)) for level, texts in found.items()}
 
 
 def _level(system: PiecewiseLinear, row: int, state: int) -> float:

@@ -66,29 +66,42 @@ class _Apart(MaxNLocator):
 
     def __init__(self) -> None:
         super().__init__(_MOST, steps=[1, 2, 2.5, 5, 10])
+        self._last: tuple[Any, Any] = (None, ())
 
     def tick_values(self, vmin: float, vmax: float) -> Any:
-        """Places of the labels between two ends."""
-        places: Any = ()
-        for count in range(_MOST, 0, -1):
-            self.set_params(nbins=count)
-            places = super().tick_values(vmin, vmax)
-            if self._stand_apart(places, vmin, vmax):
-                break
-        return places
+        """Places of the labels between two ends; a layout asks often for the same."""
+        room = self._room()
+        asked = (vmin, vmax, *room)
+        if self._last[0] != asked:
+            places: Any = ()
+            for count in range(_MOST, 0, -1):
+                self.set_params(nbins=count)
+                places = super().tick_values(vmin, vmax)
+                if not room or self._stand_apart(places, vmin, vmax, room):
+                    break
+            self._last = asked, places
+        return self._last[1]
 
-    def _stand_apart(self, places: Any, vmin: float, vmax: float) -> bool:
+    def _room(self) -> tuple[Any, ...]:
+        """What writes the labels, their size in points, dots per inch, pixels along the axis."""
         axis: Any = self.axis
         if axis is None or not hasattr(axis, "get_major_ticks"):
-            return True
+            return ()
+        length = axis.axes.bbox.height if axis.axis_name == "y" else axis.axes.bbox.width
+        size = axis._get_tick_label_size(axis.axis_name)
+        return axis.get_major_formatter(), size, axis.get_figure().dpi, length
+
+    def _stand_apart(self, places: Any, vmin: float, vmax: float, room: tuple[Any, ...]) -> bool:
+        axis: Any = self.axis
+        formatter, size, dpi, length = room
+        upright = axis.axis_name == "y"
         shown = np.sort(places[(places >= min(vmin, vmax)) & (places <= max(vmin, vmax))])
-        upright, bounds = axis.axis_name == "y", axis.axes.bbox
-        length = bounds.height if upright else bounds.width
-        like = axis._get_tick_label_size(axis.axis_name)
+        text = Text(fontsize=size, figure=axis.get_figure())
         sizes = []
-        for label in axis.get_major_formatter().format_ticks(shown):
-            box = Text(0, 0, label, fontsize=like, figure=axis.get_figure()).get_window_extent()
+        for label in formatter.format_ticks(shown):
+            text.set_text(label)
+            box = text.get_window_extent()
             sizes.append(box.height if upright else box.width)
-        gap = _GAP * like * axis.get_figure().dpi / 72
+        gap = _GAP * size * dpi / 72
         needed = (np.array(sizes[:-1]) + sizes[1:]) / 2 + gap * (0.2 if upright else 1)
         return bool((np.diff(shown) / abs(vmax - vmin) * length >= needed).all())
