@@ -1,12 +1,15 @@
 """Plant bugs one at a time in a copy of the checkout, and name those that no test notices.
 
-Exit status 1 if one survives, or if tests fail without any; the bugs are those of mutations.py.
+A bug is a place in the syntax of a source; what it is given are files, folders, or addresses as
+it shows them. Exit status 1 if one survives. `--diff | git apply` plants one in the checkout.
 """
 
 from __future__ import annotations
 
 import argparse
-import ast
+import difflib
+import json
+import math
 import os
 import random
 import re
@@ -16,55 +19,134 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import astuple, dataclass
 from pathlib import Path
-from typing import TypeVar
 
-from mutations import MUTATIONS, Mutation
+from mutating import Place, functions, places, planted, probed
 
-__all__ = ["main", "planted"]
+__all__ = ["chosen", "main"]
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 COPIED = ("derive", "generated", "runtime", "tests", "scripts", "docs", ".ci")
 LAID_OUT = {"__init__.py": "runtime/face/__init__.py", "derive": "derive",
             "generated": "generated", "runtime": "runtime"}  # fmt: skip
-_T = TypeVar("_T")
+SOURCES = ("derive/**/*.py", "runtime/**/*.py", "runtime/engine/*.c")
+ENGINE = ("events", "simulation", "shooting")  # rooms of tests that run what is compiled
+PROBE = "__import__('probe').reach('{}::{{}}')"
+PROBING = """import os
+REACHED = set()
+def reach(place):
+    if place not in REACHED and "REACHED" in os.environ:
+        REACHED.add(place)
+        with open(os.environ["REACHED"], "a", encoding="utf-8") as file:
+            file.write(place + "\\n")
+"""
 NOTICED, SURVIVED, TIMEOUT, BROKEN = "noticed", "SURVIVED", "timeout", "NO ANSWER"
+UNREACHED = "UNREACHED"
 
 
-def main() -> int:
+@dataclass(frozen=True)
+class Measured:
+    """What a file of tests takes without a bug, and what it runs."""
+
+    file: str
+    seconds: float
+    reached: Sequence[str]
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
     """Plant the chosen bugs and show what became of each."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--only", metavar="TEXT", help="bugs whose file and function contain it")
-    parser.add_argument("--list", action="store_true", help="show the bugs and plant none")
-    parser.add_argument("--seed", type=int, default=1, help="of the order")
+    parser.add_argument("targets", nargs="*", help="files, folders, addresses or their beginnings")
+    parser.add_argument("--changed", metavar="REVISION", help="lines that differ from it")
+    parser.add_argument("--only", action="append", metavar="OPERATOR", help="such as boundary")
+    parser.add_argument("--sample", type=int, metavar="N", help="so many of them, by chance")
+    parser.add_argument("--seed", type=int, default=1, help="of that chance, and of the order")
+    parser.add_argument("--tests", nargs="+", metavar="FILE", help="instead of those of the rooms")
     parser.add_argument(
-        "--limit", type=float, default=900.0, help="seconds for the tests of a bug, at most"
+        "--limit", type=float, default=300.0, help="seconds for the tests of a bug, at most"
     )
-    parser.add_argument("--trust", action="store_true", help="do not run the tests without a bug")
-    given = parser.parse_args()
-    chosen = [each for each in MUTATIONS if (given.only or "") in str(each)]
-    if given.list or not chosen:
-        for each in chosen:
-            told = f"  equivalent: {each.equivalent}" if each.equivalent else ""
-            print(f"{each}{told}")
-        return 0 if chosen else 2
-    tried = [each for each in chosen if not each.equivalent]
-    random.Random(given.seed).shuffle(tried)
+    parser.add_argument(
+        "--map", type=Path, metavar="FILE", help="what each file of tests runs, kept there"
+    )
+    parser.add_argument("--list", action="store_true", help="show the bugs and plant none")
+    parser.add_argument("--diff", action="store_true", help="show them as changes of the files")
+    given = parser.parse_args(arguments)
+    bugs = chosen(given.targets, given.changed, given.only)
+    random.Random(given.seed).shuffle(bugs)
+    bugs = bugs[: given.sample]
+    if given.list or given.diff:
+        for each in sorted(bugs, key=lambda bug: (bug.file, bug.change.begin)):
+            print(difference(each) if given.diff else each)
+        return 0 if bugs else 2
     with tempfile.TemporaryDirectory(prefix="mutate-") as folder:
         copy = copied(Path(folder) / "checkout")
-        kinds = () if given.trust else dict.fromkeys(each.tests for each in tried)
-        limits = {tests: whole(copy, tests, given.limit) for tests in kinds}
-        survivors = 0
-        for number, each in enumerate(tried, 1):
+        tests = given.tests or sorted({test for bug in bugs for test in candidates(bug.file)})
+        measured = measure(copy, tests, given.limit, given.map)
+        outcomes = []
+        for number, each in enumerate(bugs, 1):
             begun = time.perf_counter()
-            limit = limits.get(each.tests, given.limit)
-            found = BROKEN if limit is None else attempted(copy, each, limit)
-            survivors += found in (SURVIVED, BROKEN)
+            outcomes.append(attempted(copy, each, measured, given.limit))
             seconds = time.perf_counter() - begun
-            print(f"{number:3}/{len(tried)} {found:9} {seconds:5.0f} s  {each}", flush=True)
-    print(f"{len(tried) - survivors} of {len(tried)} bugs are noticed")
-    return int(survivors > 0)
+            print(f"{number:3}/{len(bugs)} {outcomes[-1]:9} {seconds:5.0f} s  {each}", flush=True)
+    noticed = sum(each in (NOTICED, TIMEOUT) for each in outcomes)
+    print(f"{noticed} of {len(bugs) - outcomes.count(BROKEN)} bugs are noticed")
+    return int(noticed < len(bugs))
+
+
+def chosen(
+    targets: Sequence[str] = (), revision: str | None = None, only: Sequence[str] | None = None
+) -> list[Place]:
+    """Bugs of the targets, or of all sources; of a revision given, those in lines that differ."""
+    lines = None if revision is None else changed_lines(revision)
+    bugs = []
+    for path in sources(CHECKOUT):
+        file = path.relative_to(CHECKOUT).as_posix()
+        wanted = [each for each in targets if path.is_relative_to(CHECKOUT / each.split("::")[0])]
+        if (targets and not wanted) or (lines is not None and file not in lines):
+            continue
+        for bug in places(file, path.read_text(encoding="utf-8")):
+            inside = range(bug.line, bug.line + bug.before.count("\n") + 1)
+            if (
+                (not targets or any(_meant(each, bug) for each in wanted))
+                and (lines is None or not lines[file].isdisjoint(inside))
+                and (only is None or bug.change.operator in only)
+            ):
+                bugs.append(bug)
+    return bugs
+
+
+def sources(checkout: Path, suffix: str = "") -> list[Path]:
+    """Files in which there are bugs."""
+    paths = {path for pattern in SOURCES for path in checkout.glob(pattern)}
+    return sorted(path for path in paths if path.name.endswith(suffix))
+
+
+def _meant(target: str, bug: Place) -> bool:
+    return "::" not in target or bug.address == target or bug.address.startswith(f"{target}::")
+
+
+def changed_lines(revision: str) -> dict[str, set[int]]:
+    """Lines of the checkout that a revision does not have, by file."""
+    command = ["git", "diff", "-U0", "--no-color", "--no-ext-diff", "--relative", revision, "--"]
+    told = subprocess.run(command, cwd=CHECKOUT, check=True, capture_output=True, text=True).stdout
+    lines: dict[str, set[int]] = {}
+    file = ""
+    for line in told.splitlines():
+        if line.startswith("+++ "):
+            file = line[4:].removeprefix("b/")
+        elif hunk := re.match(r"@@ \S+ \+(\d+)(?:,(\d+))? @@", line):
+            begin, count = int(hunk[1]), int(hunk[2] or 1)
+            lines.setdefault(file, set()).update(range(begin, begin + count))
+    return lines
+
+
+def difference(bug: Place) -> str:
+    """A bug as a change of its file, which `git apply` makes."""
+    text = (CHECKOUT / bug.file).read_text(encoding="utf-8")
+    before, after = (each.splitlines(keepends=True) for each in (text, planted(text, bug)))
+    return "".join(difflib.unified_diff(before, after, f"a/{bug.file}", f"b/{bug.file}"))
 
 
 def copied(copy: Path) -> Path:
@@ -81,25 +163,74 @@ def copied(copy: Path) -> Path:
     return copy
 
 
-def whole(copy: Path, tests: Sequence[str], limit: float) -> float | None:
-    """Seconds that tests may take with a bug; None where they fail without one."""
-    begun = time.perf_counter()
-    if outcome(copy, tests, limit) != SURVIVED:
-        print(f"no answer without a bug: pytest {' '.join(tests)}", flush=True)
-        return None
-    return min(limit, 2 * (time.perf_counter() - begun) + 60)
+def candidates(file: str) -> Iterator[str]:
+    """Files of tests that may run a source: those of its room, and others that name it."""
+    room = file.split("/")[file.startswith("runtime/")]
+    rooms = ENGINE if room == "engine" else (room,)
+    for path in sorted((CHECKOUT / "tests").rglob("test_*.py")):
+        if path.parent.name in rooms or named(file, path):
+            yield path.relative_to(CHECKOUT).as_posix()
 
 
-def attempted(copy: Path, mutation: Mutation, limit: float) -> str:
-    """Plant a bug, run its tests, and make the copy what it was."""
-    file = copy / mutation.file
+def named(file: str, tests: Path) -> bool:
+    """Whether a file of tests names a module."""
+    module = "nonsmooth." + file.removesuffix(".py").replace("/", ".")
+    room, _, name = module.rpartition(".")
+    pattern = rf"{re.escape(module)}\b|from {re.escape(room)} import [^\n]*\b{name}\b"
+    return re.search(pattern, tests.read_text(encoding="utf-8")) is not None
+
+
+def measure(copy: Path, tests: Iterable[str], limit: float, kept: Path | None) -> list[Measured]:
+    """Run each file of tests by itself without a bug, to know which functions it runs.
+
+    A file that fails, or takes longer than the limit, is as one that takes for ever.
+    """
+    known: dict[str, Measured] = {}
+    if kept is not None and kept.exists():
+        known = {each[0]: Measured(*each) for each in json.loads(kept.read_text(encoding="utf-8"))}
+    missing = [test for test in tests if test not in known]
+    if missing:
+        (copy / "probe.py").write_text(PROBING, encoding="utf-8")
+        texts = {path: path.read_text(encoding="utf-8") for path in sources(copy, ".py")}
+        for path, text in texts.items():
+            written(path, probed(text, PROBE.format(path.relative_to(copy).as_posix())))
+        for test in missing:
+            begun = time.perf_counter()
+            with tempfile.NamedTemporaryFile("r", encoding="utf-8") as reached:
+                result = outcome(copy, [test], limit, REACHED=reached.name)
+                lines = reached.read().splitlines()
+            seconds = time.perf_counter() - begun if result == SURVIVED else math.inf
+            known[test] = Measured(test, seconds, lines)
+            if kept is not None:
+                kept.write_text(json.dumps([*map(astuple, known.values())]), encoding="utf-8")
+            print(f"{seconds:5.0f} s  {result:9} without a bug: {test}", flush=True)
+        for path, text in texts.items():
+            written(path, text)
+    return [known[test] for test in tests]
+
+
+def attempted(copy: Path, bug: Place, measured: Sequence[Measured], limit: float) -> str:
+    """Plant a bug, run the tests that reach it, and make the copy what it was."""
+    file = copy / bug.file
+    compiled = file.suffix == ".c"
     original = file.read_text(encoding="utf-8")
-    built = [*(copy / "runtime").glob("_engine*.so")] if file.suffix == ".c" else []
+    inside = not compiled and bug.change.function in functions(original)
+    place = f"{bug.file}::{bug.change.function if inside else ''}"
+    reaching = [each for each in measured if compiled or place in each.reached]
+    reaching.sort(key=lambda each: (not named(bug.file, CHECKOUT / each.file), each.seconds))
+    seconds, tests = 0.0, []
+    for each in reaching:
+        if seconds + each.seconds <= limit:
+            seconds += each.seconds
+            tests.append(each.file)
+    if not tests:
+        return UNREACHED
+    built = [*(copy / "runtime").glob("_engine*.so")] if compiled else []
     try:
-        written(file, planted(original, mutation))
+        written(file, planted(original, bug))
         if built:
             build(copy)
-        return outcome(copy, mutation.tests, limit)
+        return outcome(copy, tests, 2 * seconds + 60)
     except subprocess.CalledProcessError as problem:
         print(problem.stderr, file=sys.stderr)
         return BROKEN
@@ -129,13 +260,14 @@ def build(copy: Path) -> None:
     subprocess.run(command, cwd=copy, check=True, capture_output=True, text=True)
 
 
-def outcome(copy: Path, tests: Sequence[str], limit: float) -> str:
+def outcome(copy: Path, tests: Sequence[str], limit: float, **environment: str) -> str:
     """What tests say of the copy as it is."""
     with tempfile.TemporaryDirectory() as cache:  # what was derived with another bug is not used
-        command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", *tests]
+        command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider"]
+        command += ["--hypothesis-seed=0", *tests]
         added = {"PYTHONPATH": str(copy), "NONSMOOTH_CACHE": cache, "OPENBLAS_NUM_THREADS": "1"}
         run = subprocess.Popen(
-            command, cwd=copy, env={**os.environ, **added}, start_new_session=True,
+            command, cwd=copy, env={**os.environ, **added, **environment}, start_new_session=True,
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
         )  # fmt: skip
         try:
@@ -148,77 +280,6 @@ def outcome(copy: Path, tests: Sequence[str], limit: float) -> str:
                 run.wait()
     # a crash is noticed, and an error at import; tests that are not there notice nothing
     return {0: SURVIVED, 4: BROKEN, 5: BROKEN}.get(code, NOTICED)
-
-
-def planted(text: str, mutation: Mutation) -> str:
-    """The text of a file with a bug in it.
-
-    Raises
-    ------
-    LookupError
-        If the place is not there, or there more than once, or the bug changes nothing.
-    """
-    change = _planted_in_c if mutation.file.endswith(".c") else _planted_in_python
-    return change(text, mutation)
-
-
-def _planted_in_python(text: str, mutation: Mutation) -> str:
-    tree = ast.parse(text)
-    function: ast.AST = tree
-    for name in filter(None, mutation.function.split(".")):
-        function = _only(
-            [n for n in ast.iter_child_nodes(function) if getattr(n, "name", "") == name],
-            f"{name} in {mutation}",
-        )
-    wanted, kind = _fragment(mutation.before)
-    place = _only(
-        [n for n in ast.walk(function) if isinstance(n, kind) and _alike(n, wanted)], str(mutation)
-    )
-    assert place.end_lineno is not None
-    assert place.end_col_offset is not None
-    sizes = [len(line) for line in text.encode().splitlines(keepends=True)]
-    begin = sum(sizes[: place.lineno - 1]) + place.col_offset
-    end = sum(sizes[: place.end_lineno - 1]) + place.end_col_offset
-    after = f"({mutation.after})" if kind is ast.expr else mutation.after
-    source = text.encode()
-    changed = (source[:begin] + after.encode() + source[end:]).decode()
-    if ast.dump(ast.parse(changed)) == ast.dump(tree):
-        raise LookupError(f"it changes nothing: {mutation}")
-    return changed
-
-
-def _fragment(text: str) -> tuple[ast.AST, type[ast.expr | ast.stmt]]:
-    """An expression, or else a statement."""
-    statement = ast.parse(text).body[0]
-    if isinstance(statement, ast.Expr):
-        return statement.value, ast.expr
-    return statement, ast.stmt
-
-
-def _alike(one: ast.AST, other: ast.AST) -> bool:
-    return type(one) is type(other) and ast.dump(one) == ast.dump(other)
-
-
-def _planted_in_c(text: str, mutation: Mutation) -> str:
-    begin, end = _only([*_bodies(text, mutation.function)], f"{mutation.function} of {mutation}")
-    pattern = r"\s+".join(map(re.escape, mutation.before.split()))
-    place = _only([*re.finditer(pattern, text[begin:end])], str(mutation))
-    changed = text[: begin + place.start()] + mutation.after + text[begin + place.end() :]
-    if changed.split() == text.split():
-        raise LookupError(f"it changes nothing: {mutation}")
-    return changed
-
-
-def _bodies(text: str, function: str) -> Iterator[tuple[int, int]]:
-    """Where a function of that name is defined: its body ends with the first brace in a line."""
-    for head in re.finditer(rf"^\w[\w \t*()]*\n?\b{function}\([^;{{]*\)\s*\{{", text, re.MULTILINE):
-        yield head.end(), text.index("\n}", head.end())
-
-
-def _only(found: Sequence[_T], what: str) -> _T:
-    if len(found) != 1:
-        raise LookupError(f"found {len(found)} times: {what}")
-    return found[0]
 
 
 if __name__ == "__main__":

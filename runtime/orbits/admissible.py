@@ -162,6 +162,7 @@ def assess_admissibility(orbit: Orbit) -> Admissibility:
         if opened in least:
             floor = -boundary.open_coefficient * least[opened]
             found = function.maximum(duration, floor)
+            # the maximum is at least its floor: only a rounding makes it the smaller one
             least[opened] = max(least[opened], found.value / -boundary.open_coefficient)
             continue
         if opened is not None:

@@ -72,6 +72,7 @@ def _assessed(orbit: Orbit) -> Stability:
     found = nonzero + [Multiplier(zero, zero)] * (dimension - len(nonzero))
     # a rounding leaves the pair on the unit circle in front of the trivial 1
     found.sort(key=lambda m: -round(float(_modulus(m, orbit)), 12))
+    # beside a trivial one there are others as large, or larger: a rounding may make it the first
     largest = max((_modulus(m, orbit) for m in found if not m.trivial), default=zero)
     margin = 1 - largest
     # what is carried beyond the digits asked for decides too

@@ -26,11 +26,12 @@ from nonsmooth import Certificate, InputError
 from nonsmooth.derive.systems import declaration
 from nonsmooth.runtime.checker import Failure, check
 from nonsmooth.runtime.checker.declared import StatedSystem
-from nonsmooth.runtime.checker.exact import exact
+from nonsmooth.runtime.checker.exact import exact, number_of
 from nonsmooth.runtime.checker.motion import _below, _first, _Shape
 from nonsmooth.runtime.checker.orbit import CheckedOrbit
 from nonsmooth.runtime.checker.parameters import number_at, values_of
 from nonsmooth.runtime.checker.stability import _inside, _neutral, characteristic
+from nonsmooth.runtime.core.rational_functions import symbols
 from nonsmooth.runtime.core.result_files import checksum_of
 from tests.certified import forced, loop, unhashed
 
@@ -657,3 +658,14 @@ def test_the_first_transition_whose_conditions_hold_is_the_one(
     assert _first(orbit, ways, None) == verdict
     if first == (arb(-1), True):  # none holds
         assert _first(orbit, ways[:1], None) == 1
+
+
+@pytest.mark.parametrize("part", ["above", "below"])
+@pytest.mark.parametrize("exponents", [[0, 10_001], [-1, 0], [0, -1], [10_001, 1]])
+def test_no_power_of_any_parameter_is_too_high(part: str, exponents: list[int]) -> None:
+    entry = {"above": [["1", [1, 2]]], "below": [["2", [0, 1]]]}
+    x, y = symbols(["x", "y"])
+    assert number_of(entry, (x, y)) == x * y / 2
+    entry[part] = [["1", exponents]]
+    with pytest.raises(Failure, match="a power too high"):
+        number_of(entry, (x, y))

@@ -21,6 +21,7 @@ from nonsmooth import InputError, Orbit
 from nonsmooth.derive import Harmonic, Parameter, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_tiles
 from nonsmooth.runtime.checker.edges import neighbours
+from nonsmooth.runtime.checker.folded import BEYOND, _is_beyond
 from nonsmooth.runtime.checker.parameters import independent
 from nonsmooth.runtime.checker.tiles import MapTile
 from nonsmooth.runtime.cli.program import app
@@ -506,3 +507,37 @@ def test_neighbours_are_the_tiles_with_an_edge_in_common(seed: int) -> None:
             if (shared := sorted(map(overlap, places[k], place)))[0] == 0 < shared[1]
         ]
         assert sorted(found) == wanted
+
+
+@pytest.mark.parametrize("steep", [True, False])
+def test_an_edge_is_beyond_a_fold_only_where_all_its_points_are(steep: bool) -> None:
+    """And always there, if the curve only rises or falls."""
+    chance = random.Random(5)
+    answers = []
+    for _ in range(500):
+        centre = [chance.randint(-4, 4) / 8, 0.0, *(chance.randint(-4, 4) / 8 for _ in "ab")]
+        bends = 2 * abs(centre[2]) + 3 * abs(centre[3])
+        centre[1] = chance.choice((-1, 1)) * (bends + 1 / 8 if steep else bends / 2)
+        sign = chance.choice((-1, 1))
+        event = {
+            "kind": "fold", "across": "x", "centre": centre, "radius": 1 / 16,
+            "above": BEYOND if sign > 0 else "stable",
+        }  # fmt: skip
+        low, high = sorted(fmpq(k, 8) for k in chance.choices(range(-8, 9), k=2))
+        along = [low + (high - low) * fmpq(k, 16) for k in range(17)]
+        curve = [
+            sum(fmpq(*c.as_integer_ratio()) * t**k for k, c in enumerate(centre)) for t in along
+        ]
+        first = chance.choice((curve[0], curve[-1])) + sign * fmpq(
+            chance.randint(2, chance.choice((12, 96))), 64
+        )
+        units = {"x": (first, first + sign * chance.randint(0, 2) * fmpq(1, 8)), "y": (low, high)}
+        middles = {"x": fmpq(5), "y": fmpq(-1, 3)}  # of the tile, whose halves are 2
+        names = chance.choice((["x", "y"], ["y", "x"]))
+        edge = [tuple(middles[name] + 2 * unit for unit in units[name]) for name in names]
+        place = [(middles[name] - 2, middles[name] + 2) for name in names]
+        true = all((x - c) * sign > fmpq(1, 16) for x in units["x"] for c in curve)
+        answer = _is_beyond({"event": event}, names, place, edge)
+        assert answer == true if steep else answer <= true, event
+        answers.append(answer)
+    assert 20 < sum(answers) < 480

@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure
-from nonsmooth.runtime.checker.census import _check_side
+from nonsmooth.runtime.checker.census import _apart, _check_side
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.json_codec import decode
 from nonsmooth.runtime.core.result_files import checksum_of
@@ -176,3 +176,36 @@ def test_a_side_that_is_open_is_not_reached(side: str, inside: bool) -> None:
         return
     with pytest.raises(Failure):
         _check_side(side, told)
+
+
+def _orbit(itinerary: str, **balls: tuple[str, str]) -> dict[str, Any]:
+    """What a certificate of an orbit tells of these balls: two dwell times, x at the start."""
+    whole = {"one": ("1", "0"), "two": ("2", "0"), "x": ("0", "0"), "period": ("3", "0")} | balls
+    return {
+        "declaration": {"phases": [{"dwell_time": n} for n in ("one", "two")], "start": ["x"]},
+        "itinerary": [*itinerary],
+        "enclosures": {name: {"mid": mid, "rad": rad} for name, (mid, rad) in whole.items()},
+    }
+
+
+TURNED = {"one": ("2", "0"), "two": ("1", "0")}
+ALIKE = {"one": ("1.5", "1"), "two": ("1.5", "1")}
+
+
+@pytest.mark.parametrize(
+    ("itinerary", "first", "second", "apart"),
+    [
+        ("ab", {}, {}, False),
+        ("ab", {}, TURNED, True),
+        ("aa", {}, TURNED, False),  # the same motion, begun one phase later
+        ("ab", {}, {"x": ("1", "0")}, True),
+        ("aa", ALIKE, ALIKE | {"x": ("1", "0")}, False),  # where the other begins is not known
+        ("aa", ALIKE, ALIKE | {"period": ("3.25", "0.25")}, False),
+        ("aa", ALIKE, ALIKE | {"period": ("3.5", "0.25")}, True),
+    ],
+)
+def test_orbits_are_apart_wherever_they_begin(
+    itinerary: str, first: dict[str, Any], second: dict[str, Any], apart: bool
+) -> None:
+    one, other = _orbit(itinerary, **first), _orbit(itinerary, **second)
+    assert _apart(one, other) == _apart(other, one) == apart

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
-from nonsmooth.runtime.core.exponential_differences import exponential_difference
+from nonsmooth.runtime.core.exponential_differences import exponential_difference, roots_of
 from nonsmooth.runtime.core.expressions import Function, written
 from nonsmooth.runtime.core.json_codec import decode, encode
 from nonsmooth.runtime.core.taylor_models import TaylorModel, space_of
@@ -78,6 +78,17 @@ def test_the_slow_root_keeps_its_digits(damping: float) -> None:
     for t in (1e-6, 1.0, damping):
         found = float(exponential_difference(0, t, *factors))
         assert found == pytest.approx(float(exact(0, t, factors)), rel=1e-13)
+
+
+@pytest.mark.parametrize("count", [2, 3, 4])
+def test_undamped_roots_have_no_damping(count: int) -> None:
+    frequencies = np.geomspace(1.0, 7.0, count)
+    squares = np.polynomial.polynomial.polyfromroots(-(frequencies**2))[:-1]
+    factor = [np.array([c]) for pair in zip(squares, 0 * squares, strict=True) for c in pair]
+    roots = np.sort_complex(np.concatenate(roots_of(factor)))
+    assert roots.real.tolist() == [0.0] * (2 * count)
+    np.testing.assert_allclose(np.sort(roots.imag)[count:], frequencies, rtol=1e-12)
+    assert sorted(roots.imag) == sorted(-roots.imag)
 
 
 def test_arrays_broadcast() -> None:

@@ -28,7 +28,7 @@ ALLOWED = {
     ("scripts/benchmark_size.py", "_grown"): "what resets the peak of a process's memory",
     ("scripts/hostile.py", "*"): "a temporary folder",
     ("scripts/hostile_files.py", "*"): "a temporary folder",
-    ("scripts/mutate.py", "*"): "a temporary folder",
+    ("scripts/mutate.py", "*"): "a temporary folder, and what --map is to keep",
     ("scripts/pictures.py", "stablest"): "a picture of the documentation, which is made again",
     ("scripts/pictures.py", "thumbnails"): "pictures of the documentation, which are made again",
 }

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import compiled_engine
 from nonsmooth.runtime.orbits.table_admissible import assess_cycle
@@ -69,3 +70,8 @@ def test_orbits_are_judged_by_factors_as_by_matrices() -> None:
     assert digits[0] >= 10
     assert abs(digits[0] - fewer[0]) <= 1
     np.testing.assert_allclose(again.coefficients, waves.coefficients, rtol=0, atol=1e-12)
+
+
+def test_a_structure_alone_has_no_numbers() -> None:
+    with pytest.raises(InputError, match="a structure alone has no numbers"):
+        numbers_in(chain(2, factored=False).structure)

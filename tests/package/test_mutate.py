@@ -1,0 +1,256 @@
+"""Bugs of scripts/mutate.py are found by syntax, everywhere, and each changes its place alone."""
+
+from __future__ import annotations
+
+import ast
+import random
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.places import CHECKOUT
+
+sys.path.append(str(CHECKOUT / "scripts"))
+
+import mutate
+from mutating import Place, functions, places, planted, probed
+from mutating_c import TOKEN
+
+PYTHON = '''"""Numbers: 1 + 1."""
+from typing import TYPE_CHECKING
+
+__all__ = ["one" * 1]
+LEAST = 1e-3
+Number = int | float
+if TYPE_CHECKING:
+    KNOWN = 1 < 2
+
+
+class Lévy:
+    """Not 3 < 4."""
+
+    limit: int = 7
+
+    def walk(self, x: "1 + 1", y=2, *, sure: bool = True) -> float:
+        """Say 1 + 1."""
+        if x <= y and (sure or not self.limit) and 0 < x < y:
+            raise ValueError(f"{x + 1}" + "a" * 2)
+        logger.info(1 + 1)
+        check(x)
+        x -= y
+        return np.minimum(x * y, "é" and -x / 2.5)
+
+
+def two(z):
+    assert z == 1
+    return z + 1, [w.T for w in z if w.good] if z else None
+'''
+BUGS = {
+    "LEAST::number": ["LEAST = (1e-3 * 1000)"],
+    "Lévy.limit::number": ["limit: int = (7 + 1)"],
+    "Lévy.walk::answer": ['return (-np.minimum(x * y, "é" and -x / 2.5))'],
+    "Lévy.walk::boundary": ["if (x < y) and", "and (0 <= x < y):", "and (0 < x <= y):"],
+    "Lévy.walk::call": ["        pass\n        x"],
+    "Lévy.walk::comparison": ["if (x >= y) and", "and (0 > x < y):", "and (0 < x > y):"],
+    "Lévy.walk::condition": [
+        "if ((sure or not self.limit) and (0 < x < y)):",
+        "if ((x <= y) and (0 < x < y)):",
+        "if ((x <= y) and (sure or not self.limit)):",
+        "and ((not self.limit)) and",
+        "and (sure) and",
+        "(x * y, (-x / 2.5))",
+        '(x * y, "é")',
+    ],
+    "Lévy.walk::extreme": ["np.maximum(x * y"],
+    "Lévy.walk::factor": ["minimum(x,", "((-x) * 2.5)"],
+    "Lévy.walk::guard": ["if False:"],
+    "Lévy.walk::negation": ["(sure or self.limit)"],
+    "Lévy.walk::number": ["y=(2 + 1),", "(0 + 1) < x", "-x / (2.5 * 1000)"],
+    "Lévy.walk::sign": ["and x / 2.5"],
+    "Lévy.walk::term": ["x += y\n"],
+    "Lévy.walk::truth": ["= False) ->"],
+    "two::answer": ["return z + 1, None\n"],
+    "two::choice": ["if (not w.good)]", "if (not z) else"],
+    "two::number": ["z + (1 + 1),"],
+    "two::term": ["return (z - 1),"],
+    "two::transpose": ["[w for w"],
+}
+C = """/* 1 + 1 */
+#include "a.h" /* 1 \\
+   + 1 */
+static const double LEAST = 1e-3;
+enum { MOST = 32 };
+static int one(double *x, int n)
+{
+    const char *text = "1 + 1"; // 1 + 1
+    double sum = -x[0] * 2.5;
+    for (int i = 0; i < n; ++i)
+        sum += fmax(x[i], *x);
+    if (!n || sum < 'a')
+        return n;
+    clear(x);
+    return n - 1;
+}
+"""
+BUGS_IN_C = {
+    "LEAST::number": ["LEAST = (1e-3 * 1000.0);"],
+    "MOST::number": ["MOST = (32 + 1) }"],
+    "one::boundary": ["sum <= 'a'"],
+    "one::call": ["return n;\n    ;\n"],
+    "one::comparison": ["i > n", "sum > 'a'"],
+    "one::condition": ["!n && sum"],
+    "one::extreme": ["fmin(x[i]"],
+    "one::factor": ["x[0] / 2.5"],
+    "one::guard": ["if (0)\n"],
+    "one::negation": ["if (n ||"],
+    "one::number": ["x[(0 + 1)]", "(2.5 * 1000.0)", "i = (0 + 1)", "n - (1 + 1)"],
+    "one::sign": ["= x[0]"],
+    "one::term": ["sum -= fmax", "n + 1"],
+}
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "bugs"), [("a.py", PYTHON, BUGS), ("a.c", C, BUGS_IN_C)], ids=["Python", "C"]
+)
+def test_each_operator_has_its_places(file: str, text: str, bugs: dict[str, list[str]]) -> None:
+    wanted = {
+        f"{file}::{kind}[{count}]": piece
+        for kind, pieces in bugs.items()
+        for count, piece in enumerate(pieces, 1)
+    }
+    changed = {bug.address: planted(text, bug) for bug in places(file, text)}
+    assert changed.keys() == wanted.keys()
+    assert {a: piece for a, piece in wanted.items() if piece not in changed[a]} == {}
+    assert [piece for piece in wanted.values() if piece in text] == []
+
+
+@pytest.mark.parametrize(("file", "text"), [("a.py", PYTHON), ("a.c", C)], ids=["Python", "C"])
+def test_an_address_stays_when_another_function_changes(file: str, text: str) -> None:
+    name = {"a.py": "Lévy.walk", "a.c": "one"}[file]
+    more = {
+        "a.py": "def zero(x):\n    return x < 1 + 1\n",
+        "a.c": "int zero(int x) { return -1; }\n",
+    }
+    head, point, tail = text.partition("LEAST")
+    before, after = places(file, text), places(file, f"{more[file]}{head}{point}{tail}")
+    assert [bug.address for bug in after if "::zero::" in bug.address]
+    assert {b.address: b.change.after for b in after if b.change.function == name} == {
+        b.address: b.change.after for b in before if b.change.function == name
+    }
+
+
+def sampled(suffix: str, files: int, count: int) -> list[tuple[str, Place]]:
+    """Bugs of some sources of the repository, each with the text of its file."""
+    chance = random.Random(1)
+    chosen = []
+    for path in chance.sample(mutate.sources(CHECKOUT, suffix), files):
+        text = path.read_text(encoding="utf-8")
+        bugs = places(path.name, text)
+        chosen += [(text, bug) for bug in chance.sample(bugs, min(len(bugs), count))]
+    return chosen
+
+
+def test_a_bug_of_the_repository_parses_and_changes_its_place_alone() -> None:
+    chosen = sampled(".py", 40, 4)
+    assert len(chosen) > 120
+    for text, bug in chosen:
+        changed = planted(text, bug)
+        begin, end = bug.change.begin, len(text) - bug.change.end
+        assert changed[:begin] == text[:begin]
+        assert changed[len(changed) - end :] == text[len(text) - end :]
+        before, after = (ast.parse(each).body for each in (text, changed))
+        around = [
+            k
+            for k, each in enumerate(before)
+            if each.end_lineno and each.end_lineno >= bug.line >= first_line(each)
+        ]
+        assert len(before) == len(after)
+        assert [k for k in around if ast.dump(before[k]) != ast.dump(after[k])] == around[:1], bug
+
+
+def first_line(statement: ast.stmt) -> int:
+    return min([statement.lineno, *(d.lineno for d in getattr(statement, "decorator_list", ()))])
+
+
+def test_a_bug_of_the_engine_changes_one_token_or_leaves_one_statement_out() -> None:
+    for text, bug in sampled(".c", 10, 10):
+        before, after = (
+            [t.group() for t in TOKEN.finditer(each) if t.lastgroup != "blank"]
+            for each in (text, planted(text, bug))
+        )
+        assert before != after
+        assert sum(map(after.count, "{}")) == sum(map(before.count, "{}"))
+        if bug.change.operator not in ("number", "guard", "call", "sign", "negation"):
+            assert sum(one != other for one, other in zip(before, after, strict=True)) == 1
+
+
+def test_addresses_lead_back_to_their_places(capsys: pytest.CaptureFixture[str]) -> None:
+    room = "runtime/core/workload.py"
+    assert mutate.main([room, "--list", "--only", "factor", "--only", "term", "--sample", "3"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    addresses = [line.split()[0] for line in lines]
+    assert len(addresses) == 3
+    assert all(re.match(rf"{room}::.*(factor|term)\[\d+\]$", each) for each in addresses)
+    assert sorted(bug.address for bug in mutate.chosen(addresses)) == sorted(addresses)
+    file, function, _ = addresses[0].split("::")
+    assert {bug.change.function for bug in mutate.chosen([f"{file}::{function}"])} == {function}
+    assert mutate.chosen(["runtime/core/nothing.py"]) == []
+
+
+def test_a_difference_can_be_applied(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(mutate, "CHECKOUT", tmp_path)
+    file = tmp_path / "runtime" / "a.py"
+    file.parent.mkdir()
+    file.write_text(PYTHON, encoding="utf-8")
+
+    def git(*arguments: str, told: str = "") -> None:
+        subprocess.run(["git", *arguments], cwd=tmp_path, input=told, text=True, check=True)
+
+    git("init", "-q")
+    git("add", ".")
+    git("-c", "user.name=a", "-c", "user.email=a", "commit", "-qm", "as it was")
+    assert mutate.chosen(revision="HEAD") == []
+    assert mutate.main(["runtime/a.py::two::term[1]", "--diff"]) == 0
+    git("apply", told=capsys.readouterr().out)
+    assert file.read_text(encoding="utf-8") == PYTHON.replace("z + 1,", "(z - 1),")
+    assert {bug.change.function for bug in mutate.chosen(revision="HEAD")} == {"two"}
+
+
+def test_a_probe_says_which_functions_run() -> None:
+    text = '''
+class One:
+    """A class."""
+
+    def short(self): return 1
+
+    def long(self):
+        """A function."""
+        @str
+        def inner(): pass
+        for x in ():
+            pass
+
+
+def two(): """Nothing else."""
+'''
+    reached: list[str] = []
+    room: dict[str, object] = {"reach": reached.append}
+    exec(probed(text, "reach('{}')"), room)
+    assert reached == [""]
+    exec("One().short(); One().long(); two()", room)
+    assert reached == ["", "One.short", "One.long"]
+    assert functions(text) == {"One.short", "One.long", "One.long.inner"}
+
+
+@pytest.mark.slow
+def test_most_bugs_of_a_module_are_noticed(capsys: pytest.CaptureFixture[str]) -> None:
+    mutate.main(["runtime/core/vectorised.py", "--sample", "9", "--seed", "1",
+                 "--tests", "tests/core/test_vectorised.py"])  # fmt: skip
+    told = re.search(r"^(\d+) of 9 bugs are noticed$", capsys.readouterr().out, re.MULTILINE)
+    assert told is not None
+    assert int(told[1]) >= 6
