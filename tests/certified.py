@@ -26,7 +26,7 @@ from nonsmooth.derive import (
 )
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 
-__all__ = ["FORCED", "forced", "kicked", "loop", "prove_basin", "prove_chaos", "rooted", "struck",
+__all__ = ["FORCED", "forced", "kicked", "loop", "prove_basin", "rooted", "struck",
            "struck_together", "unhashed"]  # fmt: skip
 
 x, v = sp.symbols("x v", real=True)
@@ -151,13 +151,6 @@ def struck_together(law: str | None = None, coupling: str = "0") -> Orbit:
     motion = ns.simulate(kernels, given, [0, 0, 0.1, 0.1, 1, 0], transitions=200)
     found = ns.itinerary_of(motion)
     return ns.solve(kernels, given, itinerary=found)
-
-
-def prove_chaos() -> ns.ChaosCertificate:
-    """A horseshoe of the oscillator with dry friction."""
-    data = {"us1": "0.75", "us2": "1.19", "ur1": "2.04", "ur2": "1.83"}
-    data |= {"chi": "0.34", "eta": "2.88", "V": "1.23"}
-    return ns.certify_chaos("dry-friction", data, [1.93, 7.18, 1.18, 1.18])
 
 
 def prove_basin() -> ns.BasinCertificate:

@@ -38,7 +38,8 @@ from nonsmooth.runtime.core.json_codec import (
 )
 from nonsmooth.runtime.core.result_files import FileFormat, checksum_of, format_in
 from nonsmooth.runtime.core.values import Value, parse
-from tests.certified import LOOP, kicked, loop, prove_basin, prove_chaos
+from tests.certified import LOOP, kicked, loop, prove_basin
+from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
 STICK = "dry-friction/global-stick"
@@ -254,14 +255,10 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth certified branch": certified,
     "nonsmooth certified cascade": doubled,
     "nonsmooth basin certificate": prove_basin,
-    "nonsmooth chaos certificate": prove_chaos,
+    "nonsmooth chaos certificate": folded_horseshoe,
     "nonsmooth graph certificate": graph,
     "nonsmooth census": census,
 }
-# chaos is looked for along many motions, which take minutes in Python
-EACH: list[Any] = [
-    pytest.param(kind, marks=pytest.mark.compiled) if "chaos" in kind else kind for kind in KINDS
-]
 # what the file of a proof holds for the checker, and an answer that is shown
 FREE = ("parameters", "reasons", "enclosures", "unique", "bounds")  # of names that vary
 OPEN = r".*(declaration|closing|margins|admissible)\b.*"
@@ -317,7 +314,9 @@ def changes(content: Any, path: tuple[Any, ...]) -> Iterator[Any]:
         yield changed(lambda parent: parent.__delitem__(last))
 
 
-@pytest.mark.parametrize("kind", [k for k in EACH if k != "nonsmooth found orbits"])  # solved again
+@pytest.mark.parametrize(
+    "kind", [k for k in KINDS if k != "nonsmooth found orbits"]
+)  # solved again
 def test_a_file_gives_the_same_bytes_again(kind: str, tmp_path: Path) -> None:
     one, other = tmp_path / "one.json", tmp_path / "other.json"
     one.write_text(text_of(kind))
@@ -327,7 +326,7 @@ def test_a_file_gives_the_same_bytes_again(kind: str, tmp_path: Path) -> None:
     assert one.read_bytes() == other.read_bytes()
 
 
-@pytest.mark.parametrize("kind", EACH)
+@pytest.mark.parametrize("kind", KINDS)
 def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Path) -> None:
     path, content = tmp_path / "file.json", json.loads(text_of(kind))
     rng = random.Random(kind)
@@ -354,7 +353,7 @@ def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Pat
         assert "\n" not in told
 
 
-@pytest.mark.parametrize("kind", EACH)
+@pytest.mark.parametrize("kind", KINDS)
 def test_no_cut_or_changed_byte_is_read(kind: str, tmp_path: Path) -> None:
     path, text = tmp_path / "file.json", text_of(kind)
     rng = random.Random(13)

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from tests.certified import kicked, prove_basin, prove_chaos
+from tests.certified import kicked, prove_basin
+from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
 DATA = dict(chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1)
@@ -88,7 +89,7 @@ def result(kind: str) -> Any:
         case "BasinCertificate":
             return ns.load(shared_file("nonsmooth basin certificate", prove_basin))
         case "ChaosCertificate":
-            return ns.load(shared_file("nonsmooth chaos certificate", prove_chaos))
+            return ns.load(shared_file("nonsmooth chaos certificate", folded_horseshoe))
         case "GraphCertificate":
             return ns.certify_graph("dry-friction", {**DATA, "chi": "0.5"}, REST, boxes=16)
         case "Census":
