@@ -140,9 +140,14 @@ def engine_needed(example: str) -> bool:
     return example.startswith(slow) or "found.json" in example
 
 
+# examples of these take many seconds in C too
+LONG = "nonsmooth chaos", "nonsmooth basin dry-friction", "--doublings", "--worst-over"
+LONG = *LONG, "--responses"
+
+
 def marks_of(example: str) -> list[pytest.MarkDecorator]:
-    """What of an example takes minutes in Python, and what takes them in C too."""
-    long = [pytest.mark.slow] if example.startswith("nonsmooth chaos") else []
+    """What of an example takes minutes in Python, and what takes long in C too."""
+    long = [pytest.mark.slow] if any(words in example for words in LONG) else []
     return [*long, pytest.mark.compiled] if engine_needed(example) else long
 
 

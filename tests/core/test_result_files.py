@@ -38,7 +38,7 @@ from nonsmooth.runtime.core.json_codec import (
 )
 from nonsmooth.runtime.core.result_files import FileFormat, checksum_of, format_in
 from nonsmooth.runtime.core.values import Value, parse
-from tests.certified import LOOP, kicked, loop, prove_basin
+from tests.certified import LOOP, kicked, loop, prove_basin, prove_graph
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
@@ -229,13 +229,6 @@ def doubled() -> Any:
     return ns.certify_cascade(branch, tiles=1)
 
 
-def graph() -> Any:
-    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-    return ns.certify_graph(
-        "dry-friction", data, [5, 4, 0.5, 0.25], region={"x2": (2, 13)}, boxes=16, levels=1
-    )
-
-
 def proven_map() -> Any:
     return ns.certify_box(loop(), {"r": ("2/5", "3/5")})
 
@@ -256,7 +249,7 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth certified cascade": doubled,
     "nonsmooth basin certificate": prove_basin,
     "nonsmooth chaos certificate": folded_horseshoe,
-    "nonsmooth graph certificate": graph,
+    "nonsmooth graph certificate": prove_graph,
     "nonsmooth census": census,
 }
 # what the file of a proof holds for the checker, and an answer that is shown

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from tests.certified import kicked, prove_basin
+from tests.certified import kicked, prove_basin, prove_graph
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
@@ -91,7 +91,7 @@ def result(kind: str) -> Any:
         case "ChaosCertificate":
             return ns.load(shared_file("nonsmooth chaos certificate", folded_horseshoe))
         case "GraphCertificate":
-            return ns.certify_graph("dry-friction", {**DATA, "chi": "0.5"}, REST, boxes=16)
+            return ns.load(shared_file("nonsmooth graph certificate", prove_graph))
         case "Census":
             return ns.certify_all(ORBIT, {"us1": 1, "us2": 1}, {"tau": (1.9, 2.1), "tau1": (3, 4)})
         case "EventCertificate":
