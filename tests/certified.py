@@ -26,8 +26,8 @@ from nonsmooth.derive import (
 )
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 
-__all__ = ["FORCED", "forced", "kicked", "loop", "prove_basin", "prove_graph", "rooted", "struck",
-           "struck_together", "unhashed"]  # fmt: skip
+__all__ = ["FORCED", "forced", "kicked", "loop", "prove_basin", "prove_branch", "prove_cascade",
+           "prove_graph", "rooted", "struck", "struck_together", "unhashed"]  # fmt: skip
 
 x, v = sp.symbols("x v", real=True)
 PARAMETERS = (
@@ -157,6 +157,17 @@ def prove_basin() -> ns.BasinCertificate:
     """Of a box of starts of the kicked mass, from which motions rise at once, or fall first."""
     box = {"x": (0, 2), "v": (-2, 2)}
     return ns.certify_basin(loop(a="9/4"), box=box, side=0.5)
+
+
+def prove_branch() -> ns.CertifiedBranch:
+    """Of an orbit with dry friction, from a grazing beyond a flip."""
+    return ns.certify_branch(ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)))
+
+
+def prove_cascade() -> ns.CertifiedCascade:
+    """What branches off at that flip, in one tile."""
+    orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
+    return ns.certify_cascade(ns.continue_orbit(orbit, "V", (1.07, 1.09)), tiles=1)
 
 
 def prove_graph() -> ns.GraphCertificate:

@@ -26,7 +26,7 @@ import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.cli.display_checks import show_check
 from nonsmooth.runtime.core.result_files import checksum_of
-from tests.certified import LOOP, forced, kicked, loop, rooted, struck_together
+from tests.certified import LOOP, forced, kicked, loop, prove_branch, rooted, struck_together
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
@@ -88,9 +88,7 @@ FILES: dict[str, Callable[[], Any]] = {
         ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)),
         ns.continue_orbit(loop(k="sqrt(2)"), "a", (1.2, 3.5)),
     ),
-    "branch": lambda: ns.certify_branch(
-        ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
-    ),
+    "branch": lambda: ns.load(shared_file("branch of friction", prove_branch)),
     "branch-vanishing": lambda: ns.certify_branch(
         ns.continue_orbit(ns.solve(STICK, {"V": "1.18"}), "V", (1.1, 1.3)), interval=("1.1", "1.3")
     ),

@@ -38,7 +38,7 @@ from nonsmooth.runtime.core.json_codec import (
 )
 from nonsmooth.runtime.core.result_files import FileFormat, checksum_of, format_in
 from nonsmooth.runtime.core.values import Value, parse
-from tests.certified import LOOP, kicked, loop, prove_basin, prove_graph
+from tests.certified import LOOP, kicked, loop, prove_basin, prove_cascade, prove_graph
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
@@ -180,13 +180,14 @@ def branch() -> Any:
     return ns.continue_orbit(ns.solve(STICK), "V", (0.95, 1.05), step=0.1)
 
 
+@cache
 def looped() -> Any:
     return ns.continue_orbit(loop(), "a", (1.5, 3.5))
 
 
 def locus() -> Any:
     of = looped()
-    return ns.continue_event(of, of.events[-1], "r", (0.45, 0.55))
+    return ns.continue_event(of, of.events[-1], "r", (0.45, 0.55), step=0.1)
 
 
 def designed() -> Any:
@@ -223,12 +224,6 @@ def certified() -> Any:
     return ns.certify_branch(looped())
 
 
-def doubled() -> Any:
-    orbit = ns.solve("dry-friction/symmetric", {"V": "1.05"})
-    branch = ns.continue_orbit(orbit, "V", (1.0, 1.1))
-    return ns.certify_cascade(branch, tiles=1)
-
-
 def proven_map() -> Any:
     return ns.certify_box(loop(), {"r": ("2/5", "3/5")})
 
@@ -246,7 +241,7 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth box certificate": proven_map,
     "nonsmooth event certificate": event,
     "nonsmooth certified branch": certified,
-    "nonsmooth certified cascade": doubled,
+    "nonsmooth certified cascade": prove_cascade,
     "nonsmooth basin certificate": prove_basin,
     "nonsmooth chaos certificate": folded_horseshoe,
     "nonsmooth graph certificate": prove_graph,

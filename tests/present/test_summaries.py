@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from tests.certified import kicked, prove_basin, prove_graph
+from tests.certified import kicked, prove_basin, prove_branch, prove_cascade, prove_graph
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
@@ -83,9 +83,9 @@ def result(kind: str) -> Any:
         case "BoxCertificate":
             return ns.certify_box(result("Orbit"), {"V": ("0.999", "1.001")})
         case "CertifiedBranch":
-            return ns.certify_branch(branch())
+            return ns.load(shared_file("branch of friction", prove_branch))
         case "CertifiedCascade":
-            return ns.certify_cascade(branch(), tiles=2)
+            return ns.load(shared_file("nonsmooth certified cascade", prove_cascade))
         case "BasinCertificate":
             return ns.load(shared_file("nonsmooth basin certificate", prove_basin))
         case "ChaosCertificate":
