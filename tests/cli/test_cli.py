@@ -436,14 +436,22 @@ def saved(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("kind", ["time", "velocity", "phase", "strip", "multipliers", "all"])
-@pytest.mark.parametrize(("ending", "start"), [("png", b"\x89PNG"), ("SVG", b"<?xml")])
-def test_plot(kind: str, ending: str, start: bytes, saved: Path) -> None:
+STARTS = {"png": b"\x89PNG", "SVG": b"<?xml"}
+
+
+@pytest.mark.parametrize(
+    ("kind", "ending"),
+    [
+        *(("time", "png"), ("velocity", "SVG"), ("phase", "png"), ("strip", "SVG")),
+        *(("multipliers", "png"), ("all", "SVG")),
+    ],
+)
+def test_plot(kind: str, ending: str, saved: Path) -> None:
     target = saved.with_suffix(f".{ending}")
     options = ("plot", str(saved), "--kind", kind, "--out", str(target))
     assert run(*options) == (0, f"{target} written\n", "")
     written = target.read_bytes()
-    assert written.startswith(start)
+    assert written.startswith(STARTS[ending])
     assert told(*options) == {"orbit": ORBIT, "kind": kind, "file": str(target)}
     assert target.read_bytes() == written
 
