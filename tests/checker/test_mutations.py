@@ -134,9 +134,9 @@ TRUE = (
     r".*multipliers/\d+/(re|im)/rad",
 )
 
-# of one kind of file: chaos lasts in a neighbourhood of the parameters, and of the sets; who
-# covers whom is told in the order of the file
-LASTING = {"chaos": (r"h_sets.*", r"parameters/.*", "coverings")}
+# of one kind of file: chaos lasts in a neighbourhood of the parameters, and of the sets
+LASTING = {"chaos": (r"h_sets.*", r"parameters/.*")}
+REORDERED = "exchange coverings"  # who covers whom is told in the order of the file
 
 
 class Mutation(NamedTuple):
@@ -293,7 +293,7 @@ def test_no_change_of_a_file_is_shown_as_proved(name: str, tmp_path: Path) -> No
     tried = 0
     for mutation in sampled(content, drawn, SAMPLE):
         changed = mutated(content, mutation, drawn)
-        if changed is None:
+        if changed is None or str(mutation) == REORDERED:
             continue
         tried += 1
         told = said(changed, path)
