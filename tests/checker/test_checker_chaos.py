@@ -358,6 +358,14 @@ def test_a_false_file_takes_no_more_than_several_times_the_work_of_the_true_one(
     assert calls < most, calls / most
 
 
+def test_a_check_encloses_few_times_as_many_images_as_the_file_states(coned, tmp_path):
+    for parts, told in ((1, "too many parts"), (400, None)):
+        found = changed(
+            coned, tmp_path, lambda content, n=parts: content.update(parts=n, cones=None)
+        )
+        assert found.difference is None if told is None else told in found.difference
+
+
 def test_another_phase_is_refused(coned, tmp_path):
     for phase in (["1", "0"], ["-4/5", "3/5"], ["-1", "1"]):
         assert changed(coned, tmp_path, lambda content, p=phase: content.update(phase=p)).difference
