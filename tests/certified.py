@@ -26,8 +26,8 @@ from nonsmooth.derive import (
 )
 from nonsmooth.runtime.model.kernels import SystemKernels, load_system
 
-__all__ = ["FORCED", "forced", "kicked", "loop", "prove_basin", "prove_chaos", "rooted", "struck",
-           "struck_together", "unhashed"]  # fmt: skip
+__all__ = ["FORCED", "forced", "kicked", "loop", "prove_basin", "prove_branch", "prove_cascade",
+           "prove_graph", "rooted", "struck", "struck_together", "unhashed"]  # fmt: skip
 
 x, v = sp.symbols("x v", real=True)
 PARAMETERS = (
@@ -153,19 +153,27 @@ def struck_together(law: str | None = None, coupling: str = "0") -> Orbit:
     return ns.solve(kernels, given, itinerary=found)
 
 
-def prove_chaos() -> ns.ChaosCertificate:
-    """A horseshoe of the oscillator with dry friction."""
-    data = {"us1": "0.75", "us2": "1.19", "ur1": "2.04", "ur2": "1.83"}
-    data |= {"chi": "0.34", "eta": "2.88", "V": "1.23"}
-    return ns.certify_chaos("dry-friction", data, [1.93, 7.18, 1.18, 1.18])
-
-
 def prove_basin() -> ns.BasinCertificate:
-    """Of some tiles whose corner in x1 and x2 leads to the orbit; far from it motions slip long."""
-    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-    box = {"x1": (2, 5), "x2": (6, 8), "v1": (-0.5, 0.5), "v2": (-0.5, 0.5)}
-    orbit = ns.solve("dry-friction/global-stick", data)
-    return ns.certify_basin(orbit, box=box, side=0.25, tiles=60)
+    """Of a box of starts of the kicked mass, from which motions rise at once, or fall first."""
+    box = {"x": (0, 2), "v": (-2, 2)}
+    return ns.certify_basin(loop(a="9/4"), box=box, side=0.5)
+
+
+def prove_branch() -> ns.CertifiedBranch:
+    """Of an orbit with dry friction, from a grazing beyond a flip."""
+    return ns.certify_branch(ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3)))
+
+
+def prove_cascade() -> ns.CertifiedCascade:
+    """What branches off at that flip, in one tile."""
+    orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
+    return ns.certify_cascade(ns.continue_orbit(orbit, "V", (1.07, 1.09)), tiles=1)
+
+
+def prove_graph() -> ns.GraphCertificate:
+    """Of speeds of the kicked mass, which tend to one."""
+    data = {"k": 1, "r": "1/2", "a": 10}
+    return ns.certify_graph(kicked(), data, [0, 1.5], region={"v": (0.5, 4)}, boxes=16, levels=1)
 
 
 def unhashed(told: object) -> str:

@@ -38,6 +38,27 @@ _FRICTION_SETS = (
     HSet("B", ("10.9712",), (("0.1006",),)),
 )
 
+# a mass that is folded back by a wall: its horseshoe is proved and checked in a blink
+FOLDED = Path(__file__).with_name("folded_oscillator.py")
+FOLDED_DATA = {"r": "3", "c": "0.8"}
+_FOLDED_SETS = (
+    HSet("A", ("0.455",), (("0.025",),)),
+    HSet("B", ("0.745",), (("0.045",),)),
+)
+
+
+def folded_horseshoe(*, exponents: bool = False) -> ChaosCertificate:
+    """Two sets on a section of one coordinate: A covers B, which covers both."""
+
+    def section(system: EnclosedSystem) -> MapSection:
+        source = system.structure.configuration("back")
+        boundary = system.structure.boundary(source, "rises")
+        target = system.structure.configuration("out")
+        return transition_section(system, source, frozenset({boundary}), target)
+
+    guess = Horseshoe(2, _FOLDED_SETS, ((0, 1), (1, 0), (1, 1)), 0.0)
+    return proved(load_system(str(FOLDED)), FOLDED_DATA, section, guess, exponents=exponents)
+
 
 def inverted_horseshoe(*, exponents: bool) -> ChaosCertificate:
     """Two sets on a section of two coordinates: A covers A and B, which covers A."""

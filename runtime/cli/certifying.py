@@ -55,7 +55,7 @@ class Proven(StrEnum):
     "nonsmooth certify dry-friction/global-stick eta=0.98 --derivatives eta,V\n\n"
     "nonsmooth certify dry-friction/global-stick V=0.9:1.1 eta=0.9:1.1 --save map.json"
     " --plot map.png\n\n"
-    "nonsmooth certify dry-friction/global-stick --all tau=0:12.6 tau1=0:20\n\n"
+    "nonsmooth certify dry-friction/global-stick --all tau=0:6.3 tau1=0:6.3\n\n"
     "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --events --digits 50 --save events.json\n\n"
     "nonsmooth certify dry-friction/symmetric V=0.6:1.3 --branch --save branch.json"
     " --plot branch.png\n\n"

@@ -53,7 +53,7 @@ __all__ = ["follow"]
     "nonsmooth continue dry-friction/global-stick eta=0.5:2 V=1.05 --plot branch.png"
     " --quantity ta\n\n"
     "nonsmooth continue my_oscillator.py:loop r=0.3:0.7 --save branch.json --beyond\n\n"
-    "nonsmooth continue elastic-stop/one-contact T=5.6:6.4 --quantity frequency --over energy"
+    "nonsmooth continue elastic-stop/one-contact T=6.1:6.4 --quantity frequency --over energy"
     " --plot backbone.png\n\n"
     "nonsmooth continue dry-friction/symmetric V=0.6:1.3 us1=1 ur1=1 --switch flip"
     " --plot doubled.png\n\n"

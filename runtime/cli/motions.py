@@ -193,7 +193,7 @@ def simulate(
     "nonsmooth find dry-friction chi=0.5 eta=1 V=1 us1=1 us2=1 ur1=4.0195 ur2=1.4831"
     " --starts 800 --box x1=-4:4,x2=-4:4 --save found.json\n\n"
     "nonsmooth find dry-friction chi=0.4 eta=4 V=0.6773 us1=0.0127 ur1=0.0255 us2=0.5 ur2=1"
-    " --basins x1=-3:3:60,v2=-1:1:60 --plot basins.png"
+    " --basins x1=-3:3:40,v2=-1:1:40 --plot basins.png"
 )
 @answering
 def find(

@@ -16,15 +16,15 @@ from nonsmooth.derive import Harmonic, SoftStop, oscillator
 from nonsmooth.runtime.checker import Failure, check_branch
 from nonsmooth.runtime.checker.branch import checked_tiles
 from nonsmooth.runtime.core.taylor_models import range_of
+from tests.certified import prove_branch
+from tests.shared import shared_file
 
 Content = dict[str, Any]
 
 
 @pytest.fixture(scope="module")
-def content(tmp_path_factory: pytest.TempPathFactory) -> Content:
-    branch = ns.continue_orbit(ns.solve("dry-friction/symmetric"), "V", (0.6, 1.3))
-    path = tmp_path_factory.mktemp("branch") / "branch.json"
-    ns.certify_branch(branch).save(path)
+def content() -> Content:
+    path = shared_file("branch of friction", prove_branch)
     assert ns.check_certificate(path).claims == {"branch": "proved"}
     found: Content = json.loads(path.read_text())
     return found

@@ -12,17 +12,16 @@ import pytest
 import nonsmooth as ns
 from nonsmooth.runtime.checker import Failure, check_cascade
 from nonsmooth.runtime.checker.shape import Malformed
+from tests.certified import prove_cascade
+from tests.shared import shared_file
 
 pytestmark = pytest.mark.compiled  # much slower without it
 Content = dict[str, Any]
 
 
 @pytest.fixture(scope="module")
-def content(tmp_path_factory: pytest.TempPathFactory) -> Content:
-    orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
-    branch = ns.continue_orbit(orbit, "V", (1.07, 1.09))
-    path = tmp_path_factory.mktemp("cascade") / "cascade.json"
-    ns.certify_cascade(branch, tiles=1).save(path)
+def content() -> Content:
+    path = shared_file("nonsmooth certified cascade", prove_cascade)
     assert ns.check_certificate(path).claims == {"doublings": "proved"}
     found: Content = json.loads(path.read_text())
     return found

@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 from contextlib import nullcontext
+from cProfile import Profile
 from dataclasses import replace
 from fractions import Fraction
 
@@ -19,20 +20,28 @@ from nonsmooth.runtime.checker.cones import check_cones
 from nonsmooth.runtime.checker.sets import StateSet
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.result_files import checksum_of
+from nonsmooth.runtime.proof.chaos.cone_conditions import ConeCondition
 from tests.horseshoes import (
+    FOLDED,
+    FOLDED_DATA,
     FRICTION_DATA,
-    INVERTED,
-    INVERTED_DATA,
-    friction_horseshoe,
+    folded_horseshoe,
     inverted_horseshoe,
 )
+from tests.shared import shared_file
 
 
 @pytest.fixture(scope="module")
-def written(tmp_path_factory):
-    """Chaos of friction, on a section of one coordinate, without cones."""
-    path = tmp_path_factory.mktemp("chaos") / "chaos.json"
-    friction_horseshoe(exponents=False).save(path)
+def written():
+    """Chaos on a section of one coordinate, without cones."""
+    return shared_file("nonsmooth chaos certificate", folded_horseshoe)
+
+
+@pytest.fixture(scope="module")
+def rated(tmp_path_factory):
+    """The same with cones."""
+    path = tmp_path_factory.mktemp("chaos") / "rated.json"
+    folded_horseshoe(exponents=True).save(path)
     return path
 
 
@@ -40,10 +49,14 @@ def written(tmp_path_factory):
 def coned(tmp_path_factory):
     """Chaos of a forced oscillator between stops, with cones whose rates are proved at once."""
     path = tmp_path_factory.mktemp("chaos") / "cones.json"
-    found = inverted_horseshoe(exponents=True)
-    assert found.cones is not None, found.tried
-    cones = replace(found.cones, expansion="10", contraction="2/3", exponent="1.15")
-    replace(found, cones=cones).save(path)
+    strips = (
+        ("A", "A", (("-1/4", "1/4"), ("-1", "1"))),
+        ("A", "B", (("-15/16", "-5/8"), ("-1", "1"))),
+        ("B", "A", (("-1", "-1/2"), ("-1", "1"))),
+    )
+    forms = {"A": ("1", "1"), "B": ("3/4", "3/4")}
+    cones = ConeCondition(forms, strips, expansion="10", contraction="2/3", exponent="1.15")
+    replace(inverted_horseshoe(exponents=False), cones=cones, parts=2000).save(path)
     return path
 
 
@@ -57,17 +70,17 @@ def changed(written, tmp_path, change):
     return ns.check_certificate(path)
 
 
-def test_a_file_is_proved_again(coned):
-    found = ns.check_certificate(coned)
+def test_a_file_is_proved_again(rated):
+    found = ns.check_certificate(rated)
     assert found.difference is None
     assert found.claims == {"chaos": "proved"}
-    loaded = ns.load(coned)
+    loaded = ns.load(rated)
     assert loaded.to_json() == found.certificate.to_json()
     assert loaded.periodic_points(5) == found.certificate.periodic_points(5) > 0
 
 
-def test_the_checker_alone_proves_it(coned):
-    command = [sys.executable, "-m", "nonsmooth.runtime.checker", str(coned)]
+def test_the_checker_alone_proves_it(rated):
+    command = [sys.executable, "-m", "nonsmooth.runtime.checker", str(rated)]
     told = subprocess.run(command, capture_output=True, text=True, check=True)
     assert told.stdout == "every claim is proved\n"
 
@@ -187,10 +200,6 @@ def test_all_parts_of_a_strip_count(bend):
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        (lambda cones: None, None),
-        (lambda cones: cones.update(expansion="50"), "cone condition"),
-        (lambda cones: cones.update(contraction="1/50"), "cone condition"),
-        (lambda cones: cones["forms"].update(A=["1/100", "1"]), "cone condition"),
         (lambda cones: cones["forms"].update(A=["1", "-1"]), "positive number"),
         (lambda cones: cones["forms"].update(A=["1"]), "positive number"),
         (lambda cones: cones["forms"].update(C=["1", "1"]), "cones of other sets"),
@@ -201,45 +210,56 @@ def test_all_parts_of_a_strip_count(bend):
         (lambda cones: cones.update(expansion="1"), "do not grow"),
         (lambda cones: cones.update(contraction="0"), "do not shrink"),
         (lambda cones: cones.update(contraction="1"), "do not shrink"),
+        (lambda cones: cones.update(exponent="1.152"), "larger"),  # log(10) / 2 = 1.15129...
+        (lambda cones: cones.update(exponent="0"), "no positive"),
+    ],
+)
+def test_cones_that_cannot_be_are_refused_before_sets_are_mapped(coned, change, told):
+    content = json.loads(coned.read_text())
+    change(content["cones"])
+    targets = {"A": ["A", "B"], "B": ["A"]}
+    with pytest.raises(Failure, match=told):
+        check_cones(content["cones"], targets, pytest.fail, 2, content["iterates"])
+
+
+def narrower(cones, place, side):
+    """Half of a strip."""
+    entries = cones["strips"][place][2][side]
+    entries[0] = str(sum(map(Fraction, entries)) / 2)
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (lambda cones: None, None),
+        (lambda cones: cones.update(expansion="50"), "cone condition"),
+        (lambda cones: cones.update(contraction="1/50"), "cone condition"),
+        (lambda cones: cones["forms"].update(A=["1/100", "1"]), "cone condition"),
+        # what is mapped into the target from the rest is noticed
+        (lambda cones: narrower(cones, 0, 0), "stretched by is not proved"),
+        (lambda cones: narrower(cones, 1, 1), "stretched by is not proved"),
     ],
 )
 def test_cones_that_say_too_much_are_refused(coned, tmp_path, monkeypatch, change, told):
-    # fewer rounds before it gives up
+    # fewer rounds before it gives up, and what is not of cones is proved elsewhere
     monkeypatch.setattr("nonsmooth.runtime.checker.cones._SPREADS", (1.0, 0.4))
+    monkeypatch.setattr("nonsmooth.runtime.checker.chaos._check_coverings", lambda *_: None)
     found = changed(coned, tmp_path, lambda content: change(content["cones"]))
     assert found.difference is None if told is None else told in found.difference
 
 
-@pytest.mark.parametrize(("text", "told"), [("1.152", "larger"), ("0", "no positive")])
-def test_an_exponent_that_does_not_follow_is_refused(coned, tmp_path, text, told):
-    def larger(content):
-        content["cones"]["exponent"] = text  # log(10) / 2 = 1.15129...
-
-    assert told in changed(coned, tmp_path, larger).difference
-
-
-@pytest.mark.parametrize(("place", "side"), [(0, 0), (1, 1)])
-def test_strips_that_leave_something_out_are_refused(coned, tmp_path, place, side):
-    # half of a strip: what is mapped into the target from the rest is found
-    def narrower(content):
-        entries = content["cones"]["strips"][place][2][side]
-        entries[0] = str(sum(map(Fraction, entries)) / 2)
-
-    told = changed(coned, tmp_path, narrower).difference
-    assert "stretched by is not proved" in told
-
-
-def test_strips_may_end_anywhere(coned, tmp_path):
+def test_strips_may_end_anywhere(rated, tmp_path):
     def wider(content):
-        for *_, (along, _) in content["cones"]["strips"]:
+        for *_, (along,) in content["cones"]["strips"]:
             low, high = map(Fraction, along)
             along[:] = [str(max(low - Fraction(1, 7), -1)), str(min(high + Fraction(1, 7), 1))]
+        content["cones"] |= {"expansion": "2", "exponent": "0.17"}
 
-    assert changed(coned, tmp_path, wider).difference is None
+    assert changed(rated, tmp_path, wider).difference is None
 
 
-def test_a_file_without_cones_is_proved(coned, tmp_path):
-    found = changed(coned, tmp_path, lambda content: content.pop("cones"))
+def test_a_file_without_cones_is_proved(rated, tmp_path):
+    found = changed(rated, tmp_path, lambda content: content.pop("cones"))
     assert found.difference is None
     assert found.certificate.exponent == "0"
 
@@ -295,20 +315,13 @@ def longer(content, share):
 
 def calls_of(content):
     """How many functions of Python a check of a file calls, and whether it proves all."""
-    calls, proved = 0, True
-
-    def count(frame, event, argument):
-        nonlocal calls
-        calls += event == "call"
-
-    sys.setprofile(count)
-    try:
-        check_chaos({**content, "sha256": checksum_of(content)})
-    except Failure:
-        proved = False
-    finally:
-        sys.setprofile(None)
-    return calls, proved
+    signed, proved = {**content, "sha256": checksum_of(content)}, True
+    with Profile(builtins=False) as profile:
+        try:
+            check_chaos(signed)
+        except Failure:
+            proved = False
+    return sum(entry.callcount for entry in profile.getstats()), proved
 
 
 @pytest.fixture(scope="module")
@@ -345,6 +358,14 @@ def test_a_false_file_takes_no_more_than_several_times_the_work_of_the_true_one(
     assert calls < most, calls / most
 
 
+def test_a_check_encloses_few_times_as_many_images_as_the_file_states(coned, tmp_path):
+    for parts, told in ((1, "too many parts"), (400, None)):
+        found = changed(
+            coned, tmp_path, lambda content, n=parts: content.update(parts=n, cones=None)
+        )
+        assert found.difference is None if told is None else told in found.difference
+
+
 def test_another_phase_is_refused(coned, tmp_path):
     for phase in (["1", "0"], ["-4/5", "3/5"], ["-1", "1"]):
         assert changed(coned, tmp_path, lambda content, p=phase: content.update(phase=p)).difference
@@ -365,30 +386,29 @@ def test_another_way_is_refused(written, tmp_path):
 
 def test_parameters_without_chaos_are_refused(written, tmp_path):
     def stable(content):
-        content["parameters"]["V"] = "0.3"
+        content["parameters"]["r"] = "0.3"
 
     assert changed(written, tmp_path, stable).difference
 
 
-def test_the_command(coned, tmp_path, monkeypatch):
+def test_the_command(rated, tmp_path, monkeypatch):
     monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos._BASES", 100)
     runner = CliRunner()
-    arguments = [f"{name}={text}" for name, text in FRICTION_DATA.items()]
-    begin = "x1=1.93,x2=7.18,v1=1.18,v2=1.18"
+    words = ["chaos", str(FOLDED), "r=2.9", "c=0.8"]
     target = tmp_path / "command.json"
-    words = [*("chaos", "dry-friction", *arguments, "--from", begin, "--iterates", "2")]
-    told = runner.invoke(app, [*words, "--save", str(target), "--json"])
+    more = [*("--from", "x=0,v=0.4637", "--iterates", "1", "--save", str(target), "--json")]
+    told = runner.invoke(app, [*words, *more])
     assert told.exit_code == 0, told.output
     answer = json.loads(told.stdout)
     assert answer["claim"] == "proved"
     assert answer["cones"] is None
     assert ns.load(target).entropy == answer["entropy"]
-    stated = json.loads(coned.read_text())
-    told = runner.invoke(app, ["certify", "--check", str(coned), "--require", "proved"])
+    stated = json.loads(rated.read_text())
+    told = runner.invoke(app, ["certify", "--check", str(rated), "--require", "proved"])
     assert told.exit_code == 0
     assert f"entropy of P at least {stated['entropy']}" in told.stdout
     assert f"exponents of these motions at least {stated['cones']['exponent']}" in told.stdout
-    told = runner.invoke(app, ["chaos", "dry-friction", *arguments])
+    told = runner.invoke(app, words)
     assert told.exit_code == 2
     assert "start is missing" in told.output
 
@@ -413,7 +433,7 @@ def test_what_is_proved_when_exponents_are_interrupted_is_kept(tmp_path, monkeyp
 
     monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos.cone_condition", stopped)
     with pytest.raises(Interrupted) as caught:
-        inverted_horseshoe(exponents=True)
+        folded_horseshoe(exponents=True)
     partial = caught.value.partial
     assert partial.proved
     assert partial.tried[-1] == "no cone condition: interrupted"
@@ -423,8 +443,8 @@ def test_what_is_proved_when_exponents_are_interrupted_is_kept(tmp_path, monkeyp
 
     monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos.certify_chaos", ended)
     target = tmp_path / "part.json"
-    words = ["chaos", str(INVERTED), *(f"{n}={text}" for n, text in INVERTED_DATA.items())]
-    words += ["--from", "x=-0.3,v=0.1", "--exponents", "--save", str(target)]
+    words = ["chaos", str(FOLDED), *(f"{name}={text}" for name, text in FOLDED_DATA.items())]
+    words += ["--from", "x=0,v=0.4637", "--exponents", "--save", str(target)]
     told = CliRunner().invoke(app, words)
     assert told.exit_code == 130
     assert f"chaos is proved, no exponents, kept in {target}" in told.stderr

@@ -38,7 +38,8 @@ from nonsmooth.runtime.core.json_codec import (
 )
 from nonsmooth.runtime.core.result_files import FileFormat, checksum_of, format_in
 from nonsmooth.runtime.core.values import Value, parse
-from tests.certified import LOOP, kicked, loop, prove_basin, prove_chaos
+from tests.certified import LOOP, kicked, loop, prove_basin, prove_cascade, prove_graph
+from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
 STICK = "dry-friction/global-stick"
@@ -179,13 +180,14 @@ def branch() -> Any:
     return ns.continue_orbit(ns.solve(STICK), "V", (0.95, 1.05), step=0.1)
 
 
+@cache
 def looped() -> Any:
     return ns.continue_orbit(loop(), "a", (1.5, 3.5))
 
 
 def locus() -> Any:
     of = looped()
-    return ns.continue_event(of, of.events[-1], "r", (0.45, 0.55))
+    return ns.continue_event(of, of.events[-1], "r", (0.45, 0.55), step=0.1)
 
 
 def designed() -> Any:
@@ -222,19 +224,6 @@ def certified() -> Any:
     return ns.certify_branch(looped())
 
 
-def doubled() -> Any:
-    orbit = ns.solve("dry-friction/symmetric", {"V": "1.05"})
-    branch = ns.continue_orbit(orbit, "V", (1.0, 1.1))
-    return ns.certify_cascade(branch, tiles=1)
-
-
-def graph() -> Any:
-    data = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
-    return ns.certify_graph(
-        "dry-friction", data, [5, 4, 0.5, 0.25], region={"x2": (2, 13)}, boxes=16, levels=1
-    )
-
-
 def proven_map() -> Any:
     return ns.certify_box(loop(), {"r": ("2/5", "3/5")})
 
@@ -252,16 +241,12 @@ KINDS: dict[str, Callable[[], Any]] = {
     "nonsmooth box certificate": proven_map,
     "nonsmooth event certificate": event,
     "nonsmooth certified branch": certified,
-    "nonsmooth certified cascade": doubled,
+    "nonsmooth certified cascade": prove_cascade,
     "nonsmooth basin certificate": prove_basin,
-    "nonsmooth chaos certificate": prove_chaos,
-    "nonsmooth graph certificate": graph,
+    "nonsmooth chaos certificate": folded_horseshoe,
+    "nonsmooth graph certificate": prove_graph,
     "nonsmooth census": census,
 }
-# chaos is looked for along many motions, which take minutes in Python
-EACH: list[Any] = [
-    pytest.param(kind, marks=pytest.mark.compiled) if "chaos" in kind else kind for kind in KINDS
-]
 # what the file of a proof holds for the checker, and an answer that is shown
 FREE = ("parameters", "reasons", "enclosures", "unique", "bounds")  # of names that vary
 OPEN = r".*(declaration|closing|margins|admissible)\b.*"
@@ -317,7 +302,9 @@ def changes(content: Any, path: tuple[Any, ...]) -> Iterator[Any]:
         yield changed(lambda parent: parent.__delitem__(last))
 
 
-@pytest.mark.parametrize("kind", [k for k in EACH if k != "nonsmooth found orbits"])  # solved again
+@pytest.mark.parametrize(
+    "kind", [k for k in KINDS if k != "nonsmooth found orbits"]
+)  # solved again
 def test_a_file_gives_the_same_bytes_again(kind: str, tmp_path: Path) -> None:
     one, other = tmp_path / "one.json", tmp_path / "other.json"
     one.write_text(text_of(kind))
@@ -327,7 +314,7 @@ def test_a_file_gives_the_same_bytes_again(kind: str, tmp_path: Path) -> None:
     assert one.read_bytes() == other.read_bytes()
 
 
-@pytest.mark.parametrize("kind", EACH)
+@pytest.mark.parametrize("kind", KINDS)
 def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Path) -> None:
     path, content = tmp_path / "file.json", json.loads(text_of(kind))
     rng = random.Random(kind)
@@ -354,7 +341,7 @@ def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Pat
         assert "\n" not in told
 
 
-@pytest.mark.parametrize("kind", EACH)
+@pytest.mark.parametrize("kind", KINDS)
 def test_no_cut_or_changed_byte_is_read(kind: str, tmp_path: Path) -> None:
     path, text = tmp_path / "file.json", text_of(kind)
     rng = random.Random(13)

@@ -17,6 +17,8 @@ COMPILED = {
     "certify_cascade",
     "certify_chaos",
 }
+# proofs that take many seconds
+SLOW = {"certify_basin", "certify_cascade"}
 
 
 def with_examples() -> list[str]:
@@ -34,19 +36,18 @@ def examples() -> list[object]:
     finder = doctest.DocTestFinder(exclude_empty=True)
     found = [test for name in with_examples() for test in finder.find(import_module(name))]
     return [
-        pytest.param(
-            test,
-            id=test.name.removeprefix("nonsmooth."),
-            marks=[
-                pytest.mark.compiled,
-                pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine"),
-            ]
-            if test.name.rpartition(".")[2] in COMPILED
-            else [],
-        )
+        pytest.param(test, id=test.name.removeprefix("nonsmooth."), marks=marks_of(test))
         for test in found
         if test.examples
     ]
+
+
+def marks_of(example: doctest.DocTest) -> list[pytest.MarkDecorator]:
+    """What an example asks for."""
+    name = example.name.rpartition(".")[2]
+    engine = pytest.mark.skipif(compiled_engine() is None, reason="no compiled engine")
+    marks = [pytest.mark.compiled, engine] if name in COMPILED else []
+    return [*marks, pytest.mark.slow] if name in SLOW else marks
 
 
 @pytest.mark.parametrize("example", examples())

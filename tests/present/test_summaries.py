@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 import nonsmooth as ns
-from tests.certified import kicked, prove_basin, prove_chaos
+from tests.certified import kicked, prove_basin, prove_branch, prove_cascade, prove_graph
+from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
 
 DATA = dict(chi="0.4", eta=4, V="0.6773", us1="0.0127", ur1="0.0255", us2="0.5", ur2=1)
@@ -82,15 +83,15 @@ def result(kind: str) -> Any:
         case "BoxCertificate":
             return ns.certify_box(result("Orbit"), {"V": ("0.999", "1.001")})
         case "CertifiedBranch":
-            return ns.certify_branch(branch())
+            return ns.load(shared_file("branch of friction", prove_branch))
         case "CertifiedCascade":
-            return ns.certify_cascade(branch(), tiles=2)
+            return ns.load(shared_file("nonsmooth certified cascade", prove_cascade))
         case "BasinCertificate":
             return ns.load(shared_file("nonsmooth basin certificate", prove_basin))
         case "ChaosCertificate":
-            return ns.load(shared_file("nonsmooth chaos certificate", prove_chaos))
+            return ns.load(shared_file("nonsmooth chaos certificate", folded_horseshoe))
         case "GraphCertificate":
-            return ns.certify_graph("dry-friction", {**DATA, "chi": "0.5"}, REST, boxes=16)
+            return ns.load(shared_file("nonsmooth graph certificate", prove_graph))
         case "Census":
             return ns.certify_all(ORBIT, {"us1": 1, "us2": 1}, {"tau": (1.9, 2.1), "tau1": (3, 4)})
         case "EventCertificate":
