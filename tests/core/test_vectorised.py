@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from nonsmooth.runtime.core.vectorised import vectorised
+from nonsmooth.runtime.core.vectorised import vectorised, with_entries
 
 
 def kernel(point, lib):
@@ -41,3 +41,38 @@ def test_a_tiny_imaginary_part_is_a_derivative(function) -> None:
 def test_an_argument_of_another_shape_is_refused(function) -> None:
     with pytest.raises(ValueError, match="does not end in"):
         function(np.zeros((4, 3)))
+
+
+@pytest.mark.parametrize(
+    ("result", "shape"),
+    [
+        (lambda x, y: [[x, 1], [2, y]], (2, 2)),
+        (lambda x, y: [[x, y]], (1, 2)),
+        (lambda x, y: [y], (1,)),
+        (lambda x, y: x * y, ()),
+        (lambda x, y: [[3, 4]], (1, 2)),
+    ],
+)
+def test_one_result_is_no_tuple(result, shape) -> None:
+    points = np.array([[0.5, 2.0], [3.0, -1.0], [0.25, 8.0]])
+    results = vectorised(lambda point, lib: result(*point), [(2,)], [shape])(points)
+    assert results.shape == (3, *shape)
+    for point, one in zip(points, results, strict=True):
+        np.testing.assert_array_equal(one, result(*point))
+
+
+def test_one_of_two_results_may_be_the_same_everywhere() -> None:
+    function = vectorised(lambda point, lib: ([1, 2], [point[0]]), [(1,)], [(2,), (1,)])
+    same, varying = function(np.array([[5.0], [6.0], [7.0]]))
+    np.testing.assert_array_equal(same, [[1, 2]] * 3)
+    np.testing.assert_array_equal(varying, [[5], [6], [7]])
+
+
+def test_compiled_kernels_get_no_arguments_without_entries() -> None:
+    def compiled(*arrays):
+        return arrays
+
+    x, y, nothing = np.ones((4, 2)), np.zeros((4, 3)), np.empty((4, 0))
+    arguments = with_entries(compiled, [(2,), (0,), (3,)])(x, nothing, y)
+    assert [id(a) for a in arguments] == [id(x), id(y)]
+    assert with_entries(compiled, [(2,), (), (3,)]) is compiled
