@@ -9,7 +9,7 @@ import shlex
 import stat
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -100,6 +100,28 @@ each = pytest.mark.parametrize(
 )
 
 
+WATCHING: list[set[str]] = []  # of each test that watches: files that are opened to be written
+
+
+def watch(event: str, arguments: tuple[Any, ...]) -> None:
+    """Note each file that this process opens to write it: Python tells of all."""
+    if WATCHING and event == "open" and arguments[2] & (os.O_WRONLY | os.O_RDWR):
+        path = arguments[0]
+        if isinstance(path, str | bytes | os.PathLike):
+            WATCHING[-1].add(os.path.realpath(os.fsdecode(path)))
+
+
+sys.addaudithook(watch)
+
+
+@pytest.fixture
+def opened() -> Iterator[set[str]]:
+    """Files that are opened to be written while a test runs."""
+    WATCHING.append(set())
+    yield WATCHING[-1]
+    WATCHING.pop()
+
+
 @pytest.fixture
 def place(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, committed_derivation: dict[str, str]
@@ -133,9 +155,10 @@ def test_every_option_that_writes_is_here() -> None:
 
 
 @each
-def test_folders_above_are_made(
-    writer: tuple[str, str], place: Path, monkeypatch: pytest.MonkeyPatch
+def test_folders_above_are_made_and_files_are_whole(
+    writer: tuple[str, str], place: Path, opened: set[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """What stays was written under another name and moved: it is never there in part."""
     if writer[0] in PROVED:
         module, prove = PROVED[writer[0]]
         proved = ns.load(shared_file(f"nonsmooth {writer[0]} certificate", prove))
@@ -146,6 +169,9 @@ def test_folders_above_are_made(
     (made,) = target.parent.iterdir()
     assert made.stem == "target"
     assert made.is_dir() == (writer[0] in FOLDERS)
+    assert any(path.startswith(str(place / "new")) for path in opened)
+    in_part = {path for path in opened if Path(path).is_relative_to(place) and Path(path).exists()}
+    assert {path for path in in_part if not path.endswith(".lock")} == set()
 
 
 @each
