@@ -42,7 +42,13 @@ from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 import numpy as np
 
 from nonsmooth.runtime.core.errors import InputError
-from nonsmooth.runtime.core.values import LONGEST_TEXT, Value, as_value, parse
+from nonsmooth.runtime.core.values import (
+    LARGEST_EXPONENT,
+    LONGEST_TEXT,
+    Value,
+    as_value,
+    parse,
+)
 
 __all__ = [
     "AnyComplex",
@@ -206,7 +212,12 @@ def _number(entry: Any) -> float:
 
 def _value(entry: Any) -> Value:
     text = _text(entry)
-    return parse(text) if len(text) <= LONGEST_TEXT else as_value(Fraction(text))
+    if len(text) <= LONGEST_TEXT:
+        return parse(text)
+    exponent = re.search(r"[eE][+-]?(\d{1,20})", text)
+    if exponent and int(exponent[1]) > LARGEST_EXPONENT:
+        raise _Refused(f" has an exponent beyond {LARGEST_EXPONENT}")
+    return as_value(Fraction(text))
 
 
 def _matching(pattern: str) -> Callable[[Any], str]:

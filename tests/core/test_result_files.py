@@ -151,6 +151,7 @@ def test_what_is_refused_is_named_by_its_path() -> None:
         ({"number": math.nan}, "'number' is of the wrong type"),
         ({"digits": "nan"}, "'digits' is nan, not a finite number"),
         ({"value": "1/0"}, "'value': '1/0'"),
+        ({"value": "0" * 1001 + "1e99999999"}, "'value' has an exponent beyond 10000"),
         ({"kind": "third"}, "'kind' is 'third', none of one, other"),
         ({"pair": ["x"]}, "'pair' is no list of 2"),
         ({"inner": [content["inner"][0], {"name": ""}]}, "'inner/2/size' is missing"),
