@@ -18,12 +18,9 @@ _PIECE = 1 << 20  # bytes that are unpacked at a time
 
 
 def check_packing(told: zipfile.ZipInfo) -> None:
-    """Refuse an entry that Python can unpack only as a whole, whatever is asked for.
+    """Raise `InputError` unless an entry is stored or deflated, as NumPy packs arrays.
 
-    Raises
-    ------
-    InputError
-        But for what NumPy writes: stored or deflated.
+    Python unpacks other packings only as a whole, however little is asked for.
     """
     if told.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         raise InputError(f"{told.filename!r} is not packed as NumPy does it")
@@ -35,29 +32,12 @@ def array_in(
     expected: Callable[[tuple[int, ...], np.dtype[Any]], bool],
     most: float,
 ) -> np.ndarray:
-    """Unpack an array of an archive.
+    """The array of a name, without its ending, in an archive.
 
-    What is compressed is unpacked piece by piece: all at once it may be a thousand times as
-    large as what the archive says of it.
-
-    Parameters
-    ----------
-    file : ZipFile
-    name : str
-        Without its ending.
-    expected : callable
-        Whether a shape and a type are those of the array.
-    most : float
-        Bytes that it may take.
-
-    Returns
-    -------
-    array
-
-    Raises
-    ------
-    InputError
-        If it is another array, larger, or not as long as its header says.
+    `expected` says whether a shape and a type are those of the array; `most` is in bytes.
+    An `InputError` refuses any other array, a larger one, and one that is not as long as
+    its header says. Compressed data are unpacked piece by piece: all at once they may be a
+    thousand times as large as the archive says.
     """
     told = file.getinfo(f"{name}.npy")
     check_packing(told)

@@ -34,18 +34,7 @@ class Floats:
 
     @staticmethod
     def angle(sine: Any, cosine: Any) -> Any:
-        """Angle in [0, 2 pi) of a point.
-
-        Parameters
-        ----------
-        sine, cosine : float or ndarray
-            Coordinates of the point; arrays broadcast.
-
-        Returns
-        -------
-        ndarray
-            In radians.
-        """
+        """Angle in [0, 2 pi) of the points with these coordinates, which broadcast."""
         angle = np.arctan2(sine, cosine)
         return np.where(angle < 0, angle + 2 * np.pi, angle)
 
@@ -56,30 +45,16 @@ class Floats:
 
     @staticmethod
     def exponential_difference(k: int, t: Any, *factors: Sequence[Any]) -> Any:
-        """Derivative of order k of L^-1[1/prod chi_i](t): see exponential_differences.
+        """Derivative of order k of L^-1[1/prod chi_i](t), with arguments that broadcast.
 
-        Parameters
-        ----------
-        k : int
-        t : float or ndarray
-        *factors : tuple of float or ndarray
-            Coefficients of each monic polynomial, from the constant up.
-
-        Returns
-        -------
-        float or ndarray
+        Each factor holds the coefficients of a monic polynomial chi_i, from the constant up;
+        see `nonsmooth.runtime.core.exponential_differences`.
         """
         return exponential_difference(k, t, *factors)
 
     @staticmethod
     def constant(text: str) -> float:
-        """Double nearest to a number.
-
-        Parameters
-        ----------
-        text : str
-            As `nonsmooth.runtime.core.values.parse` takes it.
-        """
+        """Double nearest to the number of a text in the grammar of `parse`."""
         return float(parse(text))
 
 
@@ -100,13 +75,7 @@ class Mpmath:
 
     @contextmanager
     def working(self, digits: int) -> Iterator[None]:
-        """Compute with that many decimals inside the block.
-
-        Parameters
-        ----------
-        digits : int
-            Decimals.
-        """
+        """Compute with that many decimals inside the block."""
         before, self.mp.dps = self.mp.dps, digits
         try:
             yield
@@ -114,52 +83,23 @@ class Mpmath:
             self.mp.dps = before
 
     def number(self, value: Value) -> Any:
-        """A parameter at the working precision.
-
-        Returns
-        -------
-        mpf
-        """
+        """The value of a parameter as an mpf at the working precision."""
         return self.mp.mpf(value.mpf(self.mp.dps))
 
     def angle(self, sine: Any, cosine: Any) -> Any:
-        """Angle in [0, 2 pi) of a point.
-
-        Parameters
-        ----------
-        sine, cosine : mpf
-            Coordinates of the point.
-
-        Returns
-        -------
-        mpf
-            In radians.
-        """
+        """Angle in [0, 2 pi) of the point with these coordinates, as an mpf."""
         angle = self.mp.atan2(sine, cosine)
         return angle if angle >= 0 else angle + 2 * self.mp.pi
 
     def rational(self, numerator: int, denominator: int) -> Any:
-        """Quotient of two integers.
-
-        Returns
-        -------
-        mpf
-        """
+        """Quotient of two integers as an mpf at the working precision."""
         return self.mp.mpf(numerator) / denominator
 
     def exponential_difference(self, k: int, t: Any, *factors: Sequence[Any]) -> Any:
-        """Derivative of order k of L^-1[1/prod chi_i](t): see exponential_differences.
+        """Derivative of order k of L^-1[1/prod chi_i](t) as an mpf.
 
-        Parameters
-        ----------
-        k : int
-        t : mpf or int
-        *factors : tuple of mpf or int
-            Coefficients of each monic polynomial, from the constant up.
-
-        Returns
-        -------
-        mpf
+        Each factor holds the coefficients of a monic polynomial chi_i, from the constant up.
+        The result is NaN where an argument is not finite.
         """
         if not all(map(self.mp.isfinite, (t, *(c for factor in factors for c in factor)))):
             return self.mp.nan
@@ -168,38 +108,13 @@ class Mpmath:
             return middle(self.mp, difference_near(k, exact_ball(t), exact))
 
     def constant(self, text: str) -> Any:
-        """A number at the working precision.
-
-        Parameters
-        ----------
-        text : str
-            As `nonsmooth.runtime.core.values.parse` takes it.
-
-        Returns
-        -------
-        mpf
-        """
+        """The number of a text in the grammar of `parse`, as an mpf at the working precision."""
         return self.number(parse(text))
 
     def solve(self, matrix: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
-        """Solution of a square linear system.
+        """Solution (n,) of a linear system with the rows (n, n) and the right-hand side (n,).
 
-        Parameters
-        ----------
-        matrix : sequence of sequence of mpf
-            Rows of a square matrix (n, n).
-        right : sequence of mpf
-            Right-hand side (n,).
-
-        Returns
-        -------
-        list of mpf
-            Of length n.
-
-        Raises
-        ------
-        ZeroDivisionError
-            If the matrix is singular at the working precision.
+        Raises ZeroDivisionError if the matrix is singular at the working precision.
         """
         return list(self.mp.lu_solve(self.mp.matrix(matrix), self.mp.matrix(right)))
 
@@ -214,7 +129,7 @@ class Balls:
 
     @property
     def pi(self) -> Any:
-        """The circle's number, at the working precision."""
+        """A ball around pi, at the working precision."""
         return self.flint.arb.pi()
 
     @staticmethod
@@ -223,69 +138,24 @@ class Balls:
         return flint_precision(bits)
 
     def number(self, value: Value) -> Any:
-        """A ball around a parameter, at the working precision.
-
-        Returns
-        -------
-        arb
-        """
+        """A ball around the value of a parameter, at the working precision."""
         return value.ball(self.flint.ctx.prec)
 
     def sin(self, x: Any) -> Any:
-        """Sine.
-
-        Parameters
-        ----------
-        x : arb or int
-            In radians.
-
-        Returns
-        -------
-        arb
-        """
+        """Ball around the sine of a ball or of an integer."""
         return self.flint.arb(x).sin() if isinstance(x, int) else x.sin()
 
     def cos(self, x: Any) -> Any:
-        """Cosine.
-
-        Parameters
-        ----------
-        x : arb or int
-            In radians.
-
-        Returns
-        -------
-        arb
-        """
+        """Ball around the cosine of a ball or of an integer."""
         return self.flint.arb(x).cos() if isinstance(x, int) else x.cos()
 
     @staticmethod
     def sqrt(x: Any) -> Any:
-        """Square root.
-
-        Parameters
-        ----------
-        x : arb
-
-        Returns
-        -------
-        arb
-        """
+        """Ball around the square root of a ball."""
         return x.sqrt()
 
     def angle(self, sine: Any, cosine: Any) -> Any:
-        """Angle in [0, 2 pi) of a point; the union of both branches near angle 0.
-
-        Parameters
-        ----------
-        sine, cosine : arb
-            Coordinates of the point.
-
-        Returns
-        -------
-        arb
-            In radians.
-        """
+        """Ball around the angle in [0, 2 pi) of a point; near angle 0 around both branches."""
         arb = self.flint.arb
         angle = arb.atan2(sine, cosine)
         if sine >= 0:
@@ -294,28 +164,15 @@ class Balls:
         return turned if sine < 0 else angle.union(turned)
 
     def rational(self, numerator: int, denominator: int) -> Any:
-        """Ball around the quotient of two integers.
-
-        Returns
-        -------
-        arb
-        """
+        """Ball around the quotient of two integers."""
         return self.flint.arb(numerator) / denominator
 
     @staticmethod
     def exponential_difference(k: int, t: Any, *factors: Sequence[Any]) -> Any:
         """Enclosure of the derivative of order k of L^-1[1/prod chi_i](t).
 
-        Parameters
-        ----------
-        k : int
-        t : arb, TaylorModel or int
-        *factors : tuple of arb, TaylorModel or int
-            Coefficients of each monic polynomial, from the constant up.
-
-        Returns
-        -------
-        arb, or TaylorModel where any argument is one
+        Each factor holds the coefficients of a monic polynomial chi_i, from the constant up.
+        The enclosure is a Taylor model where any argument is one, else a ball.
         """
         numbers = (t, *(c for factor in factors for c in factor))
         if any(isinstance(number, TaylorModel) for number in numbers):
@@ -323,54 +180,20 @@ class Balls:
         return difference_in_balls(k, t, factors)
 
     def constant(self, text: str) -> Any:
-        """Ball around a number, at the working precision.
-
-        Parameters
-        ----------
-        text : str
-            As `nonsmooth.runtime.core.values.parse` takes it.
-
-        Returns
-        -------
-        arb
-        """
+        """Ball around the number of a text in the grammar of `parse`, at the working precision."""
         return self.number(parse(text))
 
     def solve(self, matrix: Sequence[Sequence[Any]], right: Sequence[Any]) -> list[Any]:
-        """Enclosure of the solution of a square linear system.
+        """Enclosure (n,) of the solution of a linear system with the rows (n, n).
 
-        Parameters
-        ----------
-        matrix : sequence of sequence of arb
-            Rows of a square matrix (n, n).
-        right : sequence of arb
-            Right-hand side (n,).
-
-        Returns
-        -------
-        list of arb
-            Of length n.
-
-        Raises
-        ------
-        ZeroDivisionError
-            If the matrix may be singular.
+        Raises ZeroDivisionError if the matrix may be singular.
         """
         column = self.flint.arb_mat([[x] for x in right])
         return list(self.flint.arb_mat([list(row) for row in matrix]).solve(column).entries())
 
 
 def exact_ball(number: Any) -> Any:
-    """A ball of no radius at an integer, a float or an mpmath number.
-
-    Parameters
-    ----------
-    number : int, float or mpf
-
-    Returns
-    -------
-    arb
-    """
+    """A ball of radius zero at an integer, a float or an mpmath number."""
     from flint import arb
 
     if isinstance(number, (int, float)):
@@ -380,17 +203,6 @@ def exact_ball(number: Any) -> Any:
 
 
 def middle(mp: Any, ball: Any) -> Any:
-    """The midpoint of a ball as an mpmath number of a context's precision.
-
-    Parameters
-    ----------
-    mp : MPContext
-        The context.
-    ball : arb
-
-    Returns
-    -------
-    mpf
-    """
+    """The midpoint of a ball as a number of an mpmath context, at its precision."""
     mantissa, exponent = ball.mid().man_exp()
     return mp.ldexp(mp.mpf(int(mantissa)), int(exponent))

@@ -24,19 +24,11 @@ _FARTHEST = 2**52  # sides from 0: doubles and machine integers hold all places 
 
 @dataclass(frozen=True)
 class BoxGrid:
-    """Boxes k h <= x <= (k + 1) h with h a power of 2 for each coordinate.
+    """A grid of boxes k h <= x <= (k + 1) h, with h a power of 2 for each coordinate."""
 
-    Attributes
-    ----------
-    exponents : tuple of int
-        Of 2, of the sides.
-    first, counts : tuple of int
-        The numbers k of the first boxes, and how many there are.
-    """
-
-    exponents: tuple[int, ...]
-    first: tuple[int, ...]
-    counts: tuple[int, ...]
+    exponents: tuple[int, ...]  # exponents of 2 of the sides h
+    first: tuple[int, ...]  # number k of the first box along each coordinate
+    counts: tuple[int, ...]  # number of boxes along each coordinate
 
     def __post_init__(self) -> None:
         if not len(self.exponents) == len(self.first) == len(self.counts) > 0:
@@ -48,26 +40,16 @@ class BoxGrid:
         self.check_levels(0)
 
     def check_levels(self, levels: int) -> None:
-        """InputError unless doubles hold all coordinates, after sides were halved so often."""
+        """Raise `InputError` unless doubles hold all coordinates after so many halvings."""
         ends = (*self.first, *(f + n for f, n in zip(self.first, self.counts, strict=True)))
         if max(map(abs, ends)) << levels > _FARTHEST:
             raise InputError("so far from 0 boxes have longer sides: take longer ones")
 
     @staticmethod
     def over(low: Sequence[float], high: Sequence[float], exponents: Sequence[int]) -> BoxGrid:
-        """The least grid of some sides that covers a box.
+        """The smallest grid with the sides 2^exponents that covers a box, all arrays (d,).
 
-        Parameters
-        ----------
-        low, high : sequence of float (d,)
-            Its ends.
-        exponents : sequence of int (d,)
-            Of 2, of the sides.
-
-        Raises
-        ------
-        InputError
-            If it has too many boxes, or doubles do not hold them.
+        An `InputError` refuses too many boxes, and coordinates that doubles do not hold.
         """
         units = [Fraction(2) ** e for e in exponents]
         first = [floor(Fraction(x) / unit) for x, unit in zip(low, units, strict=True)]
@@ -77,18 +59,10 @@ class BoxGrid:
 
     @staticmethod
     def around(low: Floats, high: Floats, sides: Floats, most: int = _LARGEST) -> BoxGrid:
-        """The grid that covers a box, with sides that are no longer than some.
+        """The grid that covers a box, with the largest powers of 2 up to `sides` as its sides.
 
-        Parameters
-        ----------
-        low, high, sides : array (d,)
-        most : int
-            Boxes.
-
-        Raises
-        ------
-        InputError
-            If it has more boxes, or doubles do not hold them.
+        The ends of the box and `sides` are arrays (d,). An `InputError` refuses more boxes than
+        `most`, and coordinates that doubles do not hold.
         """
         lengths = sides.tolist()
         told = f"boxes of the sides {', '.join(f'{side:g}' for side in lengths)}"
@@ -107,53 +81,30 @@ class BoxGrid:
 
     @cached_property
     def sides(self) -> Floats:
-        """Lengths of the sides."""
+        """Lengths (d,) of the sides."""
         found: Floats = 2.0 ** np.array(self.exponents)
         return found
 
     def bounds(self, numbers: NDArray[np.int_]) -> tuple[Floats, Floats]:
-        """Least and largest coordinates (B, d) of boxes, exactly.
+        """Least and largest coordinates (B, d) of the boxes with these numbers (B,), exactly.
 
-        Parameters
-        ----------
-        numbers : array of int (B,)
-            In C order.
-
-        Returns
-        -------
-        tuple of arrays
+        Numbers count the boxes in C order.
         """
         places = np.stack(np.unravel_index(numbers, self.counts), axis=1) + np.array(self.first)
         return places * self.sides, (places + 1) * self.sides
 
     def sets(self, numbers: NDArray[np.int_]) -> ManySets:
-        """Boxes as sets.
-
-        Parameters
-        ----------
-        numbers : array of int (B,)
-
-        Returns
-        -------
-        ManySets
-            In R^(d + 1).
-        """
+        """The boxes with these numbers (B,) as sets in R^(d + 1)."""
         return ManySets.of_boxes(*self.bounds(numbers))
 
     def met(
         self, low: Floats, high: Floats
     ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
-        """Which boxes of the grid other boxes meet.
+        """Ranges of the boxes of the grid that given boxes meet, along each coordinate.
 
-        Parameters
-        ----------
-        low, high : array (B, d)
-
-        Returns
-        -------
-        tuple of arrays
-            From which place and up to behind which, (B, d) each; and whether all of each is
-            inside of the grid, (B,).
+        The given boxes go from `low` to `high`, (B, d) each. The results are the first place
+        and the one behind the last, (B, d) each, and flags (B,) of the given boxes that lie
+        all inside the grid.
         """
         size, first, counts = self.sides, np.array(self.first), np.array(self.counts)
         least, most = np.floor(low / size) - first, np.floor(high / size) + 1 - first
@@ -166,16 +117,11 @@ class BoxGrid:
     def numbers_met(
         self, low: Floats, high: Floats
     ) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.bool_]]:
-        """Pairs: the number of one of the boxes given, and of one of the grid that it meets.
+        """All P pairs of a given box and a box of the grid that it meets.
 
-        Parameters
-        ----------
-        low, high : array (B, d)
-
-        Returns
-        -------
-        tuple of arrays
-            (P,), (P,), and whether all of each is inside of the grid, (B,).
+        The given boxes go from `low` to `high`, (B, d) each. The results are the place of the
+        given box and the number of the box of the grid, (P,) each, and flags (B,) of the given
+        boxes that lie all inside the grid.
         """
         begin, end, inside = self.met(low, high)
         spans = np.maximum(end - begin, 0)
@@ -192,15 +138,9 @@ class BoxGrid:
         return owner, number, inside
 
     def sums(self, good: NDArray[np.bool_]) -> NDArray[np.int64]:
-        """How many of the boxes up to each place are among some.
+        """Cumulative sums of flags (len(self),), with one more place along each coordinate.
 
-        Parameters
-        ----------
-        good : array of bool (len(self),)
-
-        Returns
-        -------
-        array of int, with one more place than boxes along each coordinate
+        The entry of a place is the number of flagged boxes below it along all coordinates.
         """
         found = good.reshape(self.counts).astype(np.int64)
         for axis in range(len(self.counts)):
@@ -208,17 +148,10 @@ class BoxGrid:
         return np.pad(found, [(1, 0)] * len(self.counts))
 
     def covered(self, sums: NDArray[np.int64], low: Floats, high: Floats) -> NDArray[np.bool_]:
-        """Whether boxes lie in the union of some of the grid.
+        """Flags (B,) of the boxes that lie in the union of chosen boxes of the grid.
 
-        Parameters
-        ----------
-        sums : array of int
-            Of those, as `sums` gives them.
-        low, high : array (B, d)
-
-        Returns
-        -------
-        array of bool (B,)
+        The boxes go from `low` to `high`, (B, d) each. The array `sums` is what the method of
+        that name gives for the flags of the chosen ones.
         """
         begin, end, inside = self.met(low, high)
         total = np.zeros(len(low), dtype=np.int64)

@@ -21,32 +21,17 @@ _TINY = 1e-30
 def step_of(lib: Mpmath | None) -> Any:
     """The imaginary part that stands for a unit of change.
 
-    Parameters
-    ----------
-    lib : Mpmath or None
-        None in double precision. It is to work with twice the digits that derivatives need.
-
-    Returns
-    -------
-    number
+    `lib` is None in double precision; an `Mpmath` has to work with twice the digits that
+    derivatives need.
     """
     return _TINY if lib is None else lib.mp.mpf(10) ** (-lib.mp.dps // 2)
 
 
 def stepped(values: Any, rates: Any, lib: Mpmath | None) -> np.ndarray:
-    """Values with their rates of change as tiny imaginary parts.
+    """Complex values whose tiny imaginary parts stand for the rates of change.
 
-    Parameters
-    ----------
-    values, rates : array
-        They broadcast.
-    lib : Mpmath or None
-        None in double precision.
-
-    Returns
-    -------
-    array
-        Complex, or of mpmath's complex numbers.
+    `values` and `rates` broadcast. `lib` is None in double precision; with an `Mpmath` the
+    values are complex numbers of mpmath.
     """
     if lib is None:
         return np.asarray(values + 1j * _TINY * np.asarray(rates))
@@ -54,32 +39,15 @@ def stepped(values: Any, rates: Any, lib: Mpmath | None) -> np.ndarray:
 
 
 def real_parts(values: Any) -> np.ndarray:
-    """Real parts of an array of any numbers.
-
-    Parameters
-    ----------
-    values : array
-
-    Returns
-    -------
-    array
-    """
+    """Real parts of an array of doubles, complex numbers or numbers of mpmath."""
     found = np.asarray(values)
     return np.asarray(_real(found) if found.dtype == object else found.real.copy())
 
 
 def imaginary_parts(values: Any, lib: Mpmath | None) -> np.ndarray:
-    """Rates of change, from what came out of a step.
+    """Rates of change, from the imaginary parts of what came out of a step.
 
-    Parameters
-    ----------
-    values : array
-    lib : Mpmath or None
-        None in double precision.
-
-    Returns
-    -------
-    array
+    `lib` is None in double precision.
     """
     found = np.asarray(values)
     return np.asarray((found.imag if lib is None else _imaginary(found)) / step_of(lib))
@@ -98,21 +66,11 @@ class ComplexSteps:
         self.rational, self.constant = lib.rational, lib.constant
 
     def exponential_difference(self, k: int, t: Any, *factors: Sequence[Any]) -> Any:
-        """Give a divided difference of exponentials and, to first order, its change.
+        """A divided difference of exponentials and, to first order, its change.
 
-        With G^(k) it is dG^(k)/dc_j = -G^(k + j) with its factor once more, and
-        dG^(k)/dt = G^(k + 1).
-
-        Parameters
-        ----------
-        k : int
-        t : number
-        *factors : tuple of number
-            Coefficients of each monic polynomial, from the constant up.
-
-        Returns
-        -------
-        number
+        With G^(k) the change follows from dG^(k)/dc_j = -G^(k + j), taken with the factor of
+        c_j once more, and from dG^(k)/dt = G^(k + 1). Each factor holds the coefficients of a
+        monic polynomial, from the constant up.
         """
         of = self._lib.exponential_difference
         plain = [[_real_part(c) for c in factor] for factor in factors]
@@ -131,7 +89,7 @@ class ComplexSteps:
         return found + unit * change
 
     def _rate(self, k: int, time: Any, factors: list[list[Any]]) -> Any:
-        """G^(k + 1), by the equation of motion where that is the highest derivative."""
+        """G^(k + 1), by the differential equation of G where k + 1 is the order of that."""
         of = self._lib.exponential_difference
         product: list[Any] = [1]
         for factor in factors:

@@ -54,16 +54,7 @@ class DifferentiableFunction(Shown):
     pull: Pullback | None = None
 
     def __call__(self, x: Any) -> np.ndarray:
-        """Evaluate the function.
-
-        Parameters
-        ----------
-        x : array (..., q)
-
-        Returns
-        -------
-        array (..., m)
-        """
+        """Values (..., m) of the function at points (..., q)."""
         points, lead = self._points(x)
         return self.evaluate(points).reshape(*lead, len(self.outputs))
 

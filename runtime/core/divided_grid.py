@@ -19,21 +19,15 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True, eq=False)
 class DividedGrid:
-    """Boxes without common inner points that cover the region of a grid.
+    """Boxes of several sizes, with disjoint interiors, that cover the region of a grid.
 
-    The cells of the first level are the boxes of the grid; those of each further one are the 2^d
-    halves of the divided cells of the level before, in their order. Cells that are not divided
-    are the boxes: they have numbers, first those of the first level.
-
-    Attributes
-    ----------
-    grid : BoxGrid
-    divided : tuple of array of bool
-        Which cells of each level are divided; of the last level none is.
+    The cells of the first level are the boxes of the grid; those of each further level are
+    the 2^d halves of the divided cells of the level before, in their order. The cells that
+    are not divided are the boxes, numbered from the first level on.
     """
 
     grid: BoxGrid
-    divided: tuple[Flags, ...]
+    divided: tuple[Flags, ...]  # for each level, flags of the divided cells; none in the last level
 
     def __post_init__(self) -> None:
         self.grid.check_levels(len(self.divided) - 1)
@@ -57,18 +51,18 @@ class DividedGrid:
 
     @cached_property
     def _first(self) -> Numbers:
-        """The number of each level's first box, and how many there are in all."""
+        """Number of the first box of each level, and behind these the number of all boxes."""
         return np.cumsum([0, *(int((~own).sum()) for own in self.divided)])
 
     @cached_property
     def _halves(self) -> Numbers:
-        """Places of the halves of a cell."""
+        """Places (2^d, d) of the halves of a cell, 0 or 1 along each coordinate."""
         count = len(self.grid.counts)
         return np.stack(np.unravel_index(np.arange(2**count), (2,) * count), axis=1)
 
     @cached_property
     def _places(self) -> tuple[Numbers, ...]:
-        """Of each level the places (C, d) of its cells, in units of their sides."""
+        """Places (C, d) of the cells of each level, in units of the sides of that level."""
         counts = self.grid.counts
         cells = np.stack(np.unravel_index(np.arange(len(self.grid)), counts), axis=1)
         found = [cells + np.array(self.grid.first)]
@@ -79,7 +73,7 @@ class DividedGrid:
 
     @cached_property
     def _number(self) -> tuple[Numbers, ...]:
-        """Of each cell: its number if it is a box, else -1 minus which of the divided it is."""
+        """For each cell the number of its box, or -1 minus its place among the divided cells."""
         found = []
         for first, divided in zip(self._first[:-1], self.divided, strict=True):
             box = first + np.cumsum(~divided) - 1
@@ -88,7 +82,7 @@ class DividedGrid:
 
     @cached_property
     def _levels(self) -> Numbers:
-        """Of each box its level."""
+        """Level of each box."""
         return np.repeat(np.arange(len(self.divided)), np.diff(self._first))
 
     @cached_property
@@ -101,49 +95,25 @@ class DividedGrid:
 
     @property
     def finest(self) -> Floats:
-        """Sides of the smallest boxes."""
+        """Sides (d,) of the smallest boxes."""
         found: Floats = self.grid.sides * 0.5 ** (len(self.divided) - 1)
         return found
 
     def bounds(self, numbers: Numbers) -> tuple[Floats, Floats]:
-        """Least and largest coordinates (B, d) of boxes, exactly.
-
-        Parameters
-        ----------
-        numbers : array of int (B,)
-
-        Returns
-        -------
-        tuple of arrays
-        """
+        """Least and largest coordinates (B, d) of the boxes with these numbers (B,), exactly."""
         low, high = self._ends
         return low[numbers], high[numbers]
 
     def sets(self, numbers: Numbers) -> ManySets:
-        """Boxes as sets.
-
-        Parameters
-        ----------
-        numbers : array of int (B,)
-
-        Returns
-        -------
-        ManySets
-            In R^(d + 1).
-        """
+        """The boxes with these numbers (B,) as sets in R^(d + 1)."""
         return ManySets.of_boxes(*self.bounds(numbers))
 
     def numbers_met(self, low: Floats, high: Floats) -> tuple[Numbers, Numbers, Flags]:
-        """Pairs: the number of one of the boxes given, and of one of these that it meets.
+        """All P pairs of a given box and a box of this grid that it meets.
 
-        Parameters
-        ----------
-        low, high : array (B, d)
-
-        Returns
-        -------
-        tuple of arrays
-            (P,), (P,), and whether all of each is inside of the region, (B,).
+        The given boxes go from `low` to `high`, (B, d) each. The results are the place of the
+        given box and the number of the box of this grid, (P,) each, and flags (B,) of the given
+        boxes that lie all inside the region.
         """
         owner, cell, inside = self.grid.numbers_met(low, high)
         found = []
@@ -165,16 +135,9 @@ class DividedGrid:
         return pairs[0], pairs[1], inside
 
     def halved(self, chosen: Flags) -> tuple[DividedGrid, Numbers]:
-        """The same with some boxes divided.
+        """The grid with flagged boxes (len(self),) divided, and the old box of each new one.
 
-        Parameters
-        ----------
-        chosen : array of bool (len(self),)
-
-        Returns
-        -------
-        tuple of (DividedGrid, array of int)
-            And of which of these boxes each new one is, or is a part.
+        The array holds for each new box the number of the old box that it is or is a part of.
         """
         count, level = len(self._halves), 0
         # of the cells of a level: which of the old ones each is, if any, and of which box it is

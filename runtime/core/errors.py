@@ -39,21 +39,10 @@ class Interrupted(KeyboardInterrupt):
 
 
 def unknown_name(kind: str, name: str, known: Iterable[str]) -> InputError:
-    """Say that a name is unknown, suggest the nearest one and list those that exist.
+    """An `InputError` that a name is unknown, with the nearest one and all that exist.
 
-    Parameters
-    ----------
-    kind : str
-        What is named: ``"parameter"``, ``"orbit"``.
-    name : str
-        The name that was given.
-    known : iterable of str
-        The names that exist, in the order in which they are listed.
-
-    Returns
-    -------
-    InputError
-        To be raised by the caller.
+    `kind` says what is named, such as ``"parameter"`` or ``"orbit"``; `known` is listed in
+    its order. The caller raises the error.
 
     Examples
     --------
@@ -72,18 +61,10 @@ def unknown_name(kind: str, name: str, known: Iterable[str]) -> InputError:
 
 
 def one_line(text: str, most: int = LONGEST_LINE) -> str:
-    r"""Write text in one line of printable characters, and cut what is very long.
+    r"""Text in one line of printable characters, cut to about `most` of them.
 
-    Parameters
-    ----------
-    text : str
-    most : int
-        Characters; the middle of a longer text is left out.
-
-    Returns
-    -------
-    str
-        Line breaks between words become spaces, other control characters their escapes.
+    Line breaks between words become spaces, other control characters their escapes. Of a
+    longer text the middle is left out.
 
     Examples
     --------
@@ -97,19 +78,10 @@ def one_line(text: str, most: int = LONGEST_LINE) -> str:
 
 
 def missing_extra(extra: str, package: str) -> MissingExtra:
-    """Say that an optional package is not installed and how to install it.
+    """A `MissingExtra` that says how to install an optional package.
 
-    Parameters
-    ----------
-    extra : str
-        The extra of this distribution that brings the package: ``"plot"``.
-    package : str
-        The package that could not be imported: ``"matplotlib"``.
-
-    Returns
-    -------
-    MissingExtra
-        To be raised by the caller.
+    `extra` is the extra of this distribution that brings the package: ``"plot"`` brings
+    ``"matplotlib"``. The caller raises the error.
 
     Examples
     --------

@@ -27,33 +27,21 @@ _Factors = Sequence[Sequence[Any]]
 
 
 def difference_in_models(k: int, t: Any, factors: _Factors) -> Any:
-    """Derivative of order k of L^-1[1/prod chi_i](t) in Taylor models, or in balls as they are.
+    """Derivative of order k of L^-1[1/prod chi_i](t) in Taylor models.
 
-    Parameters
-    ----------
-    k : int
-    t : arb or TaylorModel
-    factors : sequence of sequence of (int, arb or TaylorModel)
-
-    Returns
-    -------
-    TaylorModel, or arb where nothing is a model
+    Each factor holds the coefficients of a monic polynomial chi_i, from the constant up:
+    integers, balls or models. Where nothing is a model, the result is the ball of plain
+    ball arithmetic.
     """
     return _entries([k], t, factors)[0]
 
 
 def difference_in_balls(k: int, t: Any, factors: _Factors) -> Any:
-    """Enclosure of the derivative of order k of L^-1[1/prod chi_i](t).
+    """Enclosure of the derivative of order k of L^-1[1/prod chi_i](t), a ball.
 
-    Parameters
-    ----------
-    k : int
-    t : arb or int
-    factors : sequence of sequence of (int or arb)
-
-    Returns
-    -------
-    arb
+    Each factor holds the coefficients of a monic polynomial chi_i, from the constant up:
+    integers or balls. The mean value form is intersected with plain ball arithmetic, and
+    where the result is wide also with partial fractions.
     """
     from flint import arb
 
@@ -78,19 +66,10 @@ def difference_in_balls(k: int, t: Any, factors: _Factors) -> Any:
 
 
 def difference_near(k: int, t: Any, factors: _Factors) -> Any:
-    """The same of exact numbers, to the working precision.
+    """Enclosure of the derivative of order k of L^-1[1/prod chi_i](t) at exact numbers.
 
-    Relative to the value, or where that is nearly zero to the terms that cancel in it.
-
-    Parameters
-    ----------
-    k : int
-    t : arb
-    factors : sequence of sequence of arb
-
-    Returns
-    -------
-    arb
+    It is sharp to the working precision, relative to the value or, where that is nearly zero,
+    to the terms that cancel in it.
     """
     from flint import arb, ctx
 
@@ -105,14 +84,18 @@ def difference_near(k: int, t: Any, factors: _Factors) -> Any:
 
 
 def _both(one: Any, two: Any) -> Any:
-    """What is in both enclosures of a number, where both are of any use."""
+    """Intersection of two enclosures of a number; where only one is finite, that one."""
     if one.is_finite() and two.is_finite():
         return one.intersection(two)
     return one if one.is_finite() else two
 
 
 def _partial_fractions(k: int, t: Any, factors: _Factors) -> Any:
-    """The same by its roots, where they are all apart: wide balls are not blown up by squaring."""
+    """The same derivative by partial fractions over the roots, where these are all apart.
+
+    Wide balls are not blown up by the squaring in a matrix exponential. The result is NaN
+    where roots may be equal, or a factor has a degree above 2.
+    """
     from flint import acb, arb
 
     roots = []
@@ -136,7 +119,7 @@ def _partial_fractions(k: int, t: Any, factors: _Factors) -> Any:
 
 
 def _entries(orders: Sequence[int], t: Any, factors: _Factors) -> list[Any]:
-    """Derivatives of some orders, from one exponential of a matrix."""
+    """Derivatives of L^-1[1/prod chi_i](t) of some orders, from one matrix exponential."""
     if not orders:
         return []
     factors = sorted(factors, key=len)
@@ -155,7 +138,7 @@ def _entries(orders: Sequence[int], t: Any, factors: _Factors) -> list[Any]:
 
 
 def _times(row: dict[int, Any], rows: Sequence[dict[int, Any]]) -> dict[int, Any]:
-    """A row times a matrix, without the zeros."""
+    """Product of a row and a matrix, both as places and entries without the zeros."""
     found: dict[int, Any] = {}
     for place, x in row.items():
         for column, y in rows[place].items():
@@ -164,9 +147,10 @@ def _times(row: dict[int, Any], rows: Sequence[dict[int, Any]]) -> dict[int, Any
 
 
 def _chain(factors: _Factors) -> tuple[list[dict[int, Any]], Any]:
-    """Rows of the chain's matrix, each factor driving the next, and a factor of its response.
+    """Rows of the matrix of the chain, and the factor that scales its response.
 
-    States are scaled by powers of two so that no entry is much larger than the roots.
+    Each factor drives the next. States are scaled by powers of two so that no entry is much
+    larger than the roots.
     """
     from flint import arb
 
@@ -193,7 +177,7 @@ def _chain(factors: _Factors) -> tuple[list[dict[int, Any]], Any]:
 
 
 def _exponent(factor: Sequence[Any]) -> int:
-    """Power of two near the largest root's modulus."""
+    """Exponent of a power of two near the modulus of the largest root."""
     largest = float(-_FAR)
     for j, c in enumerate(factor):
         size = abs(float(c if isinstance(c, int) else middle_of(c)))

@@ -27,20 +27,11 @@ _TERMS = 34  # of an exponential series whose argument is at most that
 
 
 def exponential_difference(k: int, t: Any, *factors: Sequence[Any]) -> Any:
-    """Derivative of order k by the time of L^-1[1/prod chi_i](t).
+    """Time derivative of order k of L^-1[1/prod chi_i](t), in doubles.
 
-    Parameters
-    ----------
-    k : int
-        Of the derivative: at least 0, less than the degree of the product.
-    t : float or array
-    *factors : tuple of float or array
-        Coefficients of each monic polynomial, from the constant up, without the leading one.
-        Arrays broadcast, with the time too.
-
-    Returns
-    -------
-    float or array
+    k is at least 0 and less than the degree of the product. Each factor holds the
+    coefficients of a monic polynomial chi_i from the constant up, without the leading one.
+    Arrays of coefficients broadcast, with the time too.
 
     Examples
     --------
@@ -59,7 +50,10 @@ def exponential_difference(k: int, t: Any, *factors: Sequence[Any]) -> Any:
 
 
 def _derivative(k: int, roots: np.ndarray, times: np.ndarray) -> np.ndarray:
-    """(lambda^k e^(lambda t))[roots], by Leibniz' rule from the differences of e^(lambda t)."""
+    """Divided differences (points,) of lambda^k e^(lambda t) over roots (degree, points).
+
+    They follow by Leibniz' rule from those of e^(lambda t).
+    """
     count = len(roots)
     # the slowest last: its powers multiply what is largest
     order = np.argsort(-np.abs(roots), axis=0, kind="stable")
@@ -74,7 +68,7 @@ def _derivative(k: int, roots: np.ndarray, times: np.ndarray) -> np.ndarray:
 
 
 def _complete(roots: np.ndarray, degree: int) -> list[np.ndarray]:
-    """Complete homogeneous polynomials of the roots, degree by degree."""
+    """Complete homogeneous symmetric polynomials of the roots, from degree 0 up."""
     found = [np.ones(roots.shape[1], dtype=complex)]
     found += [np.zeros(roots.shape[1], dtype=complex) for _ in range(degree)]
     for root in roots:
@@ -84,16 +78,10 @@ def _complete(roots: np.ndarray, degree: int) -> list[np.ndarray]:
 
 
 def roots_of(factor: Sequence[np.ndarray]) -> list[np.ndarray]:
-    """Roots of a monic polynomial, at each point.
+    """Complex roots of a monic polynomial at each point, one array (points,) a root.
 
-    Parameters
-    ----------
-    factor : sequence of array (points,)
-        Coefficients from the constant up, without the leading one.
-
-    Returns
-    -------
-    list of array (points,) of complex
+    The factor holds the coefficients (points,) from the constant up, without the leading
+    one.
     """
     if len(factor) == 1:
         return [-factor[0] + 0j]
@@ -121,7 +109,7 @@ def _quadratic_roots(constant: np.ndarray, linear: np.ndarray) -> list[np.ndarra
 
 
 def _companion_roots(factor: np.ndarray) -> np.ndarray:
-    """Roots (degree, points): eigenvalues of companion matrices, whose norms are about 1."""
+    """Roots (degree, points), from companion matrices that are scaled to norms of about 1."""
     degree, points = factor.shape
     powers = degree - np.arange(degree)[:, None]
     size = (np.abs(factor) ** (1 / powers)).max(axis=0)
@@ -136,14 +124,7 @@ def _companion_roots(factor: np.ndarray) -> np.ndarray:
 def divided_differences(poles: np.ndarray, times: np.ndarray) -> list[np.ndarray]:
     """Divided differences of e^(pt) over the first pole, the first two, and so on.
 
-    Parameters
-    ----------
-    poles : array (count, points) of complex
-    times : array (points,)
-
-    Returns
-    -------
-    list of array (points,) of complex
+    The poles are complex, (count, points); times and each of the results are (points,).
     """
     table = _Differences(poles, times)
     everywhere = np.arange(len(times))
@@ -151,15 +132,9 @@ def divided_differences(poles: np.ndarray, times: np.ndarray) -> list[np.ndarray
 
 
 def farthest_pair(poles: Any) -> tuple[Any, Any, Any]:
-    """The largest distance of two poles, and their places.
+    """The largest distance of two poles, and the places of the two, arrays (points,).
 
-    Parameters
-    ----------
-    poles : sequence of complex or array (points,)
-
-    Returns
-    -------
-    distance, first, second : array (points,)
+    The poles are complex numbers, or arrays (points,) of them.
     """
     largest = np.full(np.shape(poles[0]), -1.0)
     first, second = np.zeros(largest.shape, dtype=int), np.zeros(largest.shape, dtype=int)
@@ -172,14 +147,17 @@ def farthest_pair(poles: Any) -> tuple[Any, Any, Any]:
 
 
 class _Differences:
-    """Divided differences over sets of poles, a set being a mask, each computed once a point."""
+    """Divided differences over sets of poles, each computed once at each point.
+
+    A set is a bit mask of the places of its poles.
+    """
 
     def __init__(self, poles: np.ndarray, times: np.ndarray) -> None:
         self.poles, self.times = poles, times
         self._known: dict[int, tuple[np.ndarray, np.ndarray]] = {}
 
     def at(self, mask: int, points: np.ndarray) -> np.ndarray:
-        """Of one set, at some points."""
+        """Divided differences over one set of poles, at some points."""
         if mask not in self._known:
             count = len(self.times)
             self._known[mask] = np.zeros(count, dtype=bool), np.empty(count, dtype=complex)
@@ -191,7 +169,10 @@ class _Differences:
         return np.asarray(values[points])
 
     def _difference(self, mask: int, points: np.ndarray) -> np.ndarray:
-        """The divided difference: of the farthest poles, or by its series where none is far."""
+        """Divided differences by the recursion at the two farthest poles, or by the series.
+
+        The series serves where no two poles are far from each other.
+        """
         places = [place for place in range(len(self.poles)) if mask >> place & 1]
         poles, times = self.poles[:, points][places], self.times[points]
         if len(places) == 1:
@@ -214,7 +195,7 @@ def _exponential(pole: Any, times: np.ndarray) -> np.ndarray:
 
 
 def _series(poles: np.ndarray, times: np.ndarray) -> np.ndarray:
-    """The same by the exponential series about the middle of the poles."""
+    """Divided differences of e^(lambda t), by the exponential series about the mean pole."""
     middle = sum(poles) / len(poles)
     order = len(poles) - 1
     unit = np.abs(poles - middle).max(axis=0)  # whose powers may overflow

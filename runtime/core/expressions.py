@@ -47,25 +47,13 @@ _MOST_ROOTS = 16  # of the factors of a difference of the exponential, as in C
 
 @dataclass(frozen=True, kw_only=True)
 class Function:
-    """A function of arrays of named numbers.
+    """A function of arrays of named numbers, given by expressions."""
 
-    Attributes
-    ----------
-    takes : tuple of str
-        Of each argument the names of its entries, row after row, between blanks.
-    inputs, outputs : tuple of tuple of int
-        Shapes; that of a number is empty.
-    terms : tuple of str
-        What is computed on the way, in order: ``name = expression``.
-    gives : tuple of str
-        The results, row after row: expressions between commas. A vector is one row.
-    """
-
-    takes: tuple[str, ...]
-    inputs: tuple[tuple[int, ...], ...]
-    outputs: tuple[tuple[int, ...], ...]
-    terms: tuple[str, ...]
-    gives: tuple[str, ...]
+    takes: tuple[str, ...]  # names of the entries of each argument, row after row, between blanks
+    inputs: tuple[tuple[int, ...], ...]  # shapes of the arguments; that of a number is empty
+    outputs: tuple[tuple[int, ...], ...]  # shapes of the results; that of a number is empty
+    terms: tuple[str, ...]  # what is computed on the way, in order: ``name = expression``
+    gives: tuple[str, ...]  # rows of the results: expressions between commas; a vector is one row
 
     def __call__(self, *arguments: Any, lib: Any) -> Any:
         """The results over an arithmetic, as nested lists; a tuple where there are several."""
@@ -79,17 +67,10 @@ class Function:
         return results if len(results) > 1 else results[0]
 
     def check(self, *, exactly: bool) -> None:
-        """Read all expressions.
+        """Read all expressions, and raise an `InputError` of one line for what is refused.
 
-        Parameters
-        ----------
-        exactly : bool
-            Whether they have to be small enough for the exact arithmetic of polynomials.
-
-        Raises
-        ------
-        InputError
-            The message is one line.
+        If `exactly` is True, expressions that are too large for the exact arithmetic of
+        polynomials are refused too.
         """
         if exactly and not self._program.expands:
             raise InputError("an expression is too large")
@@ -128,7 +109,7 @@ class Function:
 
     @property
     def constants(self) -> tuple[str, ...]:
-        """Texts of the irrational numbers in it, once each."""
+        """Texts of the irrational numbers in the expressions, once each."""
         steps = self._program.steps
         return tuple(
             dict.fromkeys(operands[0] for _, what, operands in steps if what == "constant")
@@ -158,18 +139,20 @@ def _shaped(numbers: Iterator[Any], shape: Sequence[int]) -> Any:
 
 @dataclass(frozen=True)
 class _Program:
-    """Steps, each a number from numbers before it: constant, operator, or function's name.
+    """A list of steps, each of which makes a number from numbers before it.
 
-    `expands` says whether all of them, expanded, are polynomials of a sensible size.
+    A step is a place, an operation and its operands. The operation is None for an integer,
+    an operator, or the name of a function. `expands` says whether all numbers, expanded,
+    are polynomials of a sensible size.
     """
 
-    size: int
+    size: int  # number of all places, those of the inputs among them
     steps: tuple[tuple[int, Any, tuple[Any, ...]], ...]
-    results: tuple[int, ...]
+    results: tuple[int, ...]  # places of the results
     expands: bool
 
     def run(self, inputs: Sequence[Any], lib: Any) -> list[Any]:
-        """The results, from the inputs."""
+        """The results for these inputs, over the arithmetic `lib`."""
         found = [*inputs, *[None] * (self.size - len(inputs))]
         for place, what, operands in self.steps:
             if what is None:
@@ -213,7 +196,7 @@ class _Reader:
         self._place = 0
 
     def read(self, text: str, count: int) -> list[int]:
-        """Places of so many expressions between commas."""
+        """Places of the numbers that `count` expressions between commas stand for."""
         self._tokens, self._place = list(_tokens(text)), 0
         found = [self._sum(0)]
         while self._next(","):
@@ -227,7 +210,7 @@ class _Reader:
         return self._tokens[self._place]
 
     def _next(self, *wanted: str) -> str:
-        """The next token, if it is wanted, which is left behind; else an empty text."""
+        """The next token if it is one of those wanted, and move on; else an empty text."""
         token = self._token
         if token not in wanted:
             return ""
@@ -335,7 +318,7 @@ class _Reader:
         return text
 
     def _plain(self) -> int:
-        """A plain integer."""
+        """The next token as a plain integer."""
         token = self._token
         if not token.isdecimal():
             raise InputError(f"{token[:20]!r} where an integer belongs")
@@ -345,7 +328,7 @@ class _Reader:
         return int(token)
 
     def _integer(self, place: int) -> int | None:
-        """The integer in a place; None if there is another number."""
+        """The integer in a place; None if another number is there."""
         step = place - len(self.sizes) + len(self.steps)
         found = self.steps[step] if step >= 0 else None
         return int(found[2][0]) if found is not None and found[1] is None else None
@@ -362,7 +345,11 @@ class _Reader:
         return self._known[key]
 
     def _size(self, what: Any, operands: tuple[Any, ...]) -> tuple[int, int, int]:
-        """Bits, degree and terms of a step; refused where its numbers would be enormous."""
+        """Bits, degree and terms of the number that a step makes, when it is expanded.
+
+        An enormous number is refused. Where the degree or the terms are too many, `expands`
+        becomes False.
+        """
         if what is None or what == "rational":
             return max(1, *(number.bit_length() for number in operands)), 0, 1
         if isinstance(what, str):
@@ -384,7 +371,7 @@ class _Reader:
 
 
 def _tokens(text: str) -> Iterator[str]:
-    """Numbers, names and signs of a text, then an empty one."""
+    """The numbers, names and signs of a text in order, and an empty text at the end."""
     place, text = 0, text.rstrip()
     while place < len(text):
         token = _TOKEN.match(text, place)
@@ -401,15 +388,10 @@ def written(
     inputs: Sequence[Sequence[int]],
     outputs: Sequence[Sequence[int]],
 ) -> Function:
-    """A kernel over any arithmetic as a function of expressions, with the same operations.
+    """The `Function` that has the same operations as a kernel over any arithmetic.
 
-    Parameters
-    ----------
-    kernel : callable
-        Takes arrays as nested sequences, and ``lib``.
-    takes : sequence of sequence of str
-        Names of the entries of each argument.
-    inputs, outputs : sequence of shape
+    The kernel takes arrays as nested sequences, and ``lib``. `takes` holds the names of the
+    entries of each argument, `inputs` and `outputs` are shapes.
     """
     writer = _Writer()
     arguments = [
@@ -432,7 +414,7 @@ def written(
 
 
 class _Traced:
-    """A number of a kernel that is written down: each operation is noted."""
+    """A number of a kernel that is written down: its operations are noted."""
 
     __slots__ = ("place", "writer")
 
@@ -530,7 +512,7 @@ class _Writer:
         return ("integer", above) if below == 1 else self.number("rational", above, below).place
 
     def texts(self, results: Sequence[Sequence[Any]]) -> tuple[tuple[str, ...], list[str]]:
-        """Terms, and rows of the results."""
+        """Texts of the terms on the way, and of each row of the results."""
         uses = Counter(entry for row in results for entry in row if isinstance(entry, int))
         for place in range(len(self._nodes) - 1, -1, -1):
             if place in uses:

@@ -33,12 +33,10 @@ PARTIAL = ".partial"  # ending of what a killed process left
 
 
 def check_target(out: Path) -> None:
-    """Refuse a file that cannot be written, before the work is done.
+    """Raise `InputError` for a file that cannot be written, before the work is done.
 
-    Raises
-    ------
-    InputError
-        If it is there and no file, if standard output goes there, or without permission.
+    Refused are what is there and is no file, the file that standard output goes to, and
+    one without permission.
     """
     found = _found(out)
     if found is None:
@@ -56,13 +54,10 @@ def check_target(out: Path) -> None:
 
 
 def check_folder(out: Path) -> None:
-    """Refuse a folder that cannot be written, before the work is done.
+    """Raise `InputError` for a folder that cannot be written, before the work is done.
 
-    Raises
-    ------
-    InputError
-        If it is there and no folder, without permission, or without a name: files are not
-        scattered into the folder that one happens to be in.
+    Refused are what is there and is no folder, one without permission, and one without a
+    name: files are not scattered into the folder that one happens to be in.
     """
     if not out.name:
         raise InputError(f"cannot write {out}: give the folder a name")
@@ -76,49 +71,23 @@ def check_folder(out: Path) -> None:
 
 
 def check_ending(out: Path, endings: tuple[str, ...]) -> None:
-    """Refuse a file of another kind, before the work is done.
+    """Raise `InputError` unless a file's name has one of the endings.
 
-    Parameters
-    ----------
-    out : Path
-    endings : tuple of str
-        In lower case, with the dot: ``(".csv", ".json")``.
-
-    Raises
-    ------
-    InputError
-        If the file's name ends otherwise.
+    The endings are in lower case, with the dot: ``(".csv", ".json")``.
     """
     if out.suffix.lower() not in endings:
         raise InputError(f"{out} does not end in {', '.join(endings)}")
 
 
 def unwritable(path: Path, problem: OSError | ValueError) -> InputError:
-    """Say why a file or folder cannot be written.
-
-    Parameters
-    ----------
-    path : Path
-    problem : OSError or ValueError
-        What the system said.
-
-    Returns
-    -------
-    InputError
-        To be raised by the caller.
-    """
+    """An `InputError` that says why a path cannot be written; the caller raises it."""
     return InputError(f"cannot write {path}: {_reason(problem)}")
 
 
 def write_file(path: Path, content: bytes) -> None:
     """Write a file; what was there stays until the new content is complete.
 
-    Folders above it are made.
-
-    Raises
-    ------
-    InputError
-        If it cannot be written.
+    Folders above it are made. An `InputError` says that it cannot be written.
     """
     check_target(path)
     target = Path(os.path.realpath(path))
@@ -135,21 +104,13 @@ def write_file(path: Path, content: bytes) -> None:
 
 
 def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
-    """Write several files into a folder: all are on the disk before the first is in its place.
+    """Write files into a folder: all are on the disk before the first is in its place.
 
-    A folder that was not there is there at once with all its files. In one that was, files
-    take their places in the order that is given: one that vouches for others comes last.
-
-    Parameters
-    ----------
-    folder : Path
-        Made if need be, with those above it.
-    files : mapping of file name to content
-
-    Raises
-    ------
-    InputError
-        If it cannot be written; then no file has changed.
+    `files` maps names to contents. The folder and those above it are made if need be, and a
+    new folder is there at once with all its files. In one that was there, files take their
+    places in the order that is given: one that vouches for others comes last. An
+    `InputError` says that they cannot be written; what fails before the first file takes
+    its place changes none.
     """
     check_folder(folder)
     for name in files:
@@ -176,14 +137,10 @@ def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
 
 
 def fill_file(file: Path, content: bytes, instead: Path | None = None) -> None:
-    """Write a new file, down to the disk, in a folder that is not in its place yet.
+    """Write a new file, down to the disk, before it is moved to its place.
 
-    Parameters
-    ----------
-    file : Path
-    content : bytes
-    instead : Path, optional
-        A file that it will replace, if that is there: it gets the permissions of that.
+    `instead` is a file that it will replace: if that is there, it gets the permissions of
+    that.
     """
     with file.open("xb") as opened:
         opened.write(content)
@@ -195,12 +152,9 @@ def fill_file(file: Path, content: bytes, instead: Path | None = None) -> None:
 
 @contextmanager
 def folder_made(folder: Path) -> Iterator[None]:
-    """Make a folder and those above it; what was made goes again if what follows fails.
+    """Make a folder and those above it; if the block fails, remove what was made.
 
-    Raises
-    ------
-    InputError
-        If it cannot be made.
+    An `InputError` says that the folder cannot be made.
     """
     made = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
@@ -217,20 +171,10 @@ def folder_made(folder: Path) -> Iterator[None]:
 
 
 def read_file(path: Path, largest: int, kind: str) -> bytes:
-    """Give the content of a file of at most so many bytes.
+    """Content of a file of at most `largest` bytes.
 
-    Parameters
-    ----------
-    path : Path
-    largest : int
-        Bytes.
-    kind : str
-        What the file holds, in words, for the message.
-
-    Raises
-    ------
-    InputError
-        If it cannot be read or is larger; the message does not name the file.
+    `kind` says in words what the file holds. An `InputError`, which does not name the file,
+    refuses one that cannot be read or is larger.
     """
     try:
         known = path.stat()
@@ -248,7 +192,7 @@ def read_file(path: Path, largest: int, kind: str) -> bytes:
 
 
 def _found(out: Path) -> os.stat_result | None:
-    """What is there, links followed; None if nothing is."""
+    """The status of what is at a path, links followed; None if nothing is there."""
     try:
         return out.stat()
     except (FileNotFoundError, NotADirectoryError):
@@ -258,7 +202,7 @@ def _found(out: Path) -> os.stat_result | None:
 
 
 def _check_above(out: Path) -> None:
-    """Refuse what stands below a file, or below a folder where nothing may be made."""
+    """Raise `InputError` for a path below a file, or below a folder without permission."""
     above = next(path for path in Path(os.path.realpath(out)).parents if path.exists())
     if not above.is_dir():
         raise InputError(f"cannot write {out}: {above} is not a folder")
@@ -267,7 +211,7 @@ def _check_above(out: Path) -> None:
 
 
 def _is_output(found: os.stat_result) -> bool:
-    """Whether it is the file that standard output or standard error goes to."""
+    """Whether a file is the one that standard output or standard error goes to."""
     for descriptor in (1, 2):
         with suppress(OSError):
             if os.path.samestat(found, os.fstat(descriptor)):

@@ -18,27 +18,21 @@ _TERMS = 16  # of Taylor's polynomial over a step
 
 
 class Windows:
-    """Linear functions over windows of time, of the states at the start.
+    """Linear functions over windows of time, as functions of the states at the start.
 
-    In the window number k of the length h, around its middle, a function is
-    value + s rate + s^2/2 curve with |s| <= h/2.
-
-    Attributes
-    ----------
-    value, rate, curve : Rounded (k * j, n)
+    In a window of length h, a function is value + s rate + s^2/2 curve at the time s after
+    its middle, |s| <= h/2. `value`, `rate` and `curve` are `Rounded` (w j, n): the j
+    functions in the first of w windows, then those in the next.
     """
 
     def __init__(self, value: Rounded, rate: Rounded, curve: Rounded, step: float) -> None:
         self.value, self.rate, self.curve, self.step = value, rate, curve, step
 
     def bounds(self, states: ManySets) -> tuple[Floats, Floats, Floats, Floats, Floats]:
-        """Of each function and window (B, k * j).
+        """Bounds (B, w j) of each function in each window, for B sets of states.
 
-        Returns
-        -------
-        tuple of arrays
-            The largest value in the window; the least and the largest rate; the least and the
-            largest value at its end.
+        They are the largest value in the window; the least and the largest rate; the least and
+        the largest value at its end.
         """
         half = self.step / 2
         low, high = states.ranges(self.value)
@@ -60,14 +54,7 @@ class Windows:
 
 
 class FloatFlow:
-    """The flow of z' = A z.
-
-    Parameters
-    ----------
-    field : arb_mat (n, n)
-    step : float
-        A power of 2.
-    """
+    """The flow of z' = A z with A of balls, (n, n); the step of time is a power of 2."""
 
     def __init__(self, field: arb_mat, step: float) -> None:
         from flint import arb, arb_mat
@@ -98,7 +85,7 @@ class FloatFlow:
         return Rounded.of((self.field * (arb(self.step) * number)).exp())
 
     def _third_over(self, exponent: int) -> Floats:
-        """Bounds of |A|^3 exp(|A| t) for |t| <= 2^exponent."""
+        """Bounds (n, n) of |A|^3 exp(|A| t) for |t| <= 2^exponent."""
         from flint import arb
 
         matrix = self._sizes**3 * (self._sizes * arb(2.0**exponent)).exp()
@@ -107,13 +94,9 @@ class FloatFlow:
         return found
 
     def windows(self, rows: arb_mat, numbers: range) -> Windows:
-        """Functions of the states over windows, as functions of the states at the start.
+        """Linear functions with the rows (j, n) over the windows with these numbers.
 
-        Parameters
-        ----------
-        rows : arb_mat (j, n)
-        numbers : range
-            Of the windows: number k is from k to k + 1 steps.
+        The window number k is from k to k + 1 steps.
         """
         from flint import arb
 
@@ -134,17 +117,7 @@ class FloatFlow:
         return Windows(stacked(values), stacked(rates), stacked(curves), self.step)
 
     def at(self, times: Floats) -> Rounded:
-        """The flow at many times.
-
-        Parameters
-        ----------
-        times : array (B,)
-            Not negative.
-
-        Returns
-        -------
-        Rounded (B, n, n)
-        """
+        """Enclosures (B, n, n) of the flow at times (B,), which are not negative."""
         numbers = np.rint(times / self.step)
         left = times - numbers * self.step  # exact: the step is a power of 2
         powers = left[:, None] ** np.arange(_TERMS)
@@ -162,14 +135,9 @@ class FloatFlow:
         return Rounded(middle.reshape(shape), radius.reshape(shape)) @ start
 
     def between(self, states: ManySets, begin: Floats, end: Floats) -> tuple[ManySets, ManySets]:
-        """The states at the middle of two times, and all states between the times.
+        """The states at the middle of two times, and all states between the times, (B,) each.
 
-        The time is a further side of these.
-
-        Parameters
-        ----------
-        states : ManySets
-        begin, end : array (B,)
+        The time is a further side of the sets of all states.
         """
         middle = (begin + end) / 2
         half = upward(np.maximum(end - middle, middle - begin))
@@ -194,7 +162,7 @@ class FloatFlow:
 
 
 def _product(matrix: Rounded, vectors: Floats) -> tuple[Floats, Floats]:
-    """A matrix times vectors (B, n), and by how much that is off."""
+    """Products of a matrix and vectors (B, n), and bounds of their errors."""
     found = vectors @ matrix.middle.T
     return found, upward(np.abs(vectors) @ (matrix.radius + ROUNDING * np.abs(matrix.middle)).T)
 

@@ -41,15 +41,9 @@ _THIN = 2.0  # times the largest share of a side: then a function takes its plac
 
 
 def upward(sizes: Any) -> Any:
-    """No less than the exact values of a few operations with numbers that are not negative.
+    """Upper bounds of the exact results of a few operations with numbers >= 0.
 
-    Parameters
-    ----------
-    sizes : array
-
-    Returns
-    -------
-    array
+    `sizes` are the results in doubles.
     """
     return sizes * (1 + ROUNDING) + _UNDERFLOW
 
@@ -62,12 +56,7 @@ class Rounded(NamedTuple):
 
     @staticmethod
     def of(matrix: arb_mat) -> Rounded:
-        """A matrix of balls.
-
-        Parameters
-        ----------
-        matrix : arb_mat (k, n)
-        """
+        """Middles and radii in doubles that enclose a matrix (k, n) of balls."""
         from flint import arb
 
         listed = matrix.tolist()
@@ -85,42 +74,23 @@ class Rounded(NamedTuple):
         return Rounded(self.middle @ other.middle, upward(radius + ROUNDING * (size @ further)))
 
     def rows(self, chosen: Any) -> Rounded:
-        """Some of its rows.
-
-        Parameters
-        ----------
-        chosen : index
-        """
+        """The rows that an index chooses."""
         return Rounded(self.middle[..., chosen, :], self.radius[..., chosen, :])
 
 
 @dataclass(frozen=True)
 class ManySets:
-    """B sets of states in R^n.
+    """B sets of states in R^n, each c + S e + b with e in [-1, 1]^m and b in a box around 0."""
 
-    Attributes
-    ----------
-    centre : array (B, n)
-    sides : array (B, n, m)
-    box : array (B, n)
-    """
-
-    centre: Floats
-    sides: Floats
-    box: Floats
+    centre: Floats  # c, (B, n)
+    sides: Floats  # S, (B, n, m)
+    box: Floats  # bounds of abs(b), (B, n)
 
     @staticmethod
     def of_boxes(low: Floats, high: Floats) -> ManySets:
-        """Boxes; their last coordinate is 1.
+        """Boxes from `low` to `high`, (B, d) each, as sets in R^(d + 1).
 
-        Parameters
-        ----------
-        low, high : array (B, d)
-
-        Returns
-        -------
-        ManySets
-            In R^(d + 1).
+        The last coordinate of their states is 1.
         """
         middle = (low + high) / 2
         half = upward(np.maximum(high - middle, middle - low))
@@ -139,28 +109,18 @@ class ManySets:
 
     @property
     def spread(self) -> Floats:
-        """How far the states are from the centre at most: (B, n)."""
+        """Bounds (B, n) of the distances of the states from the centre, by coordinate."""
         found: Floats = upward(np.abs(self.sides).sum(axis=2) + self.box)
         return found
 
     @property
     def hull(self) -> tuple[Floats, Floats]:
-        """Least and largest coordinates: two (B, n)."""
+        """Least and largest coordinates of the states, (B, n) each."""
         off = self.spread + ROUNDING * np.abs(self.centre)
         return self.centre - upward(off), self.centre + upward(off)
 
     def mapped(self, matrix: Rounded) -> ManySets:
-        """Images under a matrix, or under one for each.
-
-        Parameters
-        ----------
-        matrix : Rounded (k, n) or (B, k, n)
-
-        Returns
-        -------
-        ManySets
-            In R^k.
-        """
+        """Images in R^k under a matrix (k, n), or under one for each set, (B, k, n)."""
         size = np.abs(matrix.middle)
         unsure = matrix.radius + ROUNDING * size
         reach = np.abs(self.centre) + self.spread
@@ -168,16 +128,9 @@ class ManySets:
         return ManySets(_times(matrix.middle, self.centre), matrix.middle @ self.sides, upward(box))
 
     def shares(self, rows: Rounded) -> tuple[Floats, Floats, Floats]:
-        """Linear functions as a + w e + r with |r| at most a bound.
+        """Linear functions of the states as a + w e + r: a, w and a bound of |r|.
 
-        Parameters
-        ----------
-        rows : Rounded (k, n) or (B, k, n)
-
-        Returns
-        -------
-        tuple of arrays (B, k), (B, k, m), (B, k)
-            a, w and the bound.
+        For rows (k, n) or (B, k, n) these are (B, k), (B, k, m) and (B, k).
         """
         size = np.abs(rows.middle)
         unsure = rows.radius + ROUNDING * size
@@ -186,33 +139,16 @@ class ManySets:
         return _times(rows.middle, self.centre), rows.middle @ self.sides, upward(loose)
 
     def ranges(self, rows: Rounded) -> tuple[Floats, Floats]:
-        """Least and largest values of linear functions.
-
-        Parameters
-        ----------
-        rows : Rounded (k, n) or (B, k, n)
-
-        Returns
-        -------
-        tuple of arrays (B, k)
-        """
+        """Least and largest values (B, k) of linear functions, of rows (k, n) or (B, k, n)."""
         middle, weights, loose = self.shares(rows)
         off = upward(np.abs(weights).sum(axis=2) + loose)
         return middle - off, middle + off
 
     def cut(self, row: Rounded, zero: bool = False) -> tuple[ManySets, NDArray[np.bool_]]:
-        """What is left of the sets where a function is not negative, or zero.
+        """Sets around the states where a function is not negative, and flags (B,).
 
-        Parameters
-        ----------
-        row : Rounded (1, n) or (B, 1, n)
-        zero : bool
-            Whether the function is zero there.
-
-        Returns
-        -------
-        tuple of (ManySets, array of bool (B,))
-            Sets that contain what is left, and whether there may be any of it.
+        The function has the row (1, n) or (B, 1, n). If `zero`, the sets are around the states
+        where it is zero. A flag says whether there may be any such state.
         """
         middle, weights, loose = (x[:, 0] for x in self.shares(row))
         size = np.abs(weights)
@@ -239,7 +175,10 @@ class ManySets:
     def _shortened(
         self, least: Floats, most: Floats, alive: NDArray[np.bool_]
     ) -> tuple[ManySets, Floats, Floats]:
-        """The part with each e between two numbers: with the middles, and the halves."""
+        """Parts of the sets with each e in an interval, and the middles and halves of these.
+
+        Sets that are not alive are not cut.
+        """
         cut = alive[:, None] & ((least > -1) | (most < 1))
         middle = np.where(cut, (least + most) / 2, 0.0)
         half = np.where(cut, upward(np.maximum(most - middle, middle - least)), 1.0)
@@ -259,9 +198,10 @@ class ManySets:
         bottom: Floats,
         zero: bool,
     ) -> ManySets:
-        """A function middle + weights e + r from 0 to `high` takes the place of one side.
+        """The sets with a function from 0 to `high` in the place of one side, where that helps.
 
-        It does so where it is zero, or the part is thin.
+        The function is middle + weights e + r. It takes the place of the side that it depends
+        on most, where it is zero or the part is thin, and the set does not become wider.
         """
         if not weights.shape[1]:
             return self
@@ -298,23 +238,12 @@ class ManySets:
     def fewer_sides(
         self, free: Any, lift: Rounded, within: tuple[Floats, Floats] | None = None
     ) -> ManySets:
-        """Parallelepipeds around the sets, with as many sides as states have free coordinates.
+        """Parallelepipeds with d sides around the sets, for states with d free coordinates.
 
-        They have the directions of the largest sides, or are boxes if those are smaller.
-
-        Parameters
-        ----------
-        free : sequence of int, length d
-            Which coordinates are free: the others are functions of them for all states.
-        lift : Rounded (n, d + 1)
-            All coordinates by the free ones and 1.
-        within : tuple of arrays (B, n), optional
-            Least and largest coordinates, from elsewhere.
-
-        Returns
-        -------
-        ManySets
-            With d sides.
+        The coordinates in `free` determine the others for all states: `lift` (n, d + 1) gives
+        all coordinates by the free ones and 1. The new sides have the directions of the largest
+        old ones, or are those of boxes if these are smaller. `within` holds least and largest
+        coordinates (B, n) that are known from elsewhere.
         """
         places, each = list(free), np.arange(len(self))
         count = len(places)
@@ -354,17 +283,9 @@ class ManySets:
         return reduced.mapped(lift)
 
     def halves(self, side: NDArray[np.int_]) -> ManySets:
-        """Each set in two, first all lower and then all upper halves.
+        """The 2 B halves of the sets, first all lower and then all upper ones.
 
-        Parameters
-        ----------
-        side : array of int (B,)
-            Which side is divided.
-
-        Returns
-        -------
-        ManySets
-            2 B of them.
+        `side` (B,) says which side of each is divided.
         """
         each = np.arange(len(self))
         step = self.sides[each, :, side] / 2
@@ -377,18 +298,10 @@ class ManySets:
 
 
 def within(box: tuple[Floats, Floats], row: Rounded) -> tuple[Floats, Floats]:
-    """Boxes around the states of boxes for which a function is not positive.
+    """Boxes (B, n) around the states of boxes for which a function is not positive.
 
-    Parameters
-    ----------
-    box : tuple of arrays (B, n)
-        Least and largest coordinates.
-    row : Rounded (1, n)
-
-    Returns
-    -------
-    tuple of arrays (B, n)
-        The same box where there are none.
+    A box is given by its least and largest coordinates, the function by its row (1, n).
+    Where there is no such state, the box stays the same.
     """
     low, high = box
     weight, size = row.middle[0], np.abs(row.middle[0])
@@ -405,7 +318,7 @@ def within(box: tuple[Floats, Floats], row: Rounded) -> tuple[Floats, Floats]:
 
 
 def joined_sets(parts: list[ManySets]) -> ManySets:
-    """Sets of several lists in one; those with fewer sides get sides of no length."""
+    """Sets of several lists in one; those with fewer sides get sides of length zero."""
     most = max(part.sides.shape[2] for part in parts)
     sides = [
         np.pad(part.sides, ((0, 0), (0, 0), (0, most - part.sides.shape[2]))) for part in parts
@@ -418,7 +331,7 @@ def joined_sets(parts: list[ManySets]) -> ManySets:
 
 
 def _times(matrix: Floats, vectors: Floats) -> Floats:
-    """Products of one matrix, or one for each, and vectors (B, n)."""
+    """Products (B, k) of one matrix, or of one for each set, and vectors (B, n)."""
     found: Floats = (matrix @ vectors[:, :, None])[:, :, 0]
     return found
 
@@ -432,7 +345,7 @@ def _below(values: Floats) -> Floats:
 
 
 def _frame(sides: Floats) -> Floats:
-    """Directions (B, d, d), as columns, of the largest sides (B, d, m) that are apart."""
+    """Directions (B, d, d), as columns, of the largest sides (B, d, m) at clear angles."""
     count, size, _ = sides.shape
     spans = np.abs(sides).sum(axis=2)
     unit = np.where(spans > 0, spans, 1.0)

@@ -37,41 +37,22 @@ _HIGHEST_DEGREE = 24  # of a polynomial that reduces powers of its root
 
 @dataclass(frozen=True)
 class Irrationals:
-    """Numbers over parameters and generators.
+    """Irrational numbers as rational functions of parameters and generators."""
 
-    Attributes
-    ----------
-    variables : list of RationalFunction
-        The parameters.
-    generators : tuple of str
-        Expressions, the last variables of the functions in this order.
-    numbers : dict of str to fmpq or RationalFunction
-        Each number by its text.
-    """
-
-    variables: list[RationalFunction]
-    generators: tuple[str, ...]
-    numbers: dict[str, Any]
+    variables: list[RationalFunction]  # the parameters
+    generators: tuple[str, ...]  # expressions of the last variables of the functions, in this order
+    numbers: dict[str, Any]  # fmpq or RationalFunction of each number, by its text
 
 
 def irrationals(
     names: Sequence[str], texts: Iterable[str], evaluate: Callable[[str], arb]
 ) -> Irrationals:
-    """Numbers as rational functions of their generators, beside parameters.
+    """Numbers as rational functions of their generators, beside the parameters `names`.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Of the parameters.
-    texts : iterable of str
-        Numbers, in the grammar of parameter values, which are known to be finite and real.
-    evaluate : callable
-        From an expression to a ball around it, which tells what is certainly not zero.
-
-    Raises
-    ------
-    ArithmeticError
-        If a number divides by what may be zero, or a literal is enormous.
+    `texts` are in the grammar of parameter values, and known to be finite and real.
+    `evaluate` gives a ball around an expression, which tells what is certainly not zero.
+    Raises ArithmeticError if a number divides by what may be zero, or a literal is
+    enormous.
     """
     trees = {text: _tree(text) for text in dict.fromkeys(texts)}
     reader = _NumberReader()
@@ -118,7 +99,7 @@ class _Fractions(ast.NodeTransformer):
 
 
 class _NumberReader:
-    """Collects the generators of trees, and reads trees in them."""
+    """Collects the generators of syntax trees, and expresses the trees by them."""
 
     def __init__(self) -> None:
         self.keys: dict[Any, Any] = {}  # with the number inside, if there is one
@@ -153,7 +134,7 @@ class _NumberReader:
         self.order[key] = math.lcm(self.order.get(key, 1), order)
 
     def generators(self) -> dict[Any, str]:
-        """Keys and expressions of the generators, those that others are made of last."""
+        """Expressions of the generators by their keys, each before those that it contains."""
         return {key: self._text(key) for key in reversed(self.keys)}
 
     def _text(self, key: Any) -> str:
@@ -172,7 +153,7 @@ class _NumberReader:
         return str(key)
 
     def relation(self, key: Any) -> Any:
-        """A polynomial that is zero, monic in a generator; None where none is known."""
+        """A polynomial that is zero and monic in a generator; None where none is known."""
         from flint import fmpz_poly
 
         generator, order = self.known[key], self.order[key]
@@ -196,7 +177,7 @@ class _NumberReader:
         return found.above / found.below.leading_coefficient() if small else None
 
     def number(self, node: ast.expr) -> Any:
-        """What a tree means: a fraction, or a function of the generators."""
+        """The number that a tree stands for: a fraction, or a function of the generators."""
         from flint import fmpq, fmpz_poly
 
         match self._what(node):
@@ -231,7 +212,7 @@ class _NumberReader:
         raise AssertionError(type(node).__name__)
 
     def _what(self, node: ast.expr) -> tuple[Any, ...]:
-        """What kind of number a tree is, and of what it is made."""
+        """The kind of number that a tree is, and the parts that it is made of."""
         linear = _linear(node)
         if linear is not None and linear[1] == 0:
             return "rational", linear[0]
@@ -267,7 +248,10 @@ class _NumberReader:
         return "radical", base, power
 
     def _called(self, name: str, plain: Fraction, turns: Fraction) -> tuple[Any, ...] | None:
-        """A function of a sum of a fraction and a fraction of pi."""
+        """The kind and parts of a function of a fraction plus a fraction of pi.
+
+        None where the function has to be a generator itself.
+        """
         if name == "exp":
             small = not turns and abs(plain) < _HIGHEST_POWER and plain.denominator < _LARGEST_ORDER
             return ("powers", {"e": plain}) if small else None
@@ -319,7 +303,7 @@ def _linear(node: ast.expr) -> tuple[Fraction, Fraction] | None:
 
 
 def _primes(number: Fraction) -> dict[int, int] | None:
-    """Powers of primes of which a positive number is the product; None where that is too much."""
+    """Exponents of the primes of a positive fraction; None if it is too large or not positive."""
     from flint import fmpz
 
     above, below = number.numerator, number.denominator

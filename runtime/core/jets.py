@@ -63,12 +63,7 @@ class Jet(TaylorModel):
         return Jet(self.space, tuple(None if p is None else p / other for p in self.parts))
 
     def range(self) -> Any:
-        """Ball, or matrix of balls, that contains all values; not of the derivatives.
-
-        Returns
-        -------
-        arb or arb_mat
-        """
+        """Ball, or matrix of balls, that contains all values, but not the derivatives."""
         return range_of(self.parts[0])
 
     def reciprocal(self) -> Jet:
@@ -83,12 +78,7 @@ class Jet(TaylorModel):
         return Jet(self.space, tuple(found))
 
     def sin_cos(self) -> tuple[Jet, Jet]:
-        """Sine and cosine of a number a, whose derivatives are a' cos a and -a' sin a.
-
-        Returns
-        -------
-        sine, cosine : Jet
-        """
+        """Sine and cosine of a number a, whose derivatives are a' cos a and -a' sin a."""
         sines, cosines = ([part] for part in self.parts[0].sin_cos())
         for k in range(1, len(self.parts)):
             sine = cosine = None
@@ -101,9 +91,9 @@ class Jet(TaylorModel):
         return Jet(self.space, tuple(sines)), Jet(self.space, tuple(cosines))
 
     def _terms(self, others: Sequence[Any], k: int) -> Iterator[tuple[int, Any]]:
-        """Those of the product's coefficient k that have a derivative of this number, of order i.
+        """The terms a_i b_(k - i), i >= 1, of coefficient k of a product with another jet.
 
-        Each behind its i; what is zero is left out.
+        Each comes behind its i; what is zero is left out.
         """
         for i in range(1, k + 1):
             if self.parts[i] is not None and others[k - i] is not None:
@@ -112,9 +102,7 @@ class Jet(TaylorModel):
     def stacked(self, rows: Sequence[Sequence[Any]]) -> Jet:
         """A matrix of jets and of numbers that do not depend on the parameter.
 
-        Parameters
-        ----------
-        rows : sequence of sequence of number, arb, TaylorModel or Jet
+        The latter may be balls and Taylor models.
         """
 
         def parts(k: int) -> Any:
@@ -129,7 +117,7 @@ class Jet(TaylorModel):
         return Jet(self.space, tuple(map(parts, range(len(self.parts)))))
 
     def exp(self) -> Jet:
-        """Exponential of a matrix: jets are block matrices with equal diagonals."""
+        """Exponential of a matrix, from that of the block triangular matrix of its coefficients."""
         size, count = self.nrows(), len(self.parts)
         if all(part is None for part in self.parts[1:]):
             return Jet(self.space, (self.parts[0].exp(), *self.parts[1:]))
@@ -150,25 +138,15 @@ class Jet(TaylorModel):
 def jet(*parts: Any) -> Jet:
     """A number by its coefficients: the value, the derivative, half of the second one.
 
-    Parameters
-    ----------
-    *parts : arb, TaylorModel or None
-        At least two; None is zero, but for the value.
+    There are at least two; None is zero, but the value may not be None.
     """
     return Jet(space_of(1, len(parts) - 1), parts)
 
 
 def part_of(number: Any, k: int) -> Any:
-    """A coefficient of a jet; of what is none, which does not depend on the parameter, zero.
+    """Coefficient k of a jet; a number that depends on no parameter has zeros for k > 0.
 
-    Parameters
-    ----------
-    number : Jet, TaylorModel, arb or a matrix of them
-    k : int
-
-    Returns
-    -------
-    TaylorModel, arb or a matrix of them
+    The number may also be a matrix.
     """
     if not isinstance(number, Jet):
         return 0 * number if k else number

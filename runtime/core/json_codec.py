@@ -79,17 +79,10 @@ _WRONG_TYPE = " is of the wrong type"
 
 @dataclass(frozen=True)
 class Codec:
-    """The two ways of one kind of entry.
+    """The two functions that write and read one kind of entry."""
 
-    Attributes
-    ----------
-    write : function
-        Gives the JSON entry of a value.
-    read : function
-        Gives the value of an entry; raises InputError or ValueError for another entry.
-    """
-
-    write: Callable[[Any], Any]
+    write: Callable[[Any], Any]  # gives the JSON entry of a value
+    # gives the value of an entry; InputError or ValueError for another entry
     read: Callable[[Any], Any]
 
 
@@ -101,37 +94,22 @@ class _Refused(InputError):
         self.problem, self.path = problem, path
 
     def below(self, step: object) -> _Refused:
-        """The same, seen from one step above."""
+        """The same refusal with one more step in front of its path."""
         return _Refused(self.problem, (step, *self.path))
 
 
 def encode(record: Any) -> dict[str, Any]:
-    """Give the JSON object of a record.
-
-    Parameters
-    ----------
-    record : dataclass
-        Its annotations say how each field is written.
-    """
+    """The JSON object of a record, whose annotations say how each field is written."""
     kind: Any = type(record)
     entries: dict[str, Any] = _codec(kind).write(record)
     return entries
 
 
 def decode(kind: type[Record], entries: Any) -> Record:
-    """Give the record of a JSON object.
+    """The record of a class that a parsed JSON object describes.
 
-    Parameters
-    ----------
-    kind : type
-        Of the record.
-    entries : object
-        What a JSON parser gave.
-
-    Raises
-    ------
-    InputError
-        For an entry that is missing, unknown, or not as the record's field has it.
+    An `InputError` refuses an entry that is missing, unknown, or not as the record's field
+    has it.
     """
     any_kind: Any = kind
     found: Record = _codec(any_kind).read(entries)
@@ -139,18 +117,10 @@ def decode(kind: type[Record], entries: Any) -> Record:
 
 
 def given_value(name: str, text: str) -> Value:
-    """Give a value as it was written.
+    """The value of a text, as it was written.
 
-    Parameters
-    ----------
-    name : str
-        What the value is of, for the message.
-    text : str
-
-    Raises
-    ------
-    InputError
-        If the text is no number; the message names it.
+    `name` says what the value is of. It begins the `InputError` for a text that is no
+    number.
     """
     try:
         return _value(text)
@@ -160,7 +130,7 @@ def given_value(name: str, text: str) -> Value:
 
 @cache
 def _codec(kind: Any) -> Codec:
-    """How values of an annotation are written and read."""
+    """The `Codec` for values of an annotation."""
     origin, arguments = get_origin(kind), get_args(kind)
     if kind is Any:
         return Codec(_same, _same)
@@ -190,7 +160,7 @@ def _same(entry: Any) -> Any:
 
 
 def _of_type(kind: type) -> Callable[[Any], Any]:
-    """Refuse what is not exactly of a type."""
+    """A reader that refuses what is not exactly of a type."""
 
     def read(entry: Any) -> Any:
         if type(entry) is not kind:
@@ -221,7 +191,7 @@ def _value(entry: Any) -> Value:
 
 
 def _matching(pattern: str) -> Callable[[Any], str]:
-    """Refuse a text of another form."""
+    """A reader that refuses texts that do not match a pattern."""
     form = re.compile(pattern)
 
     def read(entry: Any) -> str:
@@ -237,7 +207,7 @@ _fraction = _matching(r"-?\d+(/\d+)?")
 
 
 def _digits(entry: Any) -> float:
-    """Read a decimal string, also of what is not finite."""
+    """Read a decimal string, which may be nan or inf."""
     text = _text(entry)
     try:
         return float(text)
@@ -272,7 +242,7 @@ def _complex_of(part: Callable[[Any], float]) -> Callable[[Any], complex]:
 
 
 def _place_in(parts: Any, read: Callable[[Any], Any]) -> list[Any]:
-    """Read the parts of a list; what is refused is named by its place, counted from 1."""
+    """Read the parts of a list; a refusal names the place of the part, counted from 1."""
     if type(parts) is not list:
         raise _Refused(_WRONG_TYPE)
     found: list[Any] = []
@@ -315,7 +285,7 @@ def _object(part: Codec) -> Codec:
 
 
 def _named(entry: Mapping[str, Any], ways: Mapping[str, Codec]) -> dict[str, Any]:
-    """Read entries by name; what is refused is named."""
+    """Read entries by name; a refusal names the entry."""
     found, name = {}, ""
     try:
         for name, way in ways.items():
@@ -360,13 +330,7 @@ def _record(kind: Any) -> Codec:
 
 
 def one_of(known: tuple[str, ...]) -> Codec:
-    """A text that is one of those that are known.
-
-    Returns
-    -------
-    Codec
-        Reading another text with it raises InputError.
-    """
+    """A `Codec` for texts that are known; it refuses another text with `InputError`."""
 
     def read(entry: Any) -> Any:
         if type(entry) is not str or entry not in known:
@@ -377,7 +341,7 @@ def one_of(known: tuple[str, ...]) -> Codec:
 
 
 def _flat(part: Codec, kind: type) -> Codec:
-    """An array (n,); one of more axes is written row after row, without its shape."""
+    """A `Codec` for arrays (n,); those of more axes are written flat, without their shape."""
     return Codec(
         lambda array: [part.write(each) for each in np.ravel(array).tolist()],
         lambda entry: np.array(_place_in(entry, part.read), dtype=kind),
@@ -385,7 +349,7 @@ def _flat(part: Codec, kind: type) -> Codec:
 
 
 def _rows(part: Codec) -> Codec:
-    """An array (n, m), as n lists."""
+    """A `Codec` for arrays (n, m), as n lists."""
 
     def read(entry: Any) -> np.ndarray:
         rows = _place_in(entry, lambda row: _place_in(row, part.read))

@@ -11,20 +11,11 @@ _NORM, _DEGREE = 0.5, 15  # the series' rest is below 0.5^16 / 16! = 7e-19
 
 
 def exponentials(matrices: np.ndarray) -> np.ndarray:
-    """Exponentials (k, n, n) by scaling, Taylor's series and squaring.
+    """Exponentials (k, n, n) of real or complex matrices (k, n, n), nondimensional.
 
-    Plain products alone: a tiny imaginary part comes out as a derivative, to full precision
-    (Al-Mohy and Higham, 2010).
-    NaN for a matrix of which an entry is not finite, or larger than 10^6.
-
-    Parameters
-    ----------
-    matrices : array (k, n, n)
-        Real or complex, nondimensional.
-
-    Returns
-    -------
-    array (k, n, n)
+    Scaling, Taylor's series and squaring take plain products alone: a tiny imaginary part
+    comes out as a derivative, to full precision (Al-Mohy and Higham, 2010). The result is
+    NaN for a matrix that is not finite, or has a column sum of absolute values above 10^6.
 
     Examples
     --------
@@ -50,15 +41,9 @@ def exponentials(matrices: np.ndarray) -> np.ndarray:
 
 
 def eigenvalues(matrices: np.ndarray) -> np.ndarray:
-    """Eigenvalues (k, n) by decreasing absolute value, complex; NaN where there are none.
+    """Complex eigenvalues (k, n) of matrices (k, n, n), by decreasing absolute value.
 
-    Parameters
-    ----------
-    matrices : array (k, n, n)
-
-    Returns
-    -------
-    array (k, n)
+    They are NaN for a matrix that is not finite.
     """
     found = np.full(matrices.shape[:-1], np.nan, dtype=complex)
     sound = np.isfinite(matrices).all(axis=(-2, -1))
@@ -67,16 +52,7 @@ def eigenvalues(matrices: np.ndarray) -> np.ndarray:
 
 
 def sorted_by_size(values: np.ndarray) -> np.ndarray:
-    """Rows of numbers by decreasing absolute value.
-
-    Parameters
-    ----------
-    values : array (..., n)
-        Real or complex.
-
-    Returns
-    -------
-    array (..., n)
+    """Rows (..., n) of real or complex numbers by decreasing absolute value.
 
     Examples
     --------

@@ -26,38 +26,27 @@ _SHORT = 6  # matrices whose plain product is as sharp
 
 
 class FramedPhases(NamedTuple):
-    """Phases of a chain, their states seen from a frame at the start and one at the end of each.
+    """Phases of a chain, seen from a frame at the start and one at the end of each.
 
-    Attributes
-    ----------
-    fields, rows, resets, flows : list of matrices
-        Of each phase: the affine field and the boundary's row in the frame of its end, the
-        reset to the next phase's start, the flow from start to end.
-    starts, ends : list of arb_mat
-        The frames: their products with what is seen are states. The first start's, and the one
-        behind the last phase, are the unit matrix.
+    A frame times what is seen from it is a state.
     """
 
-    fields: list[Any]
-    rows: list[Any]
-    resets: list[Any]
-    flows: list[Any]
+    fields: list[Any]  # affine fields, in the frames of the ends
+    rows: list[Any]  # rows of the boundaries, in the frames of the ends
+    resets: list[Any]  # from the frame of each end to that of the next start
+    flows: list[Any]  # from the frame of each start to that of the end
+    # frames of the starts; the first one, and one behind the last phase, are the unit matrix
     starts: list[arb_mat]
-    ends: list[arb_mat]
+    ends: list[arb_mat]  # frames of the ends
 
 
 def framed_phases(
     fields: list[Any], rows: list[Any], resets: list[Any], flows: list[Any]
 ) -> FramedPhases:
-    """See a chain's phases from frames in which flows and resets are nearly triangular.
+    """Phases of a chain in frames in which flows and resets are nearly triangular.
 
-    Of a short chain all frames are unit matrices.
-
-    Parameters
-    ----------
-    fields, resets, flows : list of matrices (N + 1, N + 1)
-        That act on (y, 1).
-    rows : list of matrices (1, N + 1)
+    Fields, resets and flows are matrices (N + 1, N + 1) that act on (y, 1), rows are
+    (1, N + 1). In a short chain all frames are unit matrices.
     """
     unit = _unit(fields[0].nrows())
     if len(fields) <= _SHORT:
@@ -80,19 +69,10 @@ def framed_phases(
 
 
 def along_chain(steps: Sequence[Callable[[Any], Any]], start: Any) -> Any:
-    """What a chain of linear maps makes of a matrix.
+    """Enclosure (N, n) of what a chain of linear maps makes of a matrix (N, n).
 
-    Parameters
-    ----------
-    steps : sequence of functions
-        Each multiplies a matrix (N, k) from the left by a matrix (N, N) of balls or models.
-    start : matrix (N, n)
-        On which the first one acts.
-
-    Returns
-    -------
-    matrix (N, n)
-        Enclosures of the product.
+    Each step multiplies a matrix (N, k) from the left by a matrix (N, N) of balls or
+    models. The first step acts on `start`.
     """
     if len(steps) <= _SHORT:
         for step in steps:
@@ -107,9 +87,9 @@ def along_chain(steps: Sequence[Callable[[Any], Any]], start: Any) -> Any:
 
 
 def _frame(moved: Any, *, affine: bool = False) -> tuple[arb_mat, arb_mat]:
-    """An exact matrix, about orthogonal, that makes another one upper triangular; its inverse.
+    """An exact, about orthogonal Q such that Q^-1 M is nearly triangular, and Q^-1.
 
-    Of affine maps only the linear part.
+    The inverse is of balls. Of an affine map M only the linear part is turned.
     """
     from flint import arb_mat
 

@@ -31,18 +31,13 @@ Found = TypeVar("Found")
 
 
 class _Raised(NamedTuple):
-    """What a process raised in place of an answer."""
+    """An exception that a process raised in place of an answer."""
 
     problem: Exception
 
 
 def check_workers(workers: int) -> None:
-    """Refuse what is no number of processes.
-
-    Raises
-    ------
-    InputError
-    """
+    """Raise `InputError` unless the number of processes is an integer from 1 to 1024."""
     if isinstance(workers, bool) or not isinstance(workers, int) or not 1 <= workers <= _MOST:
         raise InputError(f"workers = {workers!r} is not an integer from 1 to {_MOST}")
 
@@ -53,29 +48,14 @@ def in_processes(
     batches: Iterable[Batch],
     workers: int,
 ) -> Generator[tuple[Batch, Found], None, None]:
-    """Do batches of some work in several processes, which end when the generator is closed.
+    """Pairs of a batch and what the work makes of it, in the order of the batches.
 
-    Parameters
-    ----------
-    begin : callable
-        A function of a module: makes of what is given the function that does one batch. It is
-        called once in each process.
-    given : object
-        As everything that goes to a process and back, such that it can be pickled.
-    batches : iterable
-        The next one is taken when a process is about to need it.
-    workers : int
-        Processes; with 1 the work is done in this one.
-
-    Yields
-    ------
-    tuple of (batch, found)
-        In the order of the batches.
-
-    Raises
-    ------
-    NoConvergence
-        If a process ends before its work does, for want of memory perhaps.
+    The work is done in `workers` processes, which end when the generator is closed; a
+    single worker is this process. `begin`, a function of a module, makes of `given` the
+    function that does one batch; it is called once in each process. Everything that goes
+    to a process and back has to be picklable. The next batch is taken when a process is
+    about to need it. Raises `NoConvergence` if a process ends before its work does, for
+    want of memory perhaps.
     """
     if workers == 1:
         work = begin(given)
@@ -95,7 +75,10 @@ def in_processes(
 
 @contextmanager
 def _processes(begin: Any, given: Any, workers: int) -> Iterator[Callable[[Any], Future[Any]]]:
-    """Give what submits a batch to the next process that is free; they end with the block."""
+    """Give a function that submits a batch to the next free process.
+
+    The processes end with the block.
+    """
     told, own = pickle.dumps((begin, given)), threading.local()
     started: list[subprocess.Popen[bytes]] = []
 
@@ -149,7 +132,7 @@ def _pipe(end: IO[bytes] | None) -> IO[bytes]:
 
 
 def serve() -> None:
-    """Do what standard input tells, batch by batch: the work of such a process."""
+    """Read batches from standard input and answer each: the work of such a process."""
     with os.fdopen(os.dup(1), "wb") as answers:
         os.dup2(2, 1)  # what is printed does not come between the answers
         begin, given = pickle.load(sys.stdin.buffer)

@@ -8,18 +8,10 @@ __all__ = ["composite_rule"]
 
 
 def composite_rule(count: int, pieces: int) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes and weights of an integral over [0, 1].
+    """Nodes and weights (count * pieces,) of an integral over [0, 1].
 
-    Parameters
-    ----------
-    count : int
-        Nodes in a piece; polynomials of degree 2 count - 1 are integrated exactly.
-    pieces : int
-
-    Returns
-    -------
-    nodes, weights : array (count * pieces,)
-        Ascending, and symmetric to 1/2.
+    A piece has `count` nodes, which integrate polynomials of degree 2 count - 1 exactly.
+    Nodes are ascending, and symmetric to 1/2.
 
     Examples
     --------

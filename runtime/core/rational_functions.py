@@ -19,36 +19,25 @@ __all__ = ["Extension", "RationalFunction", "symbols"]
 
 @dataclass(frozen=True)
 class Extension:
-    """Irrational numbers, the last variables of rational functions; they do not vary.
+    """Irrational numbers, which are the last variables of rational functions.
 
-    Nothing is divided by what may be zero at them for all values of the parameters.
-
-    Attributes
-    ----------
-    values : tuple of arb
-        In their order.
-    relations : tuple of fmpq_mpoly
-        Polynomials of them that are zero, each monic in the first of its variables; in the
-        order of these.
+    They do not vary. Nothing is divided by what may be zero at them for all values of the
+    parameters.
     """
 
-    values: tuple[arb, ...] = ()
+    values: tuple[arb, ...] = ()  # balls around the numbers, in their order
+    # polynomials of the numbers that are zero, in the order of their first variables; each is monic
+    # in that one
     relations: tuple[fmpq_mpoly, ...] = ()
 
     def reduced(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        """The same number with no higher powers than the relations leave."""
+        """The same number, with no higher powers than the relations leave."""
         for relation in self.relations:
             polynomial = polynomial % relation
         return polynomial
 
     def check(self) -> None:
-        """Compare the relations with the values.
-
-        Raises
-        ------
-        ArithmeticError
-            If a relation does not hold.
-        """
+        """Raise ArithmeticError if a relation is not zero at the values."""
         for relation in self.relations:
             groups = {e[len(e) - len(self.values) :]: c for e, c in _terms(relation).items()}
             if not _horner(groups, self.values).contains(0):
@@ -59,18 +48,9 @@ _NONE = Extension()
 
 
 def symbols(names: Sequence[str], extension: Extension = _NONE) -> list[RationalFunction]:
-    """The parameters as rational functions of themselves.
+    """The parameters as rational functions of themselves, in the order of the names.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Of the parameters, then of the numbers of the extension.
-    extension : Extension, optional
-
-    Returns
-    -------
-    list of RationalFunction
-        In the order of the names.
+    The names of the parameters are followed by those of the numbers of the extension.
     """
     from flint import Ordering, fmpq_mpoly_ctx
 
@@ -89,7 +69,7 @@ class RationalFunction:
 
     @property
     def context(self) -> fmpq_mpoly_ctx:
-        """The parameters."""
+        """The context of the polynomials, which holds the names of the variables."""
         return self.above.context()
 
     @property
@@ -178,7 +158,7 @@ class RationalFunction:
 
 
 def _somewhere(polynomial: fmpq_mpoly, constants: Sequence[arb]) -> bool:
-    """Whether a polynomial, at the constants, is not zero for all values of the others."""
+    """Whether a polynomial at the constants is certainly not zero for some other values."""
     groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = {}
     for exponents, coefficient in _terms(polynomial).items():
         free = len(exponents) - len(constants)
@@ -187,7 +167,7 @@ def _somewhere(polynomial: fmpq_mpoly, constants: Sequence[arb]) -> bool:
 
 
 def _evaluated(polynomial: fmpq_mpoly, values: Sequence[Any]) -> Any:
-    """Horner's scheme by the first parameter, its coefficients by the next one, and so on."""
+    """The value of a polynomial, by Horner's scheme in one variable after the other."""
     return _horner(_terms(polynomial), values)
 
 

@@ -15,28 +15,10 @@ _PLACES: dict[str, str] = {}
 
 
 def register(module: str, names: Mapping[str, str]) -> None:
-    """Say where functions stand.
-
-    Parameters
-    ----------
-    module : str
-        The package that holds them.
-    names : mapping of str to str
-        From the name of a function to its module below that package.
-    """
+    """Note where functions are: `names` maps each to its module below the package `module`."""
     _PLACES.update({name: f"{module}.{place}" for name, place in names.items()})
 
 
 def registered(name: str) -> Any:
-    """Give the function of a name.
-
-    Returns
-    -------
-    callable
-
-    Raises
-    ------
-    KeyError
-        If nothing is registered under this name.
-    """
+    """The function of a name; KeyError if nothing is registered under it."""
     return getattr(import_module(_PLACES[name]), name)

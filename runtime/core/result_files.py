@@ -48,35 +48,19 @@ Result = TypeVar("Result")
 
 @dataclass(frozen=True, kw_only=True)
 class FileFormat(Generic[Entries]):
-    """A kind of result file.
+    """A kind of result file, whose entries `nonsmooth.runtime.core.json_codec` writes and reads."""
 
-    Attributes
-    ----------
-    name : str
-        Its format.
-    what : str
-        What it holds, in words.
-    entries : type
-        A record: the entries beside format, version, package, request and checksum, as
-        `nonsmooth.runtime.core.json_codec` writes and reads them.
-    version : int
-    most : int
-        Bytes; a larger file is not read.
-    """
-
-    name: str
-    what: str
+    name: str  # the entry "format"
+    what: str  # what the file holds, in words
+    # record of the entries beside format, version, package, request and checksum
     entries: type[Entries]
     version: int = 1
-    most: int = _MOST
+    most: int = _MOST  # bytes; a larger file is not read
 
     def write(self, path: str | os.PathLike[str], entries: Entries) -> None:
         """Write a file; what was there stays until the new content is complete.
 
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
+        An `InputError` says that it cannot be written.
         """
         content = self.content(entries, request=_REQUEST.get())
         text = json.dumps(content, indent=2, allow_nan=False) + "\n"
@@ -85,15 +69,10 @@ class FileFormat(Generic[Entries]):
     def content(
         self, entries: Entries, *numbers: bytes, request: Mapping[str, Any] | None = None
     ) -> dict[str, Any]:
-        """Entries with the format, version, package and checksum; that covers numbers too.
+        """The entries with the format, version, package and checksum.
 
-        Parameters
-        ----------
-        entries : Entries
-        *numbers : bytes
-            Numbers that are kept beside the entries.
-        request : mapping of str to object, optional
-            What a command was asked.
+        The checksum also covers `numbers`, which are kept beside the entries. `request` is what
+        a command was asked.
         """
         head = {"format": self.name, "version": self.version, "package": version("nonsmooth")}
         asked = {} if request is None else {"request": request}
@@ -101,46 +80,27 @@ class FileFormat(Generic[Entries]):
         return {**content, "sha256": checksum_of(content, *numbers)}
 
     def read(self, path: Path) -> Entries:
-        """Read the entries of a file.
+        """The entries of a file.
 
-        Raises
-        ------
-        InputError
-            If the file cannot be read, or is cut, edited or foreign.
+        An `InputError` refuses a file that cannot be read, or is cut, edited or foreign.
         """
         return self.check(parsed(read_file(path, self.most, self.what)))
 
     def writer(
         self, entries: Callable[[Any], Entries]
     ) -> Callable[[Any, str | os.PathLike[str]], None]:
-        """Give the function that writes a result to a file.
+        """The function that writes a result to a path.
 
-        Parameters
-        ----------
-        entries : callable
-            Gives what a file states of a result.
-
-        Returns
-        -------
-        callable
-            Takes a result and a path.
+        `entries` gives what a file states of a result.
         """
         return lambda found, path: self.write(path, entries(found))
 
     def reader(
         self, result: Callable[[Entries], Result]
     ) -> Callable[[str | os.PathLike[str]], Result]:
-        """Give the function that reads a result from a file, which it names if it is wrong.
+        """The function that reads a result from a path; its errors name the file.
 
-        Parameters
-        ----------
-        result : callable
-            Gives the result that entries describe.
-
-        Returns
-        -------
-        callable
-            Takes a path.
+        `result` gives the result that entries describe.
         """
 
         def read(path: str | os.PathLike[str]) -> Result:
@@ -150,34 +110,19 @@ class FileFormat(Generic[Entries]):
         return read
 
     def check(self, content: Any) -> Entries:
-        """Give the entries of content; refuse another format, version, entries or checksum.
+        """The entries of what a JSON parser gave.
 
-        Parameters
-        ----------
-        content : object
-            What a JSON parser gave.
-
-        Raises
-        ------
-        InputError
-            For another format, version or checksum, or entries that are not in order.
+        An `InputError` refuses another format, version or checksum, and entries that are not
+        in order.
         """
         entries = self.check_entries(content)
         self.check_sum(content)
         return entries
 
     def check_entries(self, content: Any) -> Entries:
-        """Give the entries of content; refuse another format, version or entries.
+        """The entries of what a JSON parser gave, with any checksum.
 
-        Parameters
-        ----------
-        content : object
-            What a JSON parser gave.
-
-        Raises
-        ------
-        InputError
-            For another format or version, or entries that are not in order.
+        An `InputError` refuses another format or version, and entries that are not in order.
         """
         if not isinstance(content, dict) or content.get("format") != self.name:
             raise InputError(f"not a {self.what}, such as --save or save() writes{_told(content)}")
@@ -196,44 +141,23 @@ class FileFormat(Generic[Entries]):
         return decode(self.entries, {n: x for n, x in content.items() if n not in _HEAD})
 
     def check_sum(self, content: Mapping[str, Any], *numbers: bytes) -> None:
-        """Refuse content, or numbers beside it, with another checksum.
-
-        Parameters
-        ----------
-        content : mapping of str to object
-        *numbers : bytes
-            Numbers that are kept beside it.
-
-        Raises
-        ------
-        InputError
-            If the checksum differs.
-        """
+        """Raise `InputError` if the checksum of content, and numbers beside it, differs."""
         if content["sha256"] != checksum_of(content, *numbers):
             raise InputError("edited or damaged: the checksum differs")
 
 
 def _told(content: Any) -> str:
-    """What content is that is no file of the format that was expected."""
+    """The end of a message that names the format of content; empty for an unknown one."""
     named = content.get("format") if isinstance(content, dict) else None
     known = isinstance(named, str) and re.fullmatch(r"nonsmooth [a-z ]{1,40}", named)
     return f": it is a {named}" if known else ""
 
 
 def check_follows(entries: Any, given: Mapping[str, Any]) -> None:
-    """Refuse entries that do not follow from the others of a file.
+    """Raise `InputError` if entries of a file do not follow from its others.
 
-    Parameters
-    ----------
-    entries : record
-        What the file says.
-    given : mapping of str to object
-        Entries that follow, as the result that was made from the others gives them.
-
-    Raises
-    ------
-    InputError
-        If one of them differs.
+    `given` holds the entries that follow, by name, as the result that was made from the
+    others gives them.
     """
     for name, entry in given.items():
         if getattr(entries, name) != entry:
@@ -241,13 +165,7 @@ def check_follows(entries: Any, given: Mapping[str, Any]) -> None:
 
 
 def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
-    """Hash of a file's other entries, and of numbers that are kept beside them.
-
-    Returns
-    -------
-    str
-        SHA-256, hexadecimal.
-    """
+    """SHA-256, hexadecimal, of a file's other entries and of numbers beside them."""
     covered = {name: entry for name, entry in content.items() if name != "sha256"}
     found = hashlib.sha256(json.dumps(covered, sort_keys=True).encode())
     for part in numbers:
@@ -257,7 +175,7 @@ def checksum_of(content: Mapping[str, Any], *numbers: bytes) -> str:
 
 @contextmanager
 def stating(request: Mapping[str, Any]) -> Iterator[None]:
-    """Let the files that the block writes state what was asked, ready for JSON."""
+    """Make the files that the block writes state what was asked, which is ready for JSON."""
     token = _REQUEST.set(request)
     try:
         yield
@@ -266,12 +184,9 @@ def stating(request: Mapping[str, Any]) -> Iterator[None]:
 
 
 def content_of(path: Path) -> dict[str, Any]:
-    """All that a result file holds.
+    """All entries of a result file of any kind.
 
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign.
+    An `InputError` refuses a file that cannot be read, or is cut, edited or foreign.
     """
     content = parsed(read_file(path, _MOST, "saved result"))
     if not isinstance(content, dict) or content.get("sha256") != checksum_of(content):
@@ -280,23 +195,10 @@ def content_of(path: Path) -> dict[str, Any]:
 
 
 def parsed(found: bytes) -> Any:
-    """Give what JSON text holds, in memory that the length of the text bounds.
+    """What JSON text in UTF-8 holds, in memory that the length of the text bounds.
 
-    A list takes some seventy bytes of memory, and two of text: text of little else is refused.
-
-    Parameters
-    ----------
-    found : bytes
-        In UTF-8.
-
-    Returns
-    -------
-    object
-
-    Raises
-    ------
-    InputError
-        If it is no JSON, is of lists that hold nearly nothing, or names an entry twice.
+    A list takes some seventy bytes of memory, and two of text: an `InputError` refuses text
+    of little else. It also refuses what is no JSON, or names an entry twice.
     """
     if found.count(b"[") + found.count(b"{") > max(_FEW, len(found) // _DENSE):
         raise InputError("its lists hold too little for their number: no file of this package")
@@ -320,8 +222,8 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 def format_in(path: Path) -> str | None:
     """The format that a file names; None for what names none or cannot be read.
 
-    A file that was written here begins with it; one whose entries stand in another order is
-    read as a whole.
+    A file of this package begins with it; one whose entries stand in another order is read
+    as a whole.
     """
     try:
         if not path.is_file():  # a pipe would be waited for
@@ -340,12 +242,9 @@ def format_in(path: Path) -> str | None:
 
 @contextmanager
 def naming(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """Name the file in what is said of it; entries of the wrong shape are an InputError too.
+    """Put the name of the file in front of each `InputError` of the block.
 
-    Raises
-    ------
-    InputError
-        Where the block raises it, or finds entries of the wrong shape.
+    Errors about entries of the wrong shape become an `InputError` too.
     """
     try:
         yield Path(path)

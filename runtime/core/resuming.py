@@ -13,19 +13,10 @@ __all__ = ["check_same_question"]
 
 
 def check_same_question(what: str, asked: Mapping[str, Any], known: Mapping[str, Any]) -> None:
-    """Refuse to go on with what was kept of another question.
+    """Raise `InputError` if work to go on with was kept of another question.
 
-    Parameters
-    ----------
-    what : str
-        What was kept, in words.
-    asked, known : mapping of str to object
-        What is asked now, and the same of what was kept: numbers, texts, records or arrays.
-
-    Raises
-    ------
-    InputError
-        The message names the first that differs.
+    `what` says in words what was kept. Both mappings hold numbers, texts, records or
+    arrays. The message names the first entry of `asked` that `known` lacks or has otherwise.
 
     Examples
     --------

@@ -26,16 +26,8 @@ class Kept(Shown):
     _kept_by: ClassVar[str]
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the result to a file; `nonsmooth.load` reads it.
+        """Write the result to a file, which `nonsmooth.load` reads.
 
-        Parameters
-        ----------
-        path : str or path
-            File to write.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written.
+        An `InputError` says that the file cannot be written.
         """
         registered(self._kept_by)(self, path)

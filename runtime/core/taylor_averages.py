@@ -23,18 +23,9 @@ BENT_MEAN: Weight = (1, 3)  # of the function times (1 - s^2) / 2
 
 
 def lifted(number: Any, space: Space) -> Any:
-    """The same model of e in a space of e and f, on which it does not depend.
+    """A model of e, or a matrix, as one of e and f that does not depend on f.
 
-    Parameters
-    ----------
-    number : TaylorModel, arb or a matrix of them
-    space : Space
-        Of two variables and the same order.
-
-    Returns
-    -------
-    TaylorModel, arb or a matrix of them
-        Balls stay what they are.
+    The space has two variables and the same order. Balls stay what they are.
     """
     if not isinstance(number, TaylorModel):
         return number
@@ -45,19 +36,10 @@ def lifted(number: Any, space: Space) -> Any:
 
 
 def averaged(number: Any, weight: Weight) -> Any:
-    """The average of a model of e and f over f = s e.
+    """The weighted average of a model of e and f over f = s e, a model of e alone.
 
-    Parameters
-    ----------
-    number : TaylorModel, arb or a matrix of them
-        Balls depend on no variable.
-    weight : tuple of int
-        One of those above.
-
-    Returns
-    -------
-    TaylorModel, arb or a matrix of them
-        Of e alone.
+    The model may be a matrix; a ball depends on no variable. The weight is one of those of
+    this module.
     """
     from flint import arb
 

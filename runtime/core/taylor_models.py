@@ -27,43 +27,21 @@ _BLOCK = 4  # powers that are kept for an exponential
 
 @dataclass(frozen=True, eq=False)
 class Space:
-    """Polynomials of some variables up to an order.
-
-    Attributes
-    ----------
-    variables, order : int
-    exponents : tuple of tuple of int
-        Of the monomials, by degree; the constant is the first.
-    products : tuple of tuple of (int, int)
-        For each monomial the pairs of monomials whose product it is.
-    even : tuple of bool
-        Whether a monomial is a square: it lies in [0, 1].
-    """
+    """Polynomials of some variables up to an order."""
 
     variables: int
     order: int
-    exponents: tuple[tuple[int, ...], ...]
+    exponents: tuple[tuple[int, ...], ...]  # of the monomials, by degree; the constant is the first
+    # for each monomial the pairs of monomials whose product it is
     products: tuple[tuple[tuple[int, int], ...], ...]
-    even: tuple[bool, ...]
+    even: tuple[bool, ...]  # whether a monomial is a square, which lies in [0, 1]
 
     def constant(self, value: Any) -> TaylorModel:
-        """A number or matrix that does not depend on the variables.
-
-        Parameters
-        ----------
-        value : arb or arb_mat
-        """
+        """A number (arb) or a matrix (arb_mat) that does not depend on the variables."""
         return TaylorModel(self, (value, *(None,) * (len(self.exponents) - 1)))
 
     def variable(self, number: int, middle: arb, half: arb) -> TaylorModel:
-        """The number middle + half * variable.
-
-        Parameters
-        ----------
-        number : int
-            Of the variable, from 0.
-        middle, half : arb
-        """
+        """The number middle + half * variable, for the variable with this number, from 0."""
         parts: list[Any] = [middle, *(None,) * (len(self.exponents) - 1)]
         wanted = tuple(int(k == number) for k in range(self.variables))
         parts[self.exponents.index(wanted)] = half
@@ -74,10 +52,7 @@ class Space:
 def space_of(variables: int, order: int) -> Space:
     """The polynomials of so many variables, up to a positive order.
 
-    Returns
-    -------
-    Space
-        One record for the same numbers.
+    The same numbers give the same record.
     """
     exponents = sorted(
         (e for e in product(range(order + 1), repeat=variables) if sum(e) <= order),
@@ -172,11 +147,11 @@ class TaylorModel:
         return bool(range_of(self - other) > 0)
 
     def nrows(self) -> int:
-        """Rows of a matrix."""
+        """Number of rows of a matrix."""
         return int(self.parts[0].nrows())
 
     def ncols(self) -> int:
-        """Columns of a matrix."""
+        """Number of columns of a matrix."""
         return int(self.parts[0].ncols())
 
     def entries(self) -> list[TaylorModel]:
@@ -192,48 +167,28 @@ class TaylorModel:
     def stacked(self, rows: Sequence[Sequence[Any]]) -> TaylorModel:
         """A matrix of numbers of this arithmetic, and of those that it is made of.
 
-        Parameters
-        ----------
-        rows : sequence of sequence of number, arb or TaylorModel
+        The latter are plain numbers, balls and Taylor models.
         """
         return TaylorModel(self.space, tuple(_stacked(self.space, rows)))
 
     def rad(self) -> Any:
-        """Radius of a number's constant term: what is not known of the polynomial, as a rule.
-
-        Returns
-        -------
-        arb
-        """
+        """Radius of a number's constant term: as a rule what is not known of the polynomial."""
         return self.parts[0].rad()
 
     def mid(self) -> TaylorModel:
-        """The same polynomial with its middles as exact coefficients."""
+        """The same polynomial, with the midpoints as exact coefficients."""
         return type(self)(self.space, tuple(None if p is None else p.mid() for p in self.parts))
 
     def cast(self, space: Space) -> TaylorModel:
-        """The polynomial in a space of another order: what is cut off is forgotten.
+        """The polynomial in a space of the same variables and another order.
 
-        Parameters
-        ----------
-        space : Space
-            Of the same variables.
+        Terms of a higher degree are dropped without a bound.
         """
         count = len(space.exponents)
         return TaylorModel(space, (*self.parts[:count], *(None,) * (count - len(self.parts))))
 
     def at(self, point: Sequence[Any]) -> Any:
-        """The value where the variables have these values in [-1, 1].
-
-        Parameters
-        ----------
-        point : sequence of number
-            One for each variable.
-
-        Returns
-        -------
-        arb or arb_mat
-        """
+        """The value, a ball or a matrix of balls, at a point with coordinates in [-1, 1]."""
         total = self.parts[0]
         for part, exponents in zip(self.parts[1:], self.space.exponents[1:], strict=True):
             if part is not None:
@@ -244,12 +199,7 @@ class TaylorModel:
         return total
 
     def range(self) -> Any:
-        """Ball, or matrix of balls, that contains all values.
-
-        Returns
-        -------
-        arb or arb_mat
-        """
+        """Ball, or matrix of balls, that contains all values."""
         from flint import arb
 
         total = self.parts[0]
@@ -269,12 +219,9 @@ class TaylorModel:
         return guess.__add__(guess * missed * (1 / (1 - range_of(missed))))
 
     def inv(self) -> TaylorModel:
-        """About the inverse of a matrix; nothing is proved of it.
+        """An approximate inverse of a matrix, of which nothing is proved.
 
-        Raises
-        ------
-        ZeroDivisionError
-            If the constant term is singular.
+        Raises ZeroDivisionError if the constant term is singular.
         """
         found = self.space.constant(self.parts[0].mid().inv().mid())
         unit = _unit(self.nrows())
@@ -283,22 +230,14 @@ class TaylorModel:
         return found
 
     def sin_cos(self) -> tuple[TaylorModel, TaylorModel]:
-        """Sine and cosine of a number.
-
-        Returns
-        -------
-        sine, cosine : TaylorModel
-        """
+        """Sine and cosine of a number."""
         turned = matrix([[0, -self], [self, 0]]).exp()
         return turned[1, 0], turned[0, 0]
 
     def exp(self) -> Any:
         """Exponential of a matrix: Taylor's polynomial of it halved often, then squared.
 
-        Returns
-        -------
-        TaylorModel
-            NaN everywhere for a norm of 2^40 or more.
+        It is NaN everywhere for a norm of 2^40 or more.
         """
         from flint import arb, ctx
 
@@ -333,46 +272,19 @@ class TaylorModel:
 
 
 def range_of(number: Any) -> Any:
-    """All values of a model, or of what is a ball already.
-
-    Parameters
-    ----------
-    number : TaylorModel, arb or arb_mat
-
-    Returns
-    -------
-    arb or arb_mat
-    """
+    """Ball, or matrix of balls, around all values of a model; balls stay what they are."""
     return number.range() if isinstance(number, TaylorModel) else number
 
 
 def middle_of(number: Any) -> Any:
-    """The middle of a number or matrix, of a model at the origin of its variables.
-
-    Parameters
-    ----------
-    number : TaylorModel, arb or arb_mat
-
-    Returns
-    -------
-    arb or arb_mat
-    """
+    """Midpoint of a number or a matrix; that of a model is at the origin of its variables."""
     while isinstance(number, TaylorModel):
         number = number.parts[0]
     return number.mid()
 
 
 def matrix(rows: Sequence[Sequence[Any]]) -> Any:
-    """A matrix of balls and models: a model if any entry is.
-
-    Parameters
-    ----------
-    rows : sequence of sequence of number, arb or TaylorModel
-
-    Returns
-    -------
-    arb_mat or TaylorModel
-    """
+    """A matrix of numbers, balls and models: a model if any entry is one, else an arb_mat."""
     from flint import arb_mat
 
     models = [x for row in rows for x in row if isinstance(x, TaylorModel)]
@@ -403,7 +315,7 @@ def _sum(left: Any, right: Any) -> Any:
 
 
 def _cut(left: TaylorModel, right: TaylorModel) -> Any:
-    """What a product has beyond the order."""
+    """Enclosure of the terms of a product beyond the order."""
     from flint import arb
 
     space, either = left.space, arb(0, 1)
@@ -442,7 +354,7 @@ def _everywhere(size: int, value: arb) -> arb_mat:
 
 
 def _norm(balls: arb_mat) -> arb:
-    """Largest row sum of absolute values, from above."""
+    """Upper bound of the largest row sum of absolute values."""
     from flint import arb
 
     width = balls.ncols()

@@ -16,12 +16,8 @@ _here = threading.local()  # `ends`: events that call off the work of this threa
 def thread_pool(threads: int | None) -> Iterator[ThreadPoolExecutor]:
     """Give a pool of threads whose work is called off when an exception leaves the block.
 
-    Work that is under way ends too: loops in C ask `check_called_off` every 30 ms.
-
-    Parameters
-    ----------
-    threads : int or None
-        As many as Python chooses if None.
+    Work that is under way ends too: loops in C ask `check_called_off` every 30 ms. Python
+    chooses the number of threads if it is None.
     """
     ends = threading.Event()
     all_ends = (*getattr(_here, "ends", ()), ends)  # those of the pools around this one too
@@ -36,15 +32,9 @@ def thread_pool(threads: int | None) -> Iterator[ThreadPoolExecutor]:
 
 
 def in_parallel(work: Callable[[int], object], parts: Sequence[int], threads: int | None) -> None:
-    """Do parts of some work in threads, where that pays.
+    """Call `work` for each part, in threads where that pays.
 
-    Parameters
-    ----------
-    work : callable
-        Takes a part, and stores what it finds.
-    parts : sequence of int
-    threads : int or None
-        As many as Python chooses if None.
+    It stores its results itself. Python chooses the number of threads if it is None.
     """
     if threads == 1 or len(parts) < 2:
         for part in parts:
@@ -59,11 +49,6 @@ def _begin(ends: tuple[threading.Event, ...]) -> None:
 
 
 def check_called_off() -> None:
-    """End the work of this thread if it is called off.
-
-    Raises
-    ------
-    KeyboardInterrupt
-    """
+    """Raise KeyboardInterrupt if the work of this thread is called off."""
     if any(event.is_set() for event in getattr(_here, "ends", ())):
         raise KeyboardInterrupt

@@ -10,17 +10,10 @@ __all__ = ["nan_as_null"]
 
 
 def nan_as_null(entry: Any) -> Any:
-    """Give an answer's JSON with null for each number that is not known.
+    """An answer's JSON, with null for each number that is not known.
 
-    Parameters
-    ----------
-    entry : JSON value
-        Numbers are decimal strings, complex ones ``"re im"``, or numbers; keys stay as they are.
-
-    Returns
-    -------
-    JSON value
-        Without nan; a number that is infinite is the string ``"inf"`` or ``"-inf"``.
+    Numbers are decimal strings, complex ones ``"re im"``, or JSON numbers; keys stay as they
+    are. An infinite number becomes the string ``"inf"`` or ``"-inf"``.
 
     Examples
     --------

@@ -62,17 +62,10 @@ def flint_precision(bits: int) -> Iterator[None]:
 
 @dataclass(frozen=True)
 class Value:
-    """A real number known exactly, made by `parse` or `as_value`.
+    """A real number known exactly, made by `parse` or `as_value`."""
 
-    Attributes
-    ----------
-    text : str
-        The number as the user wrote it; values with the same text are equal.
-    exact : Fraction or None
-        The number as a fraction; None where irrational functions enter.
-    """
-
-    text: str
+    text: str  # as the user wrote it; values with the same text are equal
+    # the number as a fraction; None where irrational functions enter
     exact: Fraction | None = field(compare=False, repr=False)
     _double: float = field(compare=False, repr=False)
 
@@ -89,18 +82,9 @@ class Value:
         return _ball(self.text if self.exact is None else self.exact, precision_bits)
 
     def mpf(self, digits: int) -> Any:
-        """Give the number as an `mpmath.mpf` with relative error below ``10**-digits``.
+        """The number as an `mpmath.mpf` with relative error below ``10**-digits``.
 
         A number that 8000 bits cannot tell from zero has that absolute error instead.
-
-        Parameters
-        ----------
-        digits : int
-            Decimals.
-
-        Returns
-        -------
-        mpf
         """
         import mpmath
 
@@ -116,14 +100,11 @@ class Value:
 def parse(text: str) -> Value:
     """Read a decimal or an expression of ``+ - * / **``, pi, sqrt, sin, cos, exp, log, ...
 
-    Nothing is ever executed, and literals are exact: ``0.1`` is 1/10. Known are asin, acos and
-    atan too, and ``root(k, a, b, ..., c)``, the real root of number k, from 0 and counted from
-    the lowest, of the polynomial with the integer coefficients a, b, ..., c, the highest first.
-
-    Raises
-    ------
-    InputError
-        The text is no such expression, has no finite real value, or is too large.
+    Nothing is ever executed, and literals are exact: ``0.1`` is 1/10. Known are asin, acos
+    and atan too, and ``root(k, a, b, ..., c)``, the real root of number k, from 0 and counted
+    from the lowest, of the polynomial with the integer coefficients a, b, ..., c, the highest
+    first. An `InputError` refuses a text that is no such expression, has no finite real
+    value, or is too large.
 
     Examples
     --------
@@ -142,20 +123,11 @@ def parse(text: str) -> Value:
 
 
 def as_value(number: object) -> Value:
-    """Take a number of any usual type, or its text, as an exact value.
+    """A number of any usual type, its text, or a `Value`, as an exact value.
 
     A Python or NumPy float means its shortest decimal (0.1 is 1/10); integers, fractions,
-    `decimal.Decimal` and `mpmath.mpf` are taken exactly as they are.
-
-    Parameters
-    ----------
-    number : object
-        A number, its text, or a Value.
-
-    Raises
-    ------
-    InputError
-        The argument is not finite, a bool, complex, an array, or no number at all.
+    `decimal.Decimal` and `mpmath.mpf` are taken exactly as they are. An `InputError` refuses
+    what is not finite, a bool, complex, an array, or no number at all.
 
     Examples
     --------
@@ -187,18 +159,9 @@ def as_value(number: object) -> Value:
 
 
 def parse_assignment(text: str) -> tuple[str, Value]:
-    """Read ``name=value``.
+    """Name and value of a text ``name=value``, without blanks around the name.
 
-    Returns
-    -------
-    name : str
-        As it is written, without blanks.
-    value : Value
-
-    Raises
-    ------
-    InputError
-        If the text is not of this form, or the value is no number.
+    An `InputError` refuses a text of another form, and a value that is no number.
 
     Examples
     --------
@@ -221,24 +184,12 @@ def parse_assignment(text: str) -> tuple[str, Value]:
 
 
 def decimal_string(number: Any, digits: int) -> str:
-    """Print a number with ``digits + 3`` significant digits, trailing zeros kept.
+    """Decimal text of a number with ``digits + 3`` significant digits, trailing zeros kept.
 
-    Parameters
-    ----------
-    number : flint.arb, mpmath.mpf or float
-        A ball must be narrow enough to determine the digits; the others are exact.
-    digits : int
-        The text differs from the number x by at most ``10**-digits * max(1, abs(x))``.
-
-    Returns
-    -------
-    str
-        In positional notation for ``1e-7 <= abs(x) < 1e21``, otherwise with an exponent.
-
-    Raises
-    ------
-    InputError
-        The number is not finite, or the ball is too wide.
+    It differs from the number x by at most ``10**-digits * max(1, abs(x))``. The notation is
+    positional for ``1e-7 <= abs(x) < 1e21``, otherwise it has an exponent. The number is a
+    ball, which must be narrow enough to determine the digits, or an mpf or float, which are
+    exact. An `InputError` refuses what is not finite, and a ball that is too wide.
     """
     with localcontext(prec=digits + 20, Emax=MAX_EMAX, Emin=MIN_EMIN):
         middle, radius = _decimals(number)

@@ -17,20 +17,12 @@ __all__ = ["vectorised", "with_entries"]
 def vectorised(
     function: Callable[..., Any], inputs: list[tuple[int, ...]], outputs: list[tuple[int, ...]]
 ) -> Callable[..., Any]:
-    """The generalized ufunc of an any-arithmetic kernel, on NumPy.
+    """The generalized ufunc, on NumPy, of a kernel over any arithmetic.
 
-    Parameters
-    ----------
-    function : callable
-        Takes its arrays as sequences, and ``lib``; one result, or a tuple of them.
-    inputs, outputs : list of tuple of int
-        Shapes of the arguments and of the results, without the leading axes.
-
-    Returns
-    -------
-    callable
-        Takes arrays (..., shape) of floats or complex numbers that broadcast over the leading
-        axes. It raises ValueError for an argument of another shape.
+    The kernel takes its arrays as sequences, and ``lib``, and gives one result or a tuple of
+    them. `inputs` and `outputs` are the shapes of arguments and results without the leading
+    axes. The ufunc takes arrays (..., shape) of floats or complex numbers that broadcast over
+    the leading axes; an argument of another shape raises ValueError.
     """
 
     def call(*arrays: Any) -> Any:
@@ -58,7 +50,7 @@ def vectorised(
         return tuple(results) if len(results) > 1 else results[0][()]
 
     def listed(arrays: list[np.ndarray]) -> list[list[Any]]:
-        """Entries of each result."""
+        """The entries of each result, as one flat list."""
         found = function(*arrays, lib=FLOATS)
         results = found if len(outputs) > 1 else (found,)
         return [
@@ -69,7 +61,7 @@ def vectorised(
 
     @cache
     def patterns() -> list[tuple[np.ndarray, list[int]]]:
-        """What each result has at all points, and the places of what varies."""
+        """For each result the entries that are the same at all points, and the places that vary."""
         with np.errstate(all="ignore"):
             entries = listed([np.ones((*shape, 1)) for shape in inputs])
         varying = [[k for k, x in enumerate(e) if isinstance(x, np.ndarray)] for e in entries]
@@ -82,19 +74,11 @@ def vectorised(
 
 
 def with_entries(compiled: Callable[..., Any], inputs: list[tuple[int, ...]]) -> Callable[..., Any]:
-    """A compiled kernel that takes all arguments, those without entries too.
+    """A compiled kernel that takes all arguments, also those without entries.
 
-    Parameters
-    ----------
-    compiled : callable
-        The generalized ufunc: of the arguments that have entries.
-    inputs : list of tuple of int
-        Shapes of all arguments, without the leading axes.
-
-    Returns
-    -------
-    callable
-        Takes arrays (..., shape) of floats, as `vectorised`.
+    `compiled` is the generalized ufunc of the arguments that have entries; `inputs` are the
+    shapes of all arguments, without the leading axes. Arrays of floats are taken as by
+    `vectorised`.
     """
     if all(all(shape) for shape in inputs):
         return compiled

@@ -45,18 +45,10 @@ class TooLarge(InputError):
 
 
 def check_memory(what: str, size: float) -> None:
-    """Refuse a work whose numbers do not fit into the memory of this machine.
+    """Raise `TooLarge` for a work whose numbers do not fit into the memory of this machine.
 
-    Parameters
-    ----------
-    what : str
-        What it is, with its number: ``"10000 values of 60 samples"``.
-    size : float
-        Bytes that it needs at least.
-
-    Raises
-    ------
-    TooLarge
+    `what` names the work with its number: ``"10000 values of 60 samples"``; `size` is the
+    least number of bytes that it needs.
 
     Examples
     --------
@@ -70,21 +62,11 @@ def check_memory(what: str, size: float) -> None:
 
 
 def check_hours(what: str, seconds: float, *, yes: bool) -> None:
-    """Refuse a work that takes more than `HOURS` on this machine, unless it is asked for.
+    """Raise `TooLarge` for a work of more than `HOURS` on this machine, unless it is asked for.
 
-    Parameters
-    ----------
-    what : str
-        What it is, with its number: ``"10000 starts"``.
-    seconds : float
-        Of one processor, at least.
-    yes : bool
-        Whether such a work was asked for.
-
-    Raises
-    ------
-    TooLarge
-        The message names the option that asks for it.
+    `what` names the work with its number: ``"10000 starts"``; `seconds` are those of one
+    processor, at least. `yes` says that such a work was asked for; the message names the
+    option that does so.
 
     Examples
     --------
@@ -99,13 +81,7 @@ def check_hours(what: str, seconds: float, *, yes: bool) -> None:
 
 
 def hours_told(what: str, seconds: float) -> str:
-    """How long a work takes at least, in words.
-
-    Parameters
-    ----------
-    what : str
-        What it is, with its number: ``"10000 starts"``.
-    seconds : float
+    """A sentence on how long a work takes at least; `what` names it with its number.
 
     Examples
     --------
@@ -132,5 +108,5 @@ def memory_here() -> float:
 
 
 def _amount(number: float) -> str:
-    """A number of three digits, whatever its size."""
+    """A number as text: to three digits, or from 1000 to 10^9 as an integer."""
     return f"{number:,.0f}" if 1000 <= number < 1e9 else f"{number:.3g}"

@@ -22,30 +22,17 @@ _EDGE = 1e-7  # of a dwell time: a maximum nearer to the ends is no interior one
 
 @dataclass(frozen=True)
 class PhaseWaves:
-    """Boundary functions along one phase at k points.
-
-    Attributes
-    ----------
-    phase : int
-    names : tuple of str
-        Of the boundaries, b of them.
-    leaving : int or None
-        Place among them of the boundary that ends the phase; None where none does.
-    durations : array (k,)
-    fastest : float
-        Largest absolute value of an exponent.
-    basis : callable
-        Functions of time (l, f) from places of points (l,) and times (l,).
-    coefficients : array (3, k, b, f)
-        Of the boundary functions, their rates and the rates of these.
-    """
+    """Boundary functions along one phase at k points, as sums of functions of time."""
 
     phase: int
-    names: tuple[str, ...]
+    names: tuple[str, ...]  # of the b boundaries
+    # place among them of the boundary that ends the phase; None where none does
     leaving: int | None
-    durations: np.ndarray
-    fastest: float
+    durations: np.ndarray  # (k,)
+    fastest: float  # largest absolute value of an exponent
+    # functions of time (l, f) from places of points (l,) and times (l,)
     basis: Callable[[np.ndarray, np.ndarray], np.ndarray]
+    # (3, k, b, f), of the boundary functions, their rates and the rates of these
     coefficients: np.ndarray
 
 
@@ -62,7 +49,7 @@ class Ends:
 
 
 def ends_of(waves: PhaseWaves) -> Ends:
-    """Values at both ends of a phase."""
+    """Boundary functions and their rates at both ends of a phase."""
     points, coefficients = np.arange(len(waves.durations)), waves.coefficients[:2]
     functions = [waves.basis(points, part * waves.durations) for part in (0.0, 0.3, 0.6, 1.0)]
     # what is zero at an end would be small there: its size is what it is elsewhere
@@ -81,13 +68,8 @@ def ends_of(waves: PhaseWaves) -> Ends:
 def interior_maxima(waves: PhaseWaves) -> tuple[np.ndarray, np.ndarray]:
     """Largest local maximum inside the phase, and its time; arrays (k, b), NaN for none.
 
-    Newton's method, kept within a bracket by bisection, finds the zeros of the rates.
-
-    Returns
-    -------
-    largest : array (k, b)
-    time : array (k, b)
-        In the system's unit of time.
+    Newton's method, kept within a bracket by bisection, finds the zeros of the rates. Times
+    are in the system's unit.
     """
     count, boundaries = waves.coefficients.shape[1:3]
     angle = waves.fastest * float(np.max(waves.durations, initial=0.0))

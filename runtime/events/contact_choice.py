@@ -25,54 +25,32 @@ _SWEEPS = 200  # of the iteration that guesses what holds
 
 
 class ContactOutcome(NamedTuple):
-    """What follows an event: one path, or several where the law leaves it open.
+    """What follows an event: one path, or several where the law leaves it open."""
 
-    Attributes
-    ----------
-    targets : tuple of int
-        Configurations that may follow.
-    paths : tuple of paths
-        A path to each.
-    """
-
-    targets: tuple[int, ...]
-    paths: tuple[Path, ...]
+    targets: tuple[int, ...]  # configurations that may follow
+    paths: tuple[Path, ...]  # a path to each target
 
 
 class _Signs(NamedTuple):
-    """Requirements of a stage as rows, their sizes, signs wanted, and their contacts."""
+    """The requirements of a stage: linear functions, and the signs that they have to have."""
 
     rows: np.ndarray
-    bounds: np.ndarray
-    positive: np.ndarray
-    contacts: np.ndarray
+    bounds: np.ndarray  # sums of absolute values behind the entries of the rows
+    positive: np.ndarray  # whether a function has to be positive
+    contacts: np.ndarray  # contact of each requirement
 
 
 @dataclass(frozen=True, eq=False)
 class Chooser:
-    """The law of a system at one parameter point.
-
-    Attributes
-    ----------
-    law : Law
-    fields : array (configurations, N, N + 1)
-    rows : array (R, N + 1)
-    """
+    """The contact law of a system at one parameter point."""
 
     law: Law
-    fields: np.ndarray
-    rows: np.ndarray
+    fields: np.ndarray  # (configurations, N, N + 1)
+    rows: np.ndarray  # (R, N + 1)
     _known: dict[tuple[ContactEvent, Stage], _Signs | None] = field(default_factory=dict)
 
     def outcome(self, event: ContactEvent, at: Located) -> ContactOutcome:
-        """What follows an event.
-
-        Parameters
-        ----------
-        event : ContactEvent
-        at : Located
-            The state, extended by 1.
-        """
+        """What follows an event at a state, which is extended by 1."""
         ways = dict.fromkeys(self._ways(event, event.reached, (), at))
         targets = {path: self.law.configuration(path[-1].regimes, event.others) for path in ways}
         existing = {path: target for path, target in targets.items() if target is not None}
@@ -92,7 +70,10 @@ class Chooser:
     def _ways(
         self, event: ContactEvent, reached: frozenset[int], behind: Path, at: Located
     ) -> Iterator[Path]:
-        """Paths that no sign contradicts: what slips gets its kinetic limit, till none is added."""
+        """Paths of stages that no sign contradicts.
+
+        In each next stage the contacts that slip get their kinetic limit, until none is added.
+        """
         for regimes in self._solutions(event, reached, at):
             path = (*behind, Stage(reached, regimes))
             slipping = {
@@ -126,7 +107,10 @@ class Chooser:
         ]
 
     def _tied(self, event: ContactEvent, stage: Stage, at: Located) -> frozenset[int] | None:
-        """Contacts of a step whose functions are zero within rounding; None if it is wrong."""
+        """Contacts of a step whose functions are zero within rounding; None if a sign is wrong.
+
+        It is None too for regimes that do not go together.
+        """
         signs = self._signs(event, stage)
         if signs is None:
             return None
@@ -174,7 +158,10 @@ class Chooser:
         return True
 
     def _guess(self, event: ContactEvent, reached: frozenset[int], at: Located) -> Regimes:
-        """Regimes by the forces that minimise the quadratic form in their box, one by one."""
+        """Regimes by the forces that minimise the quadratic form in their box.
+
+        The forces are improved one by one, in sweeps.
+        """
         law, resting, regimes = self.law, event.resting, list(event.regimes)
         values = (self.rows @ at.state).tolist()
         matrix = [[self._entry(row) for row in each] for each in law.coupling]

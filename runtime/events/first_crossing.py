@@ -24,16 +24,11 @@ _CHECKED_EVERY = 16  # steps between two attempts to prove that nothing can foll
 
 
 class Series:
-    """Taylor series of g at 0 behind a root of given order: errors stay relative to g.
+    """Taylor series of g at 0, a root of given order: errors stay relative to g.
 
-    Parameters
-    ----------
-    order : int
-        Order of the root: the derivatives below it are zero.
-    values, sizes : sequence of float
-        Derivatives at 0 from order 0 on, and the size that rounds in each.
-    fastest : float
-        The series serves for one radian of it.
+    The derivatives of order below `order` are zero. `values` and `sizes` are the derivatives
+    at 0 from order 0 on, and the size that rounds in each. The series serves for one radian
+    of `fastest`. Times are in the system's unit.
     """
 
     def __init__(
@@ -54,30 +49,14 @@ class Series:
         ]
 
     def bend(self, t: float) -> float:
-        """Bound on |g''| over [0, t]: small near a root of high order.
-
-        Parameters
-        ----------
-        t : float
-            At least 0. In the system's unit of time.
-        """
+        """Bound on |g''| over [0, t] with t >= 0: small near a root of high order."""
         total = 0.0
         for c in self._curvature:
             total = total * t + abs(c)
         return total * float(t ** max(self.order - 2, 0)) * (1 + 2.0**-20)
 
     def jet(self, t: float) -> Jet:
-        """Values of g, g' and g'' at t, and the error of g.
-
-        Parameters
-        ----------
-        t : float
-            At least 0. In the system's unit of time.
-
-        Returns
-        -------
-        value, slope, curvature, error : float
-        """
+        """Values of g, g' and g'' at t >= 0, and the error of g."""
         value = slope = curvature = error = 0.0
         for c in self._value:
             value = value * t + c
@@ -96,21 +75,15 @@ class Series:
 
 
 class Start(NamedTuple):
-    """How g starts: its sign just after 0, its series if it leaves zero, whether it is past it."""
+    """How g starts: its sign just after 0."""
 
-    sign: int
-    series: Series | None
-    beyond: bool = False
+    sign: int  # 0 where g stays zero
+    series: Series | None  # where g becomes negative from zero; else None
+    beyond: bool = False  # whether g is positive at 0 already
 
     @classmethod
     def of(cls, function: QuasiPolynomial) -> Start:
-        """Judge by the first derivative that is nonzero beyond its error.
-
-        Parameters
-        ----------
-        function : QuasiPolynomial
-            g.
-        """
+        """Judge g by its first derivative that is nonzero beyond its error."""
         enough = sum(2 * len(p) for p in function.polynomials)
         enough += sum(len(chain.coefficients) for chain in function.chains)
         values, errors = function.taylor(max(ORDERS, enough))
@@ -129,27 +102,14 @@ class Start(NamedTuple):
 
 
 class Crossing(NamedTuple):
-    """The first crossing of a window.
+    """The first crossing of a window of time."""
 
-    Attributes
-    ----------
-    time : float or None
-        None: there is none.
-    error : float
-        Bound on the error of the time.
-    tangent : bool
-        The boundary is touched at a maximum, within rounding.
-    touched : tuple of (time, depth)
-        Maxima within rounding of zero that were passed by.
-    never : bool
-        There is none after the window either.
-    """
-
-    time: float | None
-    error: float = 0.0
-    tangent: bool = False
+    time: float | None  # None if there is none
+    error: float = 0.0  # bound on the error of the time
+    tangent: bool = False  # whether the boundary is touched at a maximum, within rounding
+    # time and depth of maxima within rounding of zero that were passed by
     touched: tuple[tuple[float, float], ...] = ()
-    never: bool = False
+    never: bool = False  # whether there is none after the window either
 
 
 def first_crossing(
@@ -159,28 +119,14 @@ def first_crossing(
     reached: bool = False,
     start: Start | None = None,
 ) -> Crossing:
-    """First time in [0, window] at which g rises to zero.
+    """The first time in [0, window] at which g rises to zero.
 
-    No step passes the first zero of g0 + g0' s + M s^2/2, where g'' <= M over the step, so none
-    jumps a crossing. A start at zero is judged by its first derivative beyond its error.
-
-    Parameters
-    ----------
-    function : QuasiPolynomial
-    window : float
-        At most LONGEST_WAIT / max |lambda|, which is inf for polynomials. In the system's unit of
-        time.
-    reached : bool
-        A maximum within rounding of zero counts.
-    start : Start, optional
-        A judgement made elsewhere.
-
-    Raises
-    ------
-    InputError
-        For a negative or longer window.
-    OverflowError
-        Where g is not finite, or no step gets on.
+    No step passes the first zero of g0 + g0' s + M s^2/2, where g'' <= M over the step, so
+    none jumps a crossing. A start at zero is judged by its first derivative beyond its error;
+    `start` is such a judgement made elsewhere. If `reached` is True, a maximum within rounding
+    of zero counts. The window is in the system's unit of time, and at most LONGEST_WAIT /
+    max |lambda|, which is inf for polynomials. Raises `InputError` for a negative or longer
+    window, and OverflowError where g is not finite, or no step gets on.
 
     Examples
     --------
@@ -238,7 +184,7 @@ class _Search:
         return Crossing(time, error + 4 * math.ulp(time), tangent, tuple(self.touched))
 
     def leave(self, widest: float) -> float:
-        """Halfway to where the next derivative could first undo the leading one."""
+        """The time halfway to where the next derivative could first undo the leading one."""
         series = self.series
         if series is None:
             return 0.0
@@ -311,7 +257,10 @@ class _Search:
     def _over_the_maximum(
         self, t: float, slope: float, bend: float, second: float, third: float, length: float
     ) -> Crossing | float | None:
-        """Where g is concave and has its maximum ahead: cross before it, or go beyond it."""
+        """The crossing before a maximum ahead of t, or a time beyond it that is safe to go to.
+
+        None where g is not certainly concave up to a maximum ahead.
+        """
         fall = -bend - UNIT * second
         reach = min(length, self.end - t, 0.5 * fall / third if third else math.inf)
         if fall <= 0 or 2 * slope >= fall * reach:

@@ -40,7 +40,7 @@ class BoundaryCurve(Protocol):
         """Value at a time."""
 
     def raised(self, by: float) -> Self:
-        """The function and a constant."""
+        """The function plus a constant."""
 
     def rounding(self, duration: float) -> float:
         """Rounding error of its values and maxima over [0, duration]."""
@@ -59,26 +59,14 @@ def largest(
     slack: float,
     floor: float,
 ) -> Maximum:
-    """Return the maximum of a function over a window, or the floor where it does not exceed that.
+    """The maximum of a function over a window, or the floor where it does not exceed that.
 
-    Cells are split until a bound on the function over each is below the maximum.
-
-    Parameters
-    ----------
-    grid : CurveSamples
-        At the k + 1 ends of k cells of equal width h.
-    excess : array (k,)
-        M h^4/144 of each cell, with M a bound on the fourth derivative inside it.
-    jets : callable
-        Of a cell: what gives value, slope and curvature at a time inside it.
-    slack : float
-        By how much the maximum may be exceeded.
-    floor : float
-
-    Returns
-    -------
-    Maximum
-        The time is NaN where the floor is the value.
+    `grid` holds the k + 1 ends of k cells of equal width h; `excess` (k,) is M h^4/144 with M
+    a bound on the fourth derivative inside the cell. `jets` gives, for a cell, the function
+    from a time inside it to value, slope and curvature. Cells are split until a bound on the
+    function over each is at most `slack` above the maximum; after far too many splits that
+    bound, which is safe but not attained, becomes the maximum. The time is NaN where the
+    floor is the value.
     """
     cells = len(grid.time) - 1
     best = max(
@@ -120,10 +108,10 @@ def largest(
 
 
 def _upper(left: CurveSamples, right: CurveSamples, excess: Any) -> Any:
-    """Bound g on cells by its cubic Hermite interpolant, as a quartic in Bernstein form.
+    """Upper bounds of g on cells, by its cubic Hermite interpolant in Bernstein form.
 
-    It errs by at most M4 h^4/24 u^2 (1-u)^2 where |g^(4)| <= M4: that is M4 h^4/144, the excess,
-    times the middle Bernstein polynomial.
+    It errs by at most M4 h^4/24 u^2 (1-u)^2 where |g^(4)| <= M4: that is M4 h^4/144, the
+    excess, times the middle Bernstein polynomial of degree 4.
     """
     width = right.time - left.time
     middle = 0.5 * (left.value + right.value) + width * (left.slope - right.slope) / 6 + excess

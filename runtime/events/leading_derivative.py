@@ -39,13 +39,8 @@ Vector = Sequence[Any] | np.ndarray
 class Undecided(Exception):
     """An arithmetic cannot tell a sign.
 
-    Attributes
-    ----------
-    reason : str
-    at : arb or None
-        When in the phase; None at its start.
-    digits : bool
-        More digits may help.
+    `reason` says why. `at` is a ball around the time in the phase, None at its start.
+    `digits` says whether more digits may help.
     """
 
     def __init__(self, reason: str, at: arb | None = None, *, digits: bool = True) -> None:
@@ -54,36 +49,22 @@ class Undecided(Exception):
 
 
 class Leading(NamedTuple, Generic[R]):
-    """The first derivative that is not zero.
-
-    Attributes
-    ----------
-    order : int
-    sign : int
-        What the arithmetic said of it: 1 or -1, or 1 where it is only known not to be zero.
-    derivative : R
-        As it was given.
-    """
+    """The first derivative that is not zero."""
 
     order: int
-    sign: int
-    derivative: R
+    sign: int  # 1 or -1 as the arithmetic told it, or 1 where it is only known not to be zero
+    derivative: R  # as it was given
 
 
 def leading(
     functions: Iterable[R], sign: Callable[[int, R], int], first: int = 0
 ) -> Leading[R] | None:
-    """Find the first derivative that is not zero; None where all are.
+    """The first derivative that is not zero; None where all are.
 
-    Parameters
-    ----------
-    functions : iterable
-        The derivatives from order 0 on, as rows or as values; no more are made than needed.
-    sign : callable
-        Sign of a derivative, from its order and itself: 0 where it is zero. It raises
-        `Undecided` where it cannot tell.
-    first : int
-        Derivatives of lower order are known to be zero.
+    `functions` are the derivatives from order 0 on, as rows or as values; no more are made
+    than needed. `sign` gives the sign of a derivative from its order and itself, 0 where it
+    is zero, and raises `Undecided` where it cannot tell. Derivatives of order below `first`
+    are known to be zero.
 
     Examples
     --------
@@ -99,89 +80,43 @@ def leading(
 def derivatives(
     row: R, field: Any, count: int, product: Callable[[R, Any], R] = matmul
 ) -> Iterator[R]:
-    """Give an affine function and its derivatives along a field, order by order.
+    """An affine function and its derivatives along a field, `count` rows order by order.
 
-    Parameters
-    ----------
-    row : row (..., N + 1)
-        Of the function of (y, 1).
-    field : matrix (..., N + 1, N + 1)
-        Acts on (y, 1); see `square`.
-    count : int
-        How many. Where N + 1 of them are zero, so are all others.
-    product : callable
-        A row times the field.
+    The row (..., N + 1) and the field (..., N + 1, N + 1), see `square`, act on (y, 1);
+    `product` multiplies a row by the field. Where the first N + 1 are zero, so are all others.
     """
     return islice(accumulate(repeat(field), product, initial=row), count)
 
 
 def square(field: np.ndarray) -> np.ndarray:
-    """Append the rate of 1, which is 0, to a field (..., N, N + 1).
-
-    Parameters
-    ----------
-    field : array (..., N, N + 1)
-
-    Returns
-    -------
-    array (..., N + 1, N + 1)
-    """
+    """A field (..., N, N + 1) with the rate of 1, which is 0, below: (..., N + 1, N + 1)."""
     below = np.zeros_like(field[..., :1, :])
     return np.concatenate([field, below], axis=-2)
 
 
 def dot(row: Iterable[Any], vector: Iterable[Any]) -> Any:
-    """Sum of products.
-
-    Parameters
-    ----------
-    row, vector : iterable of number
-
-    Returns
-    -------
-    number
-    """
+    """Sum of the products of the entries of two vectors."""
     return sum(map(mul, row, vector))
 
 
 class Located(NamedTuple):
-    """A state at an event, extended by 1, and how well it is known, in floats or mpmath.
+    """A state at an event, extended by 1, and how well it is known, in floats or mpmath."""
 
-    Attributes
-    ----------
-    state : sequence of N + 1 numbers
-    sizes : sequence of N + 1 numbers
-        Sums of absolute values behind each coordinate.
-    moved : sequence of N + 1 numbers
-        Its change within the error of the time along the field that led there.
-    error : number
-        Of the time.
-    unit : number
-        Rounding of a sum of products, beside its sum of absolute values.
-    """
-
-    state: Vector
-    sizes: Vector
+    state: Vector  # N + 1 numbers
+    sizes: Vector  # N + 1 sums of absolute values behind the coordinates
+    # change of the state within the error of the time, along the field that led there
     moved: Vector
-    error: Any
-    unit: Any = UNIT
+    error: Any  # of the time
+    unit: Any = UNIT  # rounding of a sum of products, relative to its sum of absolute values
 
     def leading(
         self, rows: Sequence[Sequence[Any]], bounds: Sequence[Sequence[Any]], first: int = 0
     ) -> Leading[Sequence[Any]] | None:
-        """Find the first derivative that is not zero beyond its error.
+        """The first derivative that is not zero beyond its error; None if there is none.
 
-        Parameters
-        ----------
-        rows : sequence of rows
-            The function and its derivatives along a field: one more than is judged.
-        bounds : sequence of rows
-            Sums of absolute values behind their entries.
-        first : int
-
-        Returns
-        -------
-        Leading or None
+        `rows` are the function and its derivatives along a field, one more than is judged;
+        `bounds` are the sums of absolute values behind their entries. Derivatives of order below
+        `first` are known to be zero.
         """
 
         def sign(order: int, row: Sequence[Any]) -> int:
@@ -198,18 +133,9 @@ class Located(NamedTuple):
     def signs(self, rows: np.ndarray, bounds: np.ndarray, field: np.ndarray) -> np.ndarray:
         """Signs (k,) of the leading derivatives of functions (k, N + 1) along a field, 0 for none.
 
-        As `leading`, for functions that no table holds: one product for all of them.
-
-        Parameters
-        ----------
-        rows : array (k, N + 1)
-        bounds : array (k, N + 1)
-            Sums of absolute values behind the entries of the rows.
-        field : array (N, N + 1)
-
-        Returns
-        -------
-        array (k,) of int
+        `bounds` (k, N + 1) are the sums of absolute values behind the entries of the rows; the
+        field is (N, N + 1). It is `leading` for functions that no table holds, with one product
+        for all of them.
         """
         matrix = square(field)
 
@@ -229,17 +155,8 @@ class Located(NamedTuple):
 def leading_signs(judged: Iterable[tuple[np.ndarray, np.ndarray]]) -> np.ndarray:
     """Signs of the leading derivatives of many functions or states at once, 0 for none.
 
-    The form of `leading` for arrays: state by state the starts of a sweep take 60 times as long.
-
-    Parameters
-    ----------
-    judged : iterable of (array, array)
-        Values and their errors, from order 0 on.
-
-    Returns
-    -------
-    array of int
-        -1, 0 or 1, of the shape of the values.
+    `judged` gives values and their errors, from order 0 on; the signs have their shape. It is
+    `leading` for arrays: state by state the starts of a sweep take 60 times as long.
     """
     signs: np.ndarray | None = None
     for values, errors in judged:

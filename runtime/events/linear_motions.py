@@ -37,20 +37,11 @@ class _Steps(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class LinearMotion:
-    """A motion y' = A y + b over a time.
+    """A motion y' = A y + b over a time."""
 
-    Attributes
-    ----------
-    field : array (n, n + 1)
-        A and b.
-    start : array (n,)
-    duration : float
-        Nondimensional.
-    """
-
-    field: np.ndarray
-    start: np.ndarray
-    duration: float
+    field: np.ndarray  # A and b, (n, n + 1)
+    start: np.ndarray  # (n,)
+    duration: float  # nondimensional
 
     @cached_property
     def weights(self) -> np.ndarray:
@@ -71,18 +62,16 @@ class LinearMotion:
 
     @cached_property
     def norm(self) -> float:
-        """Norm of A that belongs to that of y."""
+        """Norm of A that the norm of y induces."""
         with np.errstate(all="ignore"):
             return float((abs(self.field[:, :-1]) @ self.weights / self.weights).max())
 
     @cached_property
     def steps(self) -> _Steps:
-        """The motion step by step.
+        """The motion in steps that are short against A.
 
-        Raises
-        ------
-        InputError
-            If it is longer than 1e5 / |A|, its duration negative, or it overflows.
+        An `InputError` refuses a motion that is longer than 1e5 / |A|, has a negative duration,
+        or overflows.
         """
         if not (self.duration >= 0 and self.duration * self.norm <= LONGEST_PHASE):
             raise InputError(f"the duration {self.duration} is not within 0 and 1e5 / |A|")
@@ -104,33 +93,17 @@ class LinearMotion:
         return _Steps(width, states, rates, size)
 
     def rate(self, state: np.ndarray) -> np.ndarray:
-        """Give y' at a state.
-
-        Parameters
-        ----------
-        state : array (n,)
-
-        Returns
-        -------
-        array (n,)
-        """
+        """The rate y' (n,) at a state (n,)."""
         return np.asarray(self.field[:, :-1] @ state + self.field[:, -1])
 
 
 @dataclass(frozen=True)
 class AlongMotion:
-    """A boundary function g = n y + c along a linear motion; see `BoundaryCurve`.
-
-    Attributes
-    ----------
-    motion : LinearMotion
-    normal : array (n,)
-    constant : float
-    """
+    """A boundary function g = n y + c along a linear motion; see `BoundaryCurve`."""
 
     motion: LinearMotion
-    normal: np.ndarray
-    constant: float
+    normal: np.ndarray  # n, (n,)
+    constant: float  # c
 
     @property
     def fastest(self) -> float:
@@ -144,16 +117,13 @@ class AlongMotion:
         return self._jet(cell)(t)[0]
 
     def raised(self, by: float) -> Self:
-        """Return g and a constant."""
+        """The function g plus a constant."""
         return replace(self, constant=self.constant + by)
 
     def rounding(self, duration: float) -> float:
-        """Return 32 eps (|c| + |n| x |y|)(1 + |A| T), g's rounding over [0, T].
+        """The rounding error 32 eps (|c| + |n| x |y|)(1 + |A| T) of g over [0, T].
 
-        Parameters
-        ----------
-        duration : float
-            T, nondimensional.
+        x are the `weights`; T is the duration, nondimensional.
         """
         motion = self.motion
         size = float(abs(self.normal) @ motion.weights) * motion.steps.size + abs(self.constant)
@@ -167,25 +137,12 @@ class AlongMotion:
         return bool(self.normal @ motion.rate(motion.start) > 2.0**-47 * size + motion.norm * noise)
 
     def maximum(self, duration: float, floor: float = -math.inf) -> Maximum:
-        """Return the guaranteed maximum over the motion's duration.
+        """The guaranteed maximum of g over the motion's duration, or the floor.
 
-        Parameters
-        ----------
-        duration : float
-            That of the motion.
-        floor : float
-            Value above which a maximum matters; -inf asks for the global maximum.
-
-        Returns
-        -------
-        Maximum
-            max(floor, max g) and the time where it is attained; where g stays at or below the
-            floor, the floor and NaN. No value of g exceeds it by more than ``rounding(duration)``.
-
-        Raises
-        ------
-        InputError
-            If the floor is NaN, or where the motion has no guarantee.
+        That is max(floor, max g) and the time where it is attained; where g stays at or below the
+        floor, the floor and NaN. A floor of -inf asks for the global maximum. No value of g
+        exceeds it by more than ``rounding(duration)``; the duration is that of the motion. An
+        `InputError` refuses a floor of NaN, and a motion that has no guarantee.
 
         Examples
         --------
@@ -211,7 +168,7 @@ class AlongMotion:
         )
 
     def _jet(self, cell: int) -> Callable[[float], tuple[float, float, float]]:
-        """Value, slope and curvature within a step, by Taylor's polynomial."""
+        """The function from a time within a step to g, g' and g'', by Taylor's polynomial."""
         steps, matrix = self.motion.steps, self.motion.field[:, :-1]
         coefficients = [float(self.normal @ steps.states[cell]) + self.constant]
         now = steps.rates[cell]

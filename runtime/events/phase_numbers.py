@@ -21,29 +21,15 @@ Row = tuple[float, ...]
 
 
 def rows_of(array: np.ndarray) -> list[Row]:
-    """Rows of an array as Python numbers.
-
-    Parameters
-    ----------
-    array : array (n, m)
-    """
+    """Rows of an array (n, m) as tuples of Python numbers."""
     return [tuple(row) for row in array.tolist()]
 
 
 def orders(row: np.ndarray, field: np.ndarray, count: int) -> tuple[list[Row], list[Row]]:
-    """An affine function's derivatives along a field, order by order, and their sizes.
+    """Derivatives of an affine function along a field, order by order, and their sizes.
 
-    Parameters
-    ----------
-    row : array (N + 1,)
-    field : array (N, N + 1)
-    count : int
-        Derivatives, the function itself among them.
-
-    Returns
-    -------
-    values, sizes : list of tuple of float
-        Rows of N + 1 numbers.
+    The row is (N + 1,), the field (N, N + 1). Both results are `count` rows of N + 1 numbers,
+    those of the function first; sizes are sums of absolute values.
     """
     matrix = square(field)
     with np.errstate(over="ignore", invalid="ignore"):  # what is not finite judges no start
@@ -53,7 +39,7 @@ def orders(row: np.ndarray, field: np.ndarray, count: int) -> tuple[list[Row], l
 
 
 class BoundaryTable:
-    """One boundary of a configuration: its row over the functions of time, and along the field."""
+    """One boundary of a configuration: coefficients by functions of time, and derivatives."""
 
     def __init__(self, system: PiecewiseLinear, configuration: int, index: int) -> None:
         shape = system.structure.boundaries[configuration][index]
@@ -71,7 +57,7 @@ class BoundaryTable:
 
 
 class ConfigurationTable:
-    """What a phase needs, as lists of Python numbers."""
+    """The numbers of a configuration that a phase needs, as lists of Python numbers."""
 
     def __init__(self, system: PiecewiseLinear, index: int) -> None:
         shape, self._flows = system.structure, system.flows[index]
@@ -93,17 +79,17 @@ class ConfigurationTable:
 
     @cached_property
     def flow(self) -> list[list[Row]]:
-        """Rows of the matrix of each function."""
+        """Rows of the matrix that belongs to each function of time."""
         return [rows_of(part) for part in matrices_of(self._flows)]
 
     @cached_property
     def sizes(self) -> list[list[Row]]:
-        """Their absolute values."""
+        """Absolute values of `flow`."""
         return [rows_of(abs(part)) for part in matrices_of(self._flows)]
 
     @cached_property
     def total(self) -> list[Row]:
-        """The sum of these."""
+        """Sum of `sizes` over the functions of time."""
         return rows_of(abs(matrices_of(self._flows)).sum(axis=0))
 
     def function(
@@ -111,13 +97,7 @@ class ConfigurationTable:
     ) -> QuasiPolynomial:
         """A boundary function in time, from an extended state and its absolute values.
 
-        Parameters
-        ----------
-        boundary : BoundaryTable
-        state : list of float
-            N + 1 numbers. In the system's units.
-        size : list of float
-            N + 1 numbers, at least 0.
+        The state has N + 1 numbers, in the system's units; `size` are absolute values of as many.
         """
         values = [dot(row, state) for row in boundary.values]
         sizes = [dot(row, size) for row in boundary.sizes]
@@ -148,20 +128,7 @@ class ConfigurationTable:
         return QuasiPolynomial(tuple(exponents), tuple(polynomials), tuple(weights), tuple(joined))
 
     def after(self, state: list[float], t: float) -> list[float]:
-        """The extended state a time t later.
-
-        Parameters
-        ----------
-        state : list of float
-            N + 1 numbers. In the system's units.
-        t : float
-            In the system's unit of time.
-
-        Returns
-        -------
-        list of float
-            N + 1 numbers.
-        """
+        """The extended state, N + 1 numbers, a time t later; all is in the system's units."""
         if t == 0:
             return state
         # over a short time by what changes, which keeps its relative accuracy
@@ -175,17 +142,7 @@ class ConfigurationTable:
     def magnitudes(self, size: list[float], t: float) -> list[float]:
         """Sums of absolute values that make up the extended state a time t later.
 
-        Parameters
-        ----------
-        size : list of float
-            Absolute values of the N + 1 numbers now.
-        t : float
-            In the system's unit of time.
-
-        Returns
-        -------
-        list of float
-            N + 1 numbers.
+        `size` are the absolute values of its N + 1 numbers now; t is in the system's unit of time.
         """
         if self.bounded:
             return [*(dot(row, size) for row in self.total), 1.0]
@@ -203,14 +160,9 @@ class Clock:
         self.time, self.rest = 0.0, 0.0
 
     def advance(self, step: float) -> None:
-        """Let a time pass.
+        """Let a time pass, in the system's unit.
 
         What a sum loses to rounding is kept (Knuth, 1969).
-
-        Parameters
-        ----------
-        step : float
-            In the system's unit of time.
         """
         total = self.time + step
         part = total - self.time
@@ -220,11 +172,5 @@ class Clock:
         self.rest = rest - (self.time - total)
 
     def before(self, until: float) -> float:
-        """What is left until a time.
-
-        Parameters
-        ----------
-        until : float
-            In the system's unit of time.
-        """
+        """The time that is left until another one, in the system's unit."""
         return (until - self.time) - self.rest

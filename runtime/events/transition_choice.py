@@ -36,25 +36,15 @@ _ROUNDINGS = 4  # of a reset, in units of the rounding of a sum
 
 
 class Choice(NamedTuple):
-    """What follows a set of boundaries.
+    """What follows a set of boundaries."""
 
-    Attributes
-    ----------
-    verdict : {"chosen", "ambiguous", "undecided", "undeclared"}
-        Ambiguous is what orders of stops do not agree on, or the law leaves open; undecided is
-        what the arithmetic cannot tell.
-    transition : TransitionShape or None
-        The one that follows, or of which it is not decided whether it does.
-    options : tuple of int
-        Configurations that may follow where that is ambiguous.
-    open : str
-        Why it is undecided.
-    """
-
+    # ambiguous is what orders of stops do not agree on, or the law leaves open; undecided is what
+    # the arithmetic cannot tell
     verdict: Literal["chosen", "ambiguous", "undecided", "undeclared"]
+    # the one that follows, or of which it is not decided whether it does
     transition: TransitionShape | None = None
-    options: tuple[int, ...] = ()
-    open: str = ""
+    options: tuple[int, ...] = ()  # configurations that may follow where that is ambiguous
+    open: str = ""  # why it is undecided
 
 
 class Judge(Protocol):
@@ -64,17 +54,13 @@ class Judge(Protocol):
     """
 
     def sign(self, row: int, along: int) -> int:
-        """Sign of the leading derivative of a row along a configuration's field, 0 for none.
+        """Sign of the leading derivative of a row along a field, 0 for none.
 
-        Parameters
-        ----------
-        row : int
-        along : int
-            A configuration.
+        `along` is the configuration of the field.
         """
 
     def agree(self, resets: Sequence[int]) -> bool:
-        """Whether resets lead to one state."""
+        """Whether these resets lead to the same state."""
 
     def targets(self, event: ContactEvent) -> tuple[int, ...]:
         """Configurations that may follow by the contact law."""
@@ -83,7 +69,7 @@ class Judge(Protocol):
 class _Conditional(Protocol):
     @property
     def conditions(self) -> Iterable[Sequence[Any]]:
-        """Each what a sign is asked of, and whether it has to be positive."""
+        """Conditions: the arguments of a sign, and last whether it has to be positive."""
 
 
 C = TypeVar("C", bound=_Conditional)
@@ -92,21 +78,11 @@ C = TypeVar("C", bound=_Conditional)
 def first_following(
     candidates: Iterable[C], sign: Callable[..., int]
 ) -> tuple[C | None, Undecided | None]:
-    """Find the first candidate whose conditions hold, or may hold.
+    """The first candidate whose conditions hold or may hold, and why that is open.
 
-    Parameters
-    ----------
-    candidates : iterable
-        In order; a condition is what `sign` is asked of, and whether it has to be positive.
-    sign : callable
-        It raises `Undecided` where it cannot tell.
-
-    Returns
-    -------
-    candidate or None
-        None where none follows.
-    Undecided or None
-        Why it is open whether the candidate follows; None where it does.
+    `sign` takes the entries of a condition but the last, which says whether the sign has to
+    be positive; it raises `Undecided` where it cannot tell. The candidate is None where none
+    follows; the reason is None where it is certain that the candidate does.
     """
     for candidate in candidates:
         trouble: Undecided | None = None
@@ -122,16 +98,7 @@ def first_following(
 
 
 def choose(structure: Structure, source: int, boundaries: frozenset[int], judge: Judge) -> Choice:
-    """Choose the transition that follows a set of boundaries.
-
-    Parameters
-    ----------
-    structure : Structure
-    source : int
-        The configuration in which they are reached.
-    boundaries : frozenset of int
-    judge : Judge
-    """
+    """The choice of what follows boundaries that are reached in the configuration `source`."""
     # routes of the law are listed for one orbit: the law itself tells them
     shapes = [t for t in structure.listed(source, boundaries) if t.path is None]
     found = []
@@ -153,7 +120,7 @@ def choose(structure: Structure, source: int, boundaries: frozenset[int], judge:
 
 
 def _by_law(structure: Structure, source: int, boundaries: frozenset[int], judge: Judge) -> Choice:
-    """What the law of coupled contacts says."""
+    """The choice by the law of coupled contacts."""
     law = structure.law
     names = [structure.boundaries[source][b].name for b in sorted(boundaries)]
     event = None if law is None else law.event(source, names)
@@ -170,15 +137,11 @@ def _by_law(structure: Structure, source: int, boundaries: frozenset[int], judge
 
 
 class Decider:
-    """The tables of a system at one parameter point, in floats or mpmath.
+    """The choice of transitions by the tables of a system at one parameter point.
 
-    Parameters
-    ----------
-    structure : Structure
-    fields, rows, resets : arrays (c, N, N + 1), (R, N + 1), (r, N, N + 1)
-        The law of coupled contacts needs floats.
-    unit : number
-        Rounding of a sum of products.
+    The tables are arrays of floats or mpmath numbers: fields (c, N, N + 1), rows (R, N + 1)
+    and resets (r, N, N + 1). The law of coupled contacts needs floats. `unit` is the rounding
+    of a sum of products.
     """
 
     def __init__(
@@ -204,14 +167,8 @@ class Decider:
     ) -> ContactOutcome:
         """Configurations that a start with contacts at rest may belong to.
 
-        Parameters
-        ----------
-        configuration : int
-            One whose boundaries the state has not passed.
-        state : array (N + 1,)
-            In the system's units.
-        resting : array of bool
-            Contacts of the law at rest.
+        The state (N + 1,), in the system's units, has not passed the boundaries of
+        `configuration`. `resting` are flags of the law's contacts.
         """
         event = self._chooser.law.beginning(configuration, np.flatnonzero(resting).tolist())
         known = Located(state, abs(state), np.zeros(len(state)), 0.0)
@@ -224,20 +181,10 @@ class Decider:
     def located(
         self, source: int, state: np.ndarray, error: Any, sizes: np.ndarray | None = None
     ) -> Located:
-        """A state (N + 1,) that a configuration led to, and how well it is known.
+        """A state (N + 1,) that the configuration `source` led to, and how well it is known.
 
-        By default what is behind its coordinates is no larger than they are.
-
-        Parameters
-        ----------
-        source : int
-            The configuration.
-        state : array (N + 1,)
-            In the system's units.
-        error : number
-            Of the time.
-        sizes : array (N + 1,), optional
-            Sums of absolute values behind the coordinates.
+        The state is in the system's units; `error` is that of the time. `sizes` (N + 1,) are sums
+        of absolute values behind the coordinates, by default the absolute values of these.
         """
         moved = np.append(error * (self.fields[source] @ state), 0.0)
         return Located(state, abs(state) if sizes is None else sizes, moved, error, self.unit)
@@ -249,31 +196,16 @@ class Decider:
         at: Located,
         zero: frozenset[int] = frozenset(),
     ) -> Choice:
-        """Choose what follows a set of boundaries.
+        """What follows boundaries that are reached in the configuration `source`.
 
-        Parameters
-        ----------
-        source : int
-        boundaries : frozenset of int
-        at : Located
-        zero : frozenset of int
-            Rows that are zero there, whatever rounding makes of them.
+        The rows in `zero` are zero there, whatever rounding makes of them.
         """
         return choose(self.structure, source, boundaries, _AtEvent(self, at, zero))
 
     def pair(self, row: int, along: int) -> tuple[list[Row], list[Row]]:
         """A row with its derivatives along a configuration's field, and their sizes.
 
-        Parameters
-        ----------
-        row : int
-        along : int
-            A configuration.
-
-        Returns
-        -------
-        values, sizes : list of tuple
-            N + 2 rows of N + 1 numbers.
+        Both are N + 2 rows of N + 1 numbers; `along` is the configuration.
         """
         if (row, along) not in self._pairs:
             own = self.rows[row]
@@ -282,7 +214,7 @@ class Decider:
 
 
 class _AtEvent(NamedTuple):
-    """Judge with bounds on the errors of a located state."""
+    """A `Judge` that bounds the errors of a located state."""
 
     decider: Decider
     at: Located
@@ -309,23 +241,12 @@ def batch_decider(
     options: list[tuple[tuple[int, ...], int]],
     missing: list[tuple[int, int]],
 ) -> Callable[..., tuple[int, int, int]] | None:
-    """What the compiled engine calls where it finds no transition; None where nothing is to tell.
+    """The function that the compiled engine calls where it finds no transition.
 
-    Parameters
-    ----------
-    structure : Structure
-    numbers : array (points, size)
-        Fields, rows and resets come first.
-    options : list
-        Gets the options of events that are ambiguous, and a mask of their boundaries.
-    missing : list
-        Gets the configurations of undeclared events, and a mask of their boundaries.
-
-    Returns
-    -------
-    callable or None
-        From a point, configuration, boundaries, state, sizes and error to a status, target and
-        reset.
+    It takes a point, configuration, boundaries, state, sizes and error, and gives a status,
+    target and reset. None means that there is nothing to decide. Fields, rows and resets come
+    first in `numbers` (points, size). Ambiguous events append to `options` their options,
+    undeclared ones to `missing` their configuration, each with a mask of the boundaries.
     """
     ordered = any(t.order for found in structure.transitions for t in found)
     if structure.law is None and not ordered and not structure.unvisited:

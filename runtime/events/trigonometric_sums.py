@@ -25,24 +25,15 @@ from nonsmooth.runtime.events.guaranteed_maxima import LONGEST_PHASE, CurveSampl
 class TrigonometricSum:
     """A boundary function a0 + a1 t + sum_j [c_j cos(w_j t) + s_j sin(w_j t)], nondimensional.
 
-    Parameters
-    ----------
-    constant, slope : float
-        a0 and a1.
-    cosine, sine, frequency : tuple of float, shape (n,)
-        Amplitudes c_j and s_j, angular frequencies w_j >= 0.
-
-    Raises
-    ------
-    InputError
-        If the tuples differ in length, a number is not finite or a frequency is negative.
+    An `InputError` refuses tuples that differ in length, numbers that are not finite and
+    negative frequencies.
     """
 
-    constant: float
-    slope: float
-    cosine: tuple[float, ...]
-    sine: tuple[float, ...]
-    frequency: tuple[float, ...]
+    constant: float  # a0
+    slope: float  # a1
+    cosine: tuple[float, ...]  # amplitudes c_j, (n,)
+    sine: tuple[float, ...]  # amplitudes s_j, (n,)
+    frequency: tuple[float, ...]  # angular frequencies w_j >= 0, (n,)
 
     def __post_init__(self) -> None:
         if not len(self.cosine) == len(self.sine) == len(self.frequency):
@@ -70,16 +61,13 @@ class TrigonometricSum:
         return TrigonometricSum(self.slope, 0.0, cosine, sine, self.frequency)
 
     def raised(self, by: float) -> Self:
-        """Return g and a constant."""
+        """The function g plus a constant."""
         return replace(self, constant=self.constant + by)
 
     def rounding(self, duration: float) -> float:
-        """Return 32 eps (|a0| + |a1| T + sum (|c| + |s|)(1 + w T)): g's rounding over [0, T].
+        """The rounding error 32 eps (|a0| + |a1| T + sum (|c| + |s|)(1 + w T)) of g over [0, T].
 
-        Parameters
-        ----------
-        duration : float
-            T, nondimensional.
+        T is the duration, nondimensional.
         """
         waves = sum((abs(c) + abs(s)) * (1 + w * duration) for c, s, w in self.terms())
         return 2.0**-47 * (abs(self.constant) + abs(self.slope) * duration + waves)
@@ -92,29 +80,17 @@ class TrigonometricSum:
 
     @property
     def fastest(self) -> float:
-        """Largest frequency."""
+        """Largest angular frequency."""
         return max(self.frequency, default=0.0)
 
     def maximum(self, duration: float, floor: float = -math.inf) -> Maximum:
-        """Return the guaranteed maximum over [0, duration].
+        """The guaranteed maximum of g over [0, duration], or the floor.
 
-        Parameters
-        ----------
-        duration : float
-            Length T of the window, nondimensional.
-        floor : float
-            Value above which a maximum matters; -inf asks for the global maximum.
-
-        Returns
-        -------
-        Maximum
-            max(floor, max g) and the time where it is attained; where g stays at or below the
-            floor, the floor and NaN. No value of g exceeds it by more than ``rounding(duration)``.
-
-        Raises
-        ------
-        InputError
-            If a number is NaN, the duration negative or longer than 1e5 / max w, or g overflows.
+        That is max(floor, max g) and the time where it is attained; where g stays at or below the
+        floor, the floor and NaN. A floor of -inf asks for the global maximum. No value of g
+        exceeds it by more than ``rounding(duration)``; the duration is nondimensional. An
+        `InputError` refuses NaN, a duration that is negative or longer than 1e5 / max w, and a g
+        that overflows.
 
         Examples
         --------
@@ -138,12 +114,7 @@ class TrigonometricSum:
         )
 
     def terms(self) -> Iterator[tuple[float, float, float]]:
-        """Iterate over (c_j, s_j, w_j).
-
-        Yields
-        ------
-        c, s, w : float
-        """
+        """Amplitudes and frequency (c_j, s_j, w_j) of each term."""
         return zip(self.cosine, self.sine, self.frequency, strict=True)
 
 

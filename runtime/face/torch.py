@@ -68,7 +68,7 @@ def differentiable(function: DifferentiableFunction) -> Callable[[torch.Tensor],
 
 
 def _on_arrays(host: Callable[..., np.ndarray], *tensors: torch.Tensor) -> torch.Tensor:
-    """Call a function of NumPy arrays."""
+    """Call a function of NumPy arrays on tensors, and give what it returns as a tensor."""
     import torch
 
     found = host(*(tensor.detach().cpu().numpy() for tensor in tensors))
@@ -77,9 +77,9 @@ def _on_arrays(host: Callable[..., np.ndarray], *tensors: torch.Tensor) -> torch
 
 @cache
 def _operations() -> Any:
-    """Make the operations that PyTorch's machinery knows how to differentiate and to map.
+    """Make the operation that PyTorch's machinery knows how to differentiate and to map.
 
-    They are classes of PyTorch's own kind, and PyTorch is imported when it is asked for.
+    It is a class of PyTorch's kind, and PyTorch is imported when it is asked for.
     """
     import torch
 
@@ -89,7 +89,7 @@ def _operations() -> Any:
         return tensor.movedim(dim, 0)
 
     def has_rules(tensor: torch.Tensor) -> bool:
-        """Tell whether rules of ours are asked: not by PyTorch's older vmap."""
+        """Tell whether rules of this module apply to a tensor: not under PyTorch's older vmap."""
         try:
             tensor.detach()
         except RuntimeError:
@@ -97,7 +97,7 @@ def _operations() -> Any:
         return True
 
     class Once(torch.autograd.Function):
-        """What is found on the host and has no derivatives itself."""
+        """An operation that is computed on the host and has no derivatives itself."""
 
         @staticmethod
         def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
@@ -114,7 +114,7 @@ def _operations() -> Any:
             return Once.backward(ctx)
 
     class Jacobian(Once):
-        """The Jacobian at points; `known` is the Jacobian, or without entries."""
+        """The Jacobian at points, which is `known` already if that has entries."""
 
         @staticmethod
         def forward(
