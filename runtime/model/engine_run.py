@@ -86,8 +86,8 @@ class Run:
     configurations: np.ndarray  # (n,) of int32
     before: np.ndarray  # (n, N), state in front of the transition; at the start the state itself
     states: np.ndarray  # (n, N), state behind the transition
-    # (n,), mask of the boundaries reached together before; 0 at the start; int32, or Python's
-    # integers where there may be more than 31 boundaries
+    # (n,), mask of the boundaries of the configuration before that were reached together; 0 at the
+    # start; int32, or Python's integers where there may be more than 31 boundaries
     sets: np.ndarray
     # the compiled engine reports the first 256 of one stay in a configuration
     grazings: tuple[Grazing, ...]

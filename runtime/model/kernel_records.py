@@ -47,7 +47,7 @@ class Boundary:
 
     phase: int
     name: str
-    open_parameter: str | None  # left open by the orbit's equations; None for no such one
+    open_parameter: str | None  # left open by the orbit's equations
     open_coefficient: float  # factor of the open parameter's value in the function
     begins: bool  # whether the phase begins on the boundary
 
@@ -72,7 +72,7 @@ class SystemKernels:
 
     @property
     def built_in(self) -> bool:
-        """Whether this is one of the systems that the package brings along."""
+        """Whether this is one of the package's own systems."""
         return self.module.__name__.startswith("nonsmooth.generated.")
 
     @property
@@ -238,7 +238,7 @@ class OrbitKernels:
 
     @cached_property
     def solved_for(self) -> tuple[str, ...]:
-        """Parameters among the unknowns."""
+        """Names of the parameters among the unknowns."""
         others = [p.name for p in self.other_parameters]
         return tuple(name for name in self.unknowns if name in others)
 
@@ -259,7 +259,7 @@ class OrbitKernels:
 
     @cached_property
     def timed(self) -> tuple[str, ...]:
-        """Dwell times among the unknowns."""
+        """Names of the dwell times among the unknowns."""
         return tuple(name for name in self.unknowns if name in self.dwell_times)
 
     def durations(self, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -277,7 +277,7 @@ class OrbitKernels:
 
     @cached_property
     def period_name(self) -> str | None:
-        """The parameter that the dwell times sum up to, of a conservative orbit."""
+        """The parameter that is the sum of a conservative orbit's dwell times; None for others."""
         total: dict[str, int] = {}
         for terms in self.table["durations"]:
             for name, factor in terms.items():

@@ -39,7 +39,7 @@ class Batch:
     kernels: OrbitKernels
     known: tuple[str, ...]  # parameters that need values
     opened: tuple[str, ...]  # open parameters that have values or follow
-    # parameters that follow, each with the factors of the known ones in its sum
+    # parameters that follow, each with the factors of the known ones whose sum it is
     completed: dict[str, Terms]
 
     def complete(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:

@@ -96,7 +96,7 @@ def _used(kernels: SystemKernels) -> list[tuple[dict[str, Any], set[str]]]:
 
 @cache
 def _powers(product: str) -> list[tuple[str, int]]:
-    """Names and powers of a product such as ``a*b**2``; none of ``1``."""
+    """Names and powers in a product such as ``a*b**2``; ``1`` has none."""
     parts = (part.partition("^") for part in product.replace("**", "^").split("*"))
     return [(name, int(power or 1)) for name, _, power in parts if name != "1"]
 

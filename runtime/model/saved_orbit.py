@@ -55,7 +55,7 @@ class HeldOrbit:
     tables: SavedSystem | None  # None for a built-in system
     orbit: str  # name among the orbits of the system; empty for none
     label: str  # name of an orbit of a file of results; empty for others
-    # of an orbit of the system that a file of results gave another one
+    # replaces that of a declared orbit, if a file of results does so
     reference: ReferenceEntries | None
     composed: ComposedEntries | None  # table of an orbit that the system does not declare
 

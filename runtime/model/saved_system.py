@@ -87,7 +87,7 @@ class TransitionEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactEntries:
-    """Rows of a contact."""
+    """Rows of a contact: of its force by configuration, and of two velocities."""
 
     forces: Mapping[str, int]
     velocity: int
@@ -127,7 +127,7 @@ class LawEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class TableEntries:
-    """What does not depend on parameters; rows and resets by index, from 0."""
+    """The tables that no parameter changes; rows and resets by index, from 0."""
 
     name: str
     description: str

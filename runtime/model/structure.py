@@ -52,11 +52,11 @@ Modes = tuple[tuple[ModeShape, ...], ...]  # of each configuration
 
 @dataclass(frozen=True)
 class BoundaryShape:
-    """A boundary of a configuration: its name, its row, and whether reaching it is enough."""
+    """A boundary of a configuration: its name, its row, and whether it acts as soon as reached."""
 
     name: str
     row: int
-    reached: bool
+    reached: bool  # else it acts when exceeded
 
 
 @dataclass(frozen=True)
@@ -76,12 +76,12 @@ class TransitionShape:
 
 @dataclass(frozen=True)
 class ContactShape:
-    """Where the surroundings act: rows of force by configuration, of velocity, of the surface."""
+    """A contact with the surroundings: the rows of its force and of two velocities."""
 
     name: str
-    forces: Mapping[int, int]
-    velocity: int
-    surface: int
+    forces: Mapping[int, int]  # row by configuration
+    velocity: int  # row of the velocity of the oscillator's point
+    surface: int  # row of the velocity of the surroundings
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,15 +100,15 @@ class Structure:
     boundaries: tuple[tuple[BoundaryShape, ...], ...]  # for each configuration
     transitions: tuple[tuple[TransitionShape, ...], ...]  # for each configuration
     contacts: tuple[ContactShape, ...]
-    rows: int  # how many there are
-    resets: int  # how many there are
+    rows: int  # number of rows
+    resets: int  # number of resets
     # states c and s of each harmonic forcing: c^2 + s^2 = 1
     forcing: tuple[tuple[int, int], ...] = ()
     coordinates: tuple[tuple[int, int], ...] = ()  # positions with their velocities
     law: Law | None = None  # decides where no transition is listed
     # row that is zero where the phase of the first forcing begins anew
     forcing_row: int | None = None
-    kernels: SystemKernels | None = None  # those that it was made from
+    kernels: SystemKernels | None = None  # tables and kernels that it was made from
 
     def configuration(self, name: str) -> int:
         """Index of a configuration; raises `InputError` if there is none of that name."""

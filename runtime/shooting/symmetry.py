@@ -129,7 +129,7 @@ def same_maps(first: np.ndarray, second: np.ndarray, error: float = _SAME) -> bo
 
 
 class _Images:
-    """Which configuration can be the image of which, and how their boundaries correspond."""
+    """Candidates for the image of each configuration, with the images of their boundaries."""
 
     def __init__(self, system: PiecewiseLinear, matrix: np.ndarray, error: float) -> None:
         self.system, self.structure = system, system.structure

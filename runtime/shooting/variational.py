@@ -48,7 +48,7 @@ class Ahead(NamedTuple):
 
 
 class Arithmetic(Protocol):
-    """How affine maps act; a column times a row is their outer product."""
+    """How affine maps act on states and their changes; a column times a row is an outer product."""
 
     def apply(self, affine: Any, state: Any) -> Any:
         """Apply an affine map to a state, a column, which gives a column."""
@@ -150,8 +150,8 @@ class Shooting(NamedTuple):
     velocities: Any  # (p, ..., N), velocity at each phase's end
     residual: Any  # (p, ...), boundary function at each phase's end
     speeds: Any  # (p, ...), rate of the boundary function; empty if dwell times are unknowns
-    # (p, ..., n), derivative of each dwell time by the unknowns; if it follows, by the start, then
-    # its change at a fixed start
+    # (p, ..., n), derivative of each dwell time by the unknowns; if dwell times follow, by the
+    # start, and last their change at a fixed start
     rates: Any
     slopes: Any  # (p, ..., n), derivative of the boundary functions; empty if dwell times follow
     variational: Any  # (..., N, n), derivative of the state after the chain

@@ -59,7 +59,7 @@ class Law:
     contacts: tuple[ContactRows, ...]
     # m x m rows, whose constants are the entries of the coupling matrix
     coupling: tuple[tuple[int, ...], ...]
-    couples: tuple[tuple[bool, ...], ...]  # m x m, whether an entry is nonzero for some parameters
+    couples: tuple[tuple[bool, ...], ...]  # m x m, whether an entry is not identically zero
     configurations: tuple[str, ...]  # names
     regimes: tuple[Regimes, ...]  # for each configuration the regime of each contact
     others: tuple[str, ...]  # for each configuration the regimes of the other parts
@@ -69,7 +69,8 @@ class Law:
     limits: Mapping[str, int]  # contact of each boundary at which a force reaches its limit
     # for the others' regimes and their boundaries the others' regimes behind
     switches: Mapping[str, Mapping[str, str]]
-    idle: tuple[tuple[int, ...], ...]  # for each configuration the contacts that slide in name only
+    # for each configuration the contacts that slide in name only: others keep them at rest
+    idle: tuple[tuple[int, ...], ...]
     # by target ("" if no contact begins to hold) and boundaries of other parts
     resets: Mapping[str, Mapping[str, int]]
 

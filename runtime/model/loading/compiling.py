@@ -37,7 +37,7 @@ setup(name="kernels", ext_modules=[kernels], packages=[], py_modules=[])
 
 
 def compiler() -> list[str]:
-    """The words that call the C compiler: CC of the environment, else the one of this Python."""
+    """The command of the C compiler, as words: CC of the environment, else that of this Python."""
     named = os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc"
     return shlex.split(str(named))
 

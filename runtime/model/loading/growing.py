@@ -44,7 +44,7 @@ _KINDS = ("fields", "rows", "resets")
 
 @runtime_checkable
 class GrowingDeclaration(DeclaredSystem, Protocol):
-    """A declared system that hands out pieces: see `nonsmooth.derive.building.growing`."""
+    """A declared system that is derived in pieces: see `nonsmooth.derive.building.growing`."""
 
     @property
     def regimes(self) -> Sequence[tuple[str, tuple[str, ...]]]:
