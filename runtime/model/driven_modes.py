@@ -32,8 +32,8 @@ def driven_modes(
     """Modes of y' = A y + b from those of its driving states and of the states they drive.
 
     `field` (N, N + 1) is A, then b, and finite; `modes_of` gives the modes of the driving
-    states' own field. None if no state drives others, or if double precision does not determine
-    the modes of the rest or their response.
+    states' own field. None if no state drives others, if the driving states' modes are chains, or
+    if double precision does not determine the modes of the rest or their response.
     """
     size = len(field)
     whole = np.vstack([field, np.zeros(size + 1)])

@@ -52,7 +52,7 @@ def eigenvectors_apart(values: np.ndarray, right: np.ndarray, scale: float) -> l
     """One cluster for each eigenvalue (N,), from the eigenvectors, the columns of an (N, N) array.
 
     `scale`, the largest modulus of an eigenvalue, is the unit of their distances. None if some
-    eigenvalues are close to each other.
+    eigenvalues are close to each other or a projector is large.
     """
     if smallest_distance(values) <= _NEARNESS[0] * scale:
         return None

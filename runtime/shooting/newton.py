@@ -123,13 +123,14 @@ def climb(
     start: int,
     name: str,
 ) -> tuple[np.ndarray, Any, int]:
-    """Refine a solution x (n,) by Newton steps of growing precision; the last corrects nothing.
+    """Refine a solution x (n,) by Newton steps of growing precision, and check it by a last one.
 
-    `step_at` takes x and whether this step is the last, at twice the digits; it gives the step
-    (n,) and an object seen at x, and raises `ZeroDivisionError` where the equations are singular.
-    `start` and `digits` are the decimals that x has and that are wanted. The results are x, the
-    object that the last step saw, and the number of steps. Raises `NoConvergence`, naming `name`,
-    if the steps lead away from the solution, as they do where the equations are singular.
+    The last step is taken at twice the digits and not added to x; it has to be negligible.
+    `step_at` takes x and whether this step is the last; it gives the step (n,) and an object seen
+    at x, and raises `ZeroDivisionError` where the equations are singular. `start` and `digits` are
+    the decimals that x has and that are wanted. The results are x, the object that the last step
+    saw, and the number of steps. Raises `NoConvergence`, naming `name`, if the steps lead away
+    from the solution, as they do where the equations are singular.
     """
     steps = [*precisions(digits, start), 2 * digits]
     correction, seen = lib.mp.inf, None
