@@ -211,7 +211,7 @@ def factors_at(
 def _poles_of(
     shapes: Sequence[ModeShape], exponents: np.ndarray
 ) -> Iterator[tuple[ModeShape, _Poles, _Poles]]:
-    """Yield each mode of a chain with the poles up to its own, and with those up to its conjugate.
+    """Yield each mode of a chain with the poles up to it, and the same with its conjugate added.
 
     The two differ only for a pair of conjugate poles.
     """

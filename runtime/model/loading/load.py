@@ -154,7 +154,7 @@ def _stem(module: ModuleType) -> str:
 
 
 def _libraries(key: str, module: ModuleType) -> list[KernelLibrary]:
-    """The compiled kernels of a declaration: its own, and those for many points."""
+    """The compiled kernels of a declaration: of its orbits, and those for many points."""
     stem = _stem(module)
     if module not in _LIBRARIES and any(orbit["derived"] for orbit in module.ORBITS.values()):
         _LIBRARIES[module] = KernelLibrary(key, module.DERIVATION, stem)
