@@ -12,19 +12,10 @@ _SWEEPS = 40
 
 
 def balanced(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Change of units, by powers of two, after which rows and columns are of like size.
+    """Balance matrices (n, m, m): the scaled matrices and the units (n, m) of their coordinates.
 
-    Parlett and Reinsch (1969), for many matrices at once.
-
-    Parameters
-    ----------
-    matrices : array (n, m, m)
-
-    Returns
-    -------
-    scaled : array (n, m, m)
-    units : array (n, m)
-        Powers of two: ``scaled = matrices * units[:, None] / units[:, :, None]``.
+    The units are powers of two, ``scaled = matrices * units[:, None] / units[:, :, None]``, and
+    make rows and columns similar in size (Parlett and Reinsch, 1969), for all matrices at once.
     """
     scaled, units = matrices.copy(), np.ones(matrices.shape[:2])
     for _ in range(_SWEEPS):
@@ -52,18 +43,10 @@ def _factors(columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
 
 
 def dependence(matrices: np.ndarray) -> np.ndarray:
-    """Which entries of a matrix's polynomials may be other than zero.
+    """A bool (n, m, m) for each entry: whether polynomials of the matrix may be nonzero there.
 
-    Zero exactly, and not but for rounding, stands where a state, as of a forcing, does not
-    depend on another one.
-
-    Parameters
-    ----------
-    matrices : array (n, m, m)
-
-    Returns
-    -------
-    array (n, m, m) of bool
+    Where it is False, one state does not depend on the other (a forcing on the structure, for
+    example), and the entry is exactly zero, not only up to rounding.
     """
     patterns = matrices != 0
     if (patterns == patterns[:1]).all():

@@ -27,70 +27,33 @@ _BITS = 32
 
 
 def mask_of(boundaries: Iterable[int]) -> int:
-    """The mask of some boundaries.
-
-    Parameters
-    ----------
-    boundaries : iterable of int
-        Each once.
-    """
+    """The mask of a set of boundaries, each of which is given once."""
     return sum(1 << b for b in boundaries)
 
 
 def members_of(mask: int) -> frozenset[int]:
-    """The boundaries of a mask."""
+    """The set of boundaries that a mask stands for."""
     return frozenset(b for b in range(int(mask).bit_length()) if mask >> b & 1)
 
 
 def lowest_of(masks: np.ndarray) -> np.ndarray:
-    """The lowest boundary of each mask.
-
-    Parameters
-    ----------
-    masks : array (n,)
-        None of them 0.
-
-    Returns
-    -------
-    array (n,) of int
-    """
+    """The lowest boundary (n,) of each mask (n,); no mask may be 0."""
     return np.array([(mask & -mask).bit_length() - 1 for mask in masks.tolist()], dtype=int)
 
 
 def mask_type(structure: Structure) -> type:
-    """What an array of masks consists of.
-
-    Returns
-    -------
-    type
-        `numpy.int32` or `object`.
-    """
+    """The dtype of an array of masks: `numpy.int32`, or `object` from 32 boundaries on."""
     return np.int32 if _most(structure) < _BITS else object
 
 
 def no_words(structure: Structure, shape: tuple[int, ...]) -> np.ndarray:
-    """Empty sets as the compiled engine keeps them.
-
-    Parameters
-    ----------
-    structure : Structure
-    shape : tuple of int
-
-    Returns
-    -------
-    array (*shape, words) of int32
-    """
+    """Empty sets (*shape, words) of int32, in the form of the compiled engine."""
     words = -(-max(_most(structure), 1) // _BITS)
     return np.zeros((*shape, words), dtype=np.int32)
 
 
 def words_of(structure: Structure, masks: list[int]) -> np.ndarray:
-    """Masks as the compiled engine reads them.
-
-    Returns
-    -------
-    array (n, words) of int32
-    """
+    """The masks as words (n, words) of int32, in the form of the compiled engine."""
     found = no_words(structure, (len(masks),)).view(np.uint32)
     for place, mask in enumerate(masks):
         for word in range(found.shape[1]):
@@ -99,18 +62,7 @@ def words_of(structure: Structure, masks: list[int]) -> np.ndarray:
 
 
 def masks_of(structure: Structure, words: np.ndarray) -> np.ndarray:
-    """Masks of what the compiled engine has kept.
-
-    Parameters
-    ----------
-    structure : Structure
-    words : array (..., words) of int32
-
-    Returns
-    -------
-    array (...)
-        Of `mask_type`.
-    """
+    """Masks (...) of type `mask_type` from the compiled engine's words (..., words)."""
     if mask_type(structure) is np.int32:
         return words[..., 0]
     parts = np.ascontiguousarray(words).view(np.uint32).astype(object)
@@ -118,15 +70,9 @@ def masks_of(structure: Structure, words: np.ndarray) -> np.ndarray:
 
 
 def numbered(masks: np.ndarray) -> np.ndarray:
-    """Masks as integers of 32 bits, equal where they are: themselves, or their numbers.
+    """Integers (...) that are equal where the masks (...) are equal.
 
-    Parameters
-    ----------
-    masks : array (...)
-
-    Returns
-    -------
-    array (...) of int
+    These are the int32 masks themselves, or the numbers of the distinct masks.
     """
     if masks.dtype != object:
         return masks

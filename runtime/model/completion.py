@@ -61,43 +61,22 @@ Terms = dict[str, Fraction]
 
 @dataclass(frozen=True)
 class Point:
-    """Exact parameters of one orbit.
+    """Exact parameters of one orbit."""
 
-    Attributes
-    ----------
-    values : dict of str to Value
-        Those of the equations that are given, in the kernels' order.
-    opened : dict of str to Value
-        Those beside them that are given: admissibility depends on some of them.
-    """
-
-    values: dict[str, Value]
-    opened: dict[str, Value]
+    values: dict[str, Value]  # given parameters of the equations, in the kernels' order
+    opened: dict[str, Value]  # given parameters that only admissibility depends on
 
 
 @dataclass(frozen=True)
 class SystemPoint:
-    """Exact values of all parameters of a system.
+    """Exact values of all parameters of a system."""
 
-    Attributes
-    ----------
-    values : dict of str to Value
-        In the system's order.
-    chosen : tuple of str
-        Those that were left open.
-    """
-
-    values: dict[str, Value]
-    chosen: tuple[str, ...]
+    values: dict[str, Value]  # in the system's order
+    chosen: tuple[str, ...]  # parameters that were left open and got a chosen value
 
 
 def default_parameters(kernels: OrbitKernels) -> dict[str, str]:
-    """Parameters of the orbit's reference point, as decimal text.
-
-    Returns
-    -------
-    dict of str to str
-        Empty for an orbit without a reference point.
+    """Parameters of the orbit's reference point as decimal text; empty if it has none.
 
     Examples
     --------
@@ -112,29 +91,13 @@ def default_parameters(kernels: OrbitKernels) -> dict[str, str]:
 def complete(
     kernels: OrbitKernels, given: Mapping[str, object], without: Iterable[str] = ()
 ) -> Point:
-    """Check the given parameters of an orbit and complete them.
+    """Check the given parameters of an orbit and complete them, exactly and in declared units.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    given : mapping of str to str, number or Value
-        Parameters of the equations, or the physical ones in their place (us1, ur1 in place
-        of e1 = ur1 - us1). What is absent takes the reference point's value.
-    without : iterable of str
-        Parameters that are to be solved for and take no value.
-
-    Returns
-    -------
-    Point
-        Exact values, in the units of the declaration.
-
-    Raises
-    ------
-    InputError
-        For an unknown name, a value outside its domain or not a number, or values that
-        contradict each other.
-    NoConvergence
-        If a parameter has a value with which there is no such orbit.
+    They are parameters of the equations, or the physical ones in their place (us1, ur1 in place
+    of e1 = ur1 - us1). What is absent takes the reference point's value; parameters in
+    `without` are to be solved for and take none. Raises `InputError` for unknown names, values
+    outside their domains and contradictions, and `NoConvergence` if a parameter has a value
+    with which no such orbit exists.
 
     Examples
     --------
@@ -151,12 +114,12 @@ def complete(
 
 @lru_cache(maxsize=256)
 def _reference_point(kernels: OrbitKernels, without: frozenset[str]) -> Point:
-    """Complete nothing that is given."""
+    """The orbit's parameters if none is given: those of its reference point."""
     return _completed(kernels, {}, set(without))
 
 
 def _completed(kernels: OrbitKernels, given: Mapping[str, object], without: set[str]) -> Point:
-    """Check and complete what is given; `without` grows by what is always solved for."""
+    """Check and complete the given parameters; `without` grows by what is always solved for."""
     known = {name: number_of(name, value) for name, value in given.items()}
     tables = kernels.tables
     for name, value in known.items():
@@ -216,20 +179,10 @@ def _completed(kernels: OrbitKernels, given: Mapping[str, object], without: set[
 def complete_system(
     kernels: OrbitKernels, given: Mapping[str, Value], bounds: Mapping[str, float] | None = None
 ) -> SystemPoint:
-    """All parameters of the system of an orbit; what is left open is chosen.
+    """All parameters of an orbit's system; a value is chosen for those that are left open.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    given : mapping of str to Value
-        Parameters and unknowns of the orbit, as `Point` has them; others may be among them.
-    bounds : mapping of str to float, optional
-        What open parameters have to exceed.
-
-    Raises
-    ------
-    InputError
-        If the system does not take these values.
+    `given` holds parameters and unknowns of the orbit as `Point` does, and may hold others.
+    `bounds` are numbers that open parameters have to exceed.
     """
     known = {name: as_value(text) for name, text in kernels.required.items()} | dict(given)
     known |= _follow_exactly(kernels, known)
@@ -247,10 +200,7 @@ def complete_system(
 def chosen_value(bound: float) -> Value:
     """The value of an open parameter that has to exceed a bound.
 
-    Returns
-    -------
-    Value
-        1 for a bound below 0.9, else 11/10 of the bound, rounded up to tenths.
+    It is 1 for a bound below 0.9, else 11/10 of the bound, rounded up to tenths.
 
     Examples
     --------
@@ -274,12 +224,10 @@ def left_open(kernels: OrbitKernels) -> tuple[str, ...]:
 
 
 def followers(kernels: OrbitKernels, known: Iterable[str]) -> dict[str, Terms]:
-    """What follows from known names: the multiples of them that sum up to each, in order.
+    """Parameters that follow from the known ones, each with the factors of the known ones.
 
-    Returns
-    -------
-    dict of str to dict
-        For each name that follows, the factor of each known name in its sum.
+    Each is a sum of multiples of known parameters by a declared relation; they come in the
+    order of the relations.
     """
     return _followers(kernels, frozenset(known)) if kernels.combined else {}
 
@@ -287,19 +235,9 @@ def followers(kernels: OrbitKernels, known: Iterable[str]) -> dict[str, Terms]:
 def follow(
     kernels: OrbitKernels, known: Mapping[str, Any], number: Callable[[Fraction], Any] = float
 ) -> dict[str, Any]:
-    """Numbers, arrays or functions that follow from known ones.
+    """Values of the parameters that follow from known numbers, arrays or functions.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    known : mapping of str to number
-    number : callable
-        Makes the factor of a number from a fraction.
-
-    Returns
-    -------
-    dict of str to number
-        Of the names that follow alone.
+    `number` converts the fractions that are the factors of the terms.
 
     Examples
     --------
@@ -315,10 +253,7 @@ def follow(
 def check_relations(kernels: OrbitKernels, values: Mapping[str, Value]) -> None:
     """Check the relations of which all parameters, or all but the sum, have values.
 
-    Raises
-    ------
-    InputError
-        Names the values that contradict each other, or lead out of a domain.
+    The `InputError` names the values that contradict each other or lead out of a domain.
     """
     for name, terms in kernels.combined.items():
         if not terms.keys() <= values.keys():
@@ -339,17 +274,8 @@ def check_relations(kernels: OrbitKernels, values: Mapping[str, Value]) -> None:
 def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> dict[str, Value]:
     """All parameters of a system, checked, in its order.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    given : mapping of str to object
-        Numbers, texts or Values, of all parameters.
-
-    Raises
-    ------
-    InputError
-        For an unknown or missing name, a value outside its domain, or values that break a
-        constraint.
+    Raises `InputError` for an unknown or missing name, a value outside its domain, or values
+    that break a constraint.
     """
     tables = {p.name: p for p in kernels.parameters}
     check_names(kernels, given)
@@ -359,18 +285,9 @@ def system_parameters(kernels: SystemKernels, given: Mapping[str, object]) -> di
 
 
 def check_names(kernels: SystemKernels, given: Iterable[str]) -> None:
-    """Refuse names that are no parameters of a system.
+    """Raise `InputError` if a parameter of the system is missing or a name is unknown.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    given : iterable of str
-        A mapping or a sequence: it is gone through more than once.
-
-    Raises
-    ------
-    InputError
-        For an unknown or a missing name.
+    `given` is iterated more than once, so it has to be a mapping or a sequence.
     """
     names = [p.name for p in kernels.parameters]
     for name in given:

@@ -29,20 +29,11 @@ _RESONANCE = 1e-6  # of the largest eigenvalue: nearer to it a response is not t
 def driven_modes(
     field: np.ndarray, modes_of: Callable[[np.ndarray], NumericModes]
 ) -> NumericModes | None:
-    """Modes of y' = A y + b by those of its driving states and of the rest.
+    """Modes of y' = A y + b from those of its driving states and of the states they drive.
 
-    Parameters
-    ----------
-    field : array (N, N + 1)
-        A, then b; finite.
-    modes_of : callable
-        Gives the modes of the driving states' own field.
-
-    Returns
-    -------
-    NumericModes or None
-        None where nothing drives, or double precision does not tell the
-        structure's modes or its response.
+    `field` (N, N + 1) is A, then b, and finite; `modes_of` gives the modes of the driving
+    states' own field. None if no state drives others, if the driving states' modes are chains, or
+    if double precision does not determine the modes of the rest or their response.
     """
     size = len(field)
     whole = np.vstack([field, np.zeros(size + 1)])

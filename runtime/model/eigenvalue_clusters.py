@@ -49,16 +49,10 @@ class Cluster(NamedTuple):
 
 
 def eigenvectors_apart(values: np.ndarray, right: np.ndarray, scale: float) -> list[Cluster] | None:
-    """A cluster for each eigenvalue, from eigenvectors; None where some are near each other.
+    """One cluster for each eigenvalue (N,), from the eigenvectors, the columns of an (N, N) array.
 
-    Parameters
-    ----------
-    values : array (N,)
-        Eigenvalues.
-    right : array (N, N)
-        Their eigenvectors, one in each column.
-    scale : float
-        Largest modulus of an eigenvalue: the unit of their distances.
+    `scale`, the largest modulus of an eigenvalue, is the unit of their distances. None if some
+    eigenvalues are close to each other or a projector is large.
     """
     if smallest_distance(values) <= _NEARNESS[0] * scale:
         return None
@@ -70,20 +64,10 @@ def eigenvectors_apart(values: np.ndarray, right: np.ndarray, scale: float) -> l
 def smallest_projectors(
     matrix: np.ndarray, values: np.ndarray, scale: float
 ) -> list[Cluster] | None:
-    """Clusters whose projectors are smallest, among those whose powers end.
+    """The clusters with the smallest projectors, among groupings whose powers end.
 
-    Parameters
-    ----------
-    matrix : array (N, N)
-    values : array (N,)
-        Its eigenvalues.
-    scale : float
-        Largest modulus of an eigenvalue: the unit of their distances.
-
-    Returns
-    -------
-    list of Cluster or None
-        None where the powers of no grouping end.
+    `values` (N,) are the eigenvalues of the matrix (N, N), and `scale` their largest modulus,
+    the unit of distances. None if the powers end for no grouping.
     """
     best: list[Cluster] | None = None
     groupings: list[list[list[complex]]] = []
@@ -104,15 +88,10 @@ def smallest_projectors(
 def precise_candidates(
     matrix: np.ndarray, values: list[complex], scale: float
 ) -> Iterator[list[Cluster]]:
-    """Clusters in more digits, eigenvalue by eigenvalue, then further and further together.
+    """Sets of clusters in more digits: single eigenvalues first, then larger and larger groups.
 
-    Parameters
-    ----------
-    matrix : array (N, N)
-    values : list of complex
-        Its eigenvalues.
-    scale : float
-        Largest modulus of an eigenvalue: the unit of their distances.
+    `values` are the eigenvalues of the matrix (N, N), and `scale` their largest modulus, the
+    unit of distances.
     """
     single = _precise(matrix, scale)
     if single is not None:
@@ -131,7 +110,10 @@ def precise_candidates(
 
 
 def _precise(matrix: np.ndarray, scale: float) -> list[Cluster] | None:
-    """The same in more digits, so that no more are lost than the projectors' sum cancels."""
+    """Clusters of single eigenvalues from eigenvectors in more digits; None if some are equal.
+
+    So many digits are used that those lost to cancellation in the projectors' sum do not count.
+    """
     from flint import acb_mat
 
     with flint_precision(_BITS):
@@ -144,7 +126,7 @@ def _precise(matrix: np.ndarray, scale: float) -> list[Cluster] | None:
 
 
 def _chains(matrix: np.ndarray, scale: float) -> Iterator[list[Cluster]]:
-    """Chains of the eigenvalues that are near each other, further and further."""
+    """Sets of clusters that are chains of nearby eigenvalues, at larger and larger distances."""
     tiny = _EPSILON * scale
     poles = [
         complex(p.real if abs(p.real) > tiny else 0.0, p.imag if abs(p.imag) > tiny else 0.0)
@@ -175,7 +157,7 @@ def _newton_cluster(
 def _exact_cluster(
     matrix: np.ndarray, group: list[complex], groups: list[list[complex]], scale: float
 ) -> Cluster:
-    """A cluster of which all terms are rounded once."""
+    """A cluster whose terms are exact up to one rounding each."""
     others = [v for other in groups if other is not group for v in other]
     constant = min(map(abs, group)) <= 8 * len(matrix) * _EPSILON * scale
     longest = LONGEST_WAIT / scale if scale else math.inf
@@ -222,15 +204,9 @@ def _singles(
 
 
 def snapped(centre: complex, size: int, scale: float) -> complex:
-    """An exponent without what rounding makes of a part that is zero.
+    """The exponent with a real or imaginary part set to zero if it is only a rounding error.
 
-    Parameters
-    ----------
-    centre : complex
-    size : int
-        Of the matrix.
-    scale : float
-        Largest modulus of an eigenvalue.
+    `size` is that of the matrix, and `scale` the largest modulus of an eigenvalue.
     """
     tiny = 8 * size * _EPSILON * scale
     return complex(
@@ -244,30 +220,15 @@ def _worst(clusters: list[Cluster]) -> float:
 
 
 def smallest_distance(values: np.ndarray) -> float:
-    """Smallest distance of two eigenvalues.
-
-    Parameters
-    ----------
-    values : array (N,)
-        Eigenvalues.
-
-    Returns
-    -------
-    float
-        inf for a single one.
-    """
+    """Smallest distance between two of the eigenvalues (N,); inf for a single one."""
     gaps = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))
     return float(gaps.min())
 
 
 def linked_groups(values: list[complex], distance: float) -> list[list[complex]]:
-    """Eigenvalues linked by distances; conjugates are in one group, or in two conjugate ones.
+    """Groups of eigenvalues that are linked by steps of at most `distance`.
 
-    Parameters
-    ----------
-    values : list of complex
-    distance : float
-        Up to which two of them are taken together.
+    Conjugate eigenvalues are in one group, or in two groups that are conjugate to each other.
     """
     groups: list[list[complex]] = []
     for value in values:
@@ -278,7 +239,7 @@ def linked_groups(values: list[complex], distance: float) -> list[list[complex]]
 
 
 def leads(group: list[complex]) -> bool:
-    """Whether a group is not the conjugate of one that is taken."""
+    """Whether a group is real or is, of two conjugate groups, the one that is kept."""
     return _is_real(group) or sum(group).imag > 0
 
 
@@ -287,7 +248,7 @@ def _is_real(group: list[complex]) -> bool:
 
 
 def _clusters(matrix: np.ndarray, groups: list[list[complex]], scale: float) -> Iterator[Cluster]:
-    """Each cluster of which the conjugate is not another one."""
+    """The clusters of the groups, one for each pair of conjugate groups."""
     for group in groups:
         if leads(group):
             yield _cluster(matrix, group, _is_real(group), scale)
@@ -334,25 +295,12 @@ def cluster_terms(
     error: float,
     longest: float,
 ) -> list[np.ndarray] | None:
-    """Matrices (B - mu)^k P until the rest counts no more over the longest wait.
+    """Matrices (B - mu)^k P (N, N) for k = 0, 1, ..., until the rest is negligible.
 
-    Parameters
-    ----------
-    block : array (m, m)
-        B in an invariant subspace.
-    right, left : array (N, m) and (m, N)
-        Its bases, of which the product is the projector P.
-    centre : complex
-        mu.
-    error : float
-        That of the block: what it may make of zero is zero.
-    longest : float
-        The longest time.
-
-    Returns
-    -------
-    list of array (N, N) or None
-        None where they do not end.
+    `block` (m, m) is B in an invariant subspace with the bases `right` (N, m) and `left` (m, N),
+    whose product is the projector P; `centre` is mu. A power within `error`, the error of the
+    block, counts as zero, and a term is negligible if it does not count over the time
+    `longest`. None if the powers do not end.
     """
     shifted = block - centre * np.eye(len(block))
     before = 1.0
@@ -372,7 +320,7 @@ def cluster_terms(
 
 
 def _largest(k: int, rate: float, longest: float) -> float:
-    """Largest value of t^k/k! e^(rate t) over t < longest; relative to a growing e^(rate t)."""
+    """Largest value of t^k/k! e^(rate t) over t < longest; relative to e^(rate t) if that grows."""
     peak = min(longest, k / -rate) if rate < 0 and k else longest
     if k == 0 or peak == 0:
         return 1.0

@@ -20,17 +20,9 @@ __all__ = ["layout_of", "numbers_of"]
 
 @cache
 def layout_of(structure: Structure) -> np.ndarray:
-    """All that does not depend on parameters, as int32.
+    """Everything about a structure with modes that no parameter changes, as int32 (size,).
 
-    Parameters
-    ----------
-    structure : Structure
-        With modes.
-
-    Returns
-    -------
-    array (size,) of int32
-        It is read-only.
+    The array is read-only.
     """
     modes = list(chain(*structure.shapes))
     boundaries = list(chain(*structure.boundaries))
@@ -86,12 +78,7 @@ def layout_of(structure: Structure) -> np.ndarray:
 
 
 def numbers_of(system: PiecewiseLinear) -> np.ndarray:
-    """Fields, rows, resets, exponents and flows of one point, flat, in double precision.
-
-    Returns
-    -------
-    array (size,)
-    """
+    """Fields, rows, resets, exponents and flows of one point in one array (size,) of floats."""
     flows = [array for flow in system.flows for array in arrays_of(flow)]
     parts = (system.fields, system.rows, system.resets, *system.exponents, *flows)
     return np.concatenate([np.asarray(part, dtype=float).ravel() for part in parts])

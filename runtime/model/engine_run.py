@@ -77,38 +77,23 @@ class Grazing(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """One motion: an entry for the start and one behind each transition.
+    """One motion: an entry for the start and one for the state behind each transition.
 
-    Attributes
-    ----------
-    times : array (n,)
-    configurations : array (n,) of int32
-    before, states : array (n, N)
-        State in front of the transition and behind it; equal at the start.
-    sets : array (n,)
-        Boundaries of the configuration before that were reached together, as a mask; 0 at the
-        start. Of int32, or of Python's integers where there may be more than 31.
-    grazings : tuple of Grazing
-        The compiled engine reports the first 256 of one stay in a configuration.
-    status : Status
-    end : float
-        Time at which the simulation ended: that of the last transition, or `until`.
-    options : tuple of int
-        Configurations that may follow, where the laws of contact leave it open.
-    open_at : int
-        Boundaries that are reached together there, as a mask.
-    missing : int
-        Boundaries that are reached together and for which no transition is declared, as a mask.
+    Sets of boundaries are masks, see `boundary_sets`.
     """
 
-    times: np.ndarray
-    configurations: np.ndarray
-    before: np.ndarray
-    states: np.ndarray
+    times: np.ndarray  # (n,)
+    configurations: np.ndarray  # (n,) of int32
+    before: np.ndarray  # (n, N), state in front of the transition; at the start the state itself
+    states: np.ndarray  # (n, N), state behind the transition
+    # (n,), mask of the boundaries of the configuration before that were reached together; 0 at the
+    # start; int32, or Python's integers where there may be more than 31 boundaries
     sets: np.ndarray
+    # the compiled engine reports the first 256 of one stay in a configuration
     grazings: tuple[Grazing, ...]
     status: Status
-    end: float
+    end: float  # time at which the simulation ended: that of the last transition, or `until`
+    # configurations that may follow, where the contact law leaves it open
     options: tuple[int, ...] = ()
-    open_at: int = 0
-    missing: int = 0
+    open_at: int = 0  # mask of the boundaries that are reached together there
+    missing: int = 0  # mask of boundaries reached together for which no transition is declared

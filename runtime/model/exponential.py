@@ -16,26 +16,11 @@ _GUARD = 32  # bits
 
 
 def exponential(field: np.ndarray, time: Any, mp: Any) -> np.ndarray:
-    """Flow of y' = A y + b: the exponential of a time of the field, in ball arithmetic.
+    """Flow (N, N + 1) of y' = A y + b over a time: its matrix, then its constant.
 
-    Parameters
-    ----------
-    field : array (N, N + 1) of mpmath numbers or integers
-        A, then b; complex ones too.
-    time : mpmath number
-        In the system's unit of time.
-    mp : context of mpmath
-        The result is good to its precision.
-
-    Returns
-    -------
-    array (N, N + 1) of mpmath numbers
-        Matrix, then constant.
-
-    Raises
-    ------
-    NoConvergence
-        If no precision is enough, as where the motion grows beyond all numbers.
+    It is the exponential of the time times the field (N, N + 1), A and then b, computed in ball
+    arithmetic and good to the precision of `mp`; entries are mpmath numbers, integers or complex
+    ones. Raises `NoConvergence` if no precision is enough, as where the motion overflows.
     """
     from flint import arb, arb_mat
 
@@ -61,7 +46,7 @@ def exponential(field: np.ndarray, time: Any, mp: Any) -> np.ndarray:
 
 
 def _complex_exponential(size: int, entries: list[Any], time: Any, mp: Any) -> np.ndarray:
-    """The same of complex numbers: parts are good to the precision of the largest entry."""
+    """Flow of a complex field, with errors relative to the largest entry."""
     from flint import acb, acb_mat, arb
 
     def ball(number: Any) -> Any:
@@ -84,6 +69,6 @@ def _complex_exponential(size: int, entries: list[Any], time: Any, mp: Any) -> n
 
 
 def _least(arb: Any, found: list[Any], bits: int) -> Any:
-    """Error that does not count beside the largest entry."""
+    """The error that is negligible beside the largest entry, at a precision in bits."""
     largest = max((abs(ball).upper() for ball in found), default=arb(1))
     return largest * arb((1, -bits))

@@ -32,13 +32,13 @@ __all__ = [
 
 
 class _FactorPlaces(NamedTuple):
-    """Places of functions of time: with matrices, and mode by mode those with factors.
+    """Places of the functions of time whose matrices are stored, and of those with factors.
 
-    Of each factor `even` is the place of its cosine, or only function, `odd` that of its sine,
-    `other` the factor with which its sine goes, and `sign` how: 0 for a mode without one.
+    For each factor, `even` is the place of its mode's cosine (or only function) and `odd` that
+    of the sine. The sine goes with the factor `other` and with `sign`, 0 for a mode without one.
     """
 
-    dense: np.ndarray
+    dense: np.ndarray  # functions whose matrices are stored
     even: np.ndarray
     odd: np.ndarray
     other: np.ndarray
@@ -74,23 +74,12 @@ def _places(shapes: tuple[ModeShape, ...]) -> _FactorPlaces:
 
 @dataclass(frozen=True, eq=False)
 class FactoredFlows:
-    """Matrices of a configuration's functions of time; simple modes have factors of them.
-
-    Attributes
-    ----------
-    shapes : tuple of ModeShape
-    matrices : array (..., d, N, N + 1)
-        Of the functions of modes that have no factors.
-    left : array (..., k, N)
-        The columns u of the others, mode by mode.
-    right : array (..., k, N + 1)
-        The rows v.
-    """
+    """Flows of a configuration of N states in which simple modes have factors for matrices."""
 
     shapes: tuple[ModeShape, ...]
-    matrices: np.ndarray
-    left: np.ndarray
-    right: np.ndarray
+    matrices: np.ndarray  # (..., d, N, N + 1), of functions of modes without factors
+    left: np.ndarray  # (..., k, N), columns u of the other modes, mode by mode
+    right: np.ndarray  # (..., k, N + 1), their rows v
 
     def __getitem__(self, point: int) -> FactoredFlows:
         """Flows of one of many points."""
@@ -98,17 +87,9 @@ class FactoredFlows:
         return FactoredFlows(self.shapes, *arrays)
 
     def states(self, functions: np.ndarray, extended: np.ndarray) -> np.ndarray:
-        """States from values of the functions of time.
+        """States (..., N) from values (..., functions) of the functions of time.
 
-        Parameters
-        ----------
-        functions : array (..., functions)
-        extended : array (..., N + 1)
-            States at the start, then 1.
-
-        Returns
-        -------
-        array (..., N)
+        `extended` (..., N + 1) are the states at the start, then 1.
         """
         at, projected = _places(self.shapes), _times(self.right, extended)
         turned = at.sign * functions[..., at.odd] * projected[..., at.other]
@@ -118,44 +99,24 @@ class FactoredFlows:
         return np.asarray((factors[..., None, :] @ self.left)[..., 0, :] + dense)
 
     def parts(self, extended: np.ndarray) -> np.ndarray:
-        """What each function of time has as its factor.
+        """The vectors (..., functions, N) that multiply the functions of time in the state.
 
-        Parameters
-        ----------
-        extended : array (..., N + 1)
-            States at the start, then 1.
-
-        Returns
-        -------
-        array (..., functions, N)
+        `extended` (..., N + 1) are the states at the start, then 1.
         """
         return self._parts(extended, _places(self.shapes).sign)
 
     def sizes(self, extended: np.ndarray) -> np.ndarray:
-        """Bounds of the sums of absolute values behind `parts`.
+        """Bounds (..., functions, N) of the sums of absolute values behind `parts`.
 
-        Parameters
-        ----------
-        extended : array (..., N + 1)
-            Absolute values of states at the start, then 1.
-
-        Returns
-        -------
-        array (..., functions, N)
+        `extended` (..., N + 1) are the absolute values of the states at the start, then 1.
         """
         positive = FactoredFlows(self.shapes, *map(abs, (self.matrices, self.left, self.right)))
         return positive._parts(extended, abs(_places(self.shapes).sign))
 
     def rows(self, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """A row times the matrices of one point, and bounds of the sums of absolute values.
+        """A row (N,) times the matrices of one point, and bounds of the sums of absolute values.
 
-        Parameters
-        ----------
-        row : array (N,)
-
-        Returns
-        -------
-        values, sizes : array (functions, N + 1)
+        Both are (functions, N + 1).
         """
         sign, arrays = _places(self.shapes).sign, (row, self.matrices, self.left, self.right)
         values, sizes = (
@@ -168,12 +129,7 @@ class FactoredFlows:
         return values, sizes
 
     def all(self) -> np.ndarray:
-        """The matrices of all functions: N / 2 times as many numbers.
-
-        Returns
-        -------
-        array (..., functions, N, N + 1)
-        """
+        """The matrices (..., functions, N, N + 1) of all functions: N / 2 times as many numbers."""
         found = self._placed(
             np.moveaxis(self.matrices, -3, 0),
             np.moveaxis(self.left, -2, 0)[..., None],
@@ -183,15 +139,9 @@ class FactoredFlows:
         return np.moveaxis(found, 0, -3)
 
     def at(self, functions: np.ndarray) -> np.ndarray:
-        """The flow at a time: matrix, then constant.
+        """The flow (..., N, N + 1), matrix and then constant, at values of the functions of time.
 
-        Parameters
-        ----------
-        functions : array (..., functions)
-
-        Returns
-        -------
-        array (..., N, N + 1)
+        `functions` are these values (..., functions).
         """
         at = _places(self.shapes)
         even, odd = functions[..., at.even, None], functions[..., at.odd, None]
@@ -200,14 +150,9 @@ class FactoredFlows:
         return np.asarray(self.left.swapaxes(-1, -2) @ (even * self.right + turned) + dense)
 
     def terms(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The flow of one point as a sum of functions of time, each times a column and a row.
+        """The flow of one point as a sum of T functions of time, each times a column and a row.
 
-        Returns
-        -------
-        places : array (T,) of int
-            Of the functions.
-        columns : array (T, N)
-        rows : array (T, N + 1)
+        These are the places (T,) of the functions, the columns (T, N) and the rows (T, N + 1).
         """
         at, (count, size) = _places(self.shapes), self.matrices.shape[:2]
         turning = at.sign != 0
@@ -240,7 +185,10 @@ class FactoredFlows:
     def _placed(
         self, dense: np.ndarray, left: np.ndarray, right: np.ndarray, sign: np.ndarray
     ) -> np.ndarray:
-        """Products of factors, which come first, added up for cosines and for sines in places."""
+        """Products of factors, summed into the places of the cosines and of the sines.
+
+        The axis of the factors, and of the functions in the result, is the first.
+        """
         at = _places(self.shapes)
         signs = sign.reshape(-1, *[1] * (dense.ndim - 1))
         sines = np.add.reduceat(left * signs * right[at.other], at.starts)
@@ -260,61 +208,26 @@ def _times(rows: np.ndarray, extended: np.ndarray) -> np.ndarray:
 
 
 def factored_functions(shapes: Sequence[ModeShape]) -> int:
-    """Number of functions of time whose matrices have factors.
-
-    Parameters
-    ----------
-    shapes : sequence of ModeShape
-    """
+    """Number of functions of time whose matrices have factors."""
     return sum(len(shape.places) for shape in shapes if shape.factored)
 
 
 def arrays_of(flows: Flows) -> tuple[np.ndarray, ...]:
-    """The arrays that hold flows, in the order in which they are packed.
-
-    Parameters
-    ----------
-    flows : array or FactoredFlows
-
-    Returns
-    -------
-    tuple of array
-    """
+    """The arrays that hold flows, in the order in which they are packed."""
     if isinstance(flows, FactoredFlows):
         return flows.matrices, flows.left, flows.right
     return (flows,)
 
 
 def flows_size(shapes: Sequence[ModeShape], states: int) -> int:
-    """How many numbers the flows of a configuration are.
-
-    Parameters
-    ----------
-    shapes : sequence of ModeShape
-    states : int
-        N.
-    """
+    """Number of floats in the flows of a configuration with `states` states."""
     factored = factored_functions(shapes)
     dense = sum(len(shape.places) for shape in shapes) - factored
     return dense * states * (states + 1) + factored * (2 * states + 1)
 
 
 def cut_flows(shapes: tuple[ModeShape, ...], states: int, flat: np.ndarray) -> Flows:
-    """Flows of a configuration from packed numbers.
-
-    Parameters
-    ----------
-    shapes : tuple of ModeShape
-    states : int
-        N.
-    flat : array (..., size)
-        As many as `flows_size` says.
-
-    Returns
-    -------
-    array or FactoredFlows
-        Views.
-    """
+    """Flows of a configuration as views of packed numbers (..., size), size as in `flows_size`."""
     lead = flat.shape[:-1]
     factored = factored_functions(shapes)
     dense = sum(len(shape.places) for shape in shapes) - factored
@@ -329,14 +242,5 @@ def cut_flows(shapes: tuple[ModeShape, ...], states: int, flat: np.ndarray) -> F
 
 
 def matrices_of(flows: Flows) -> np.ndarray:
-    """The matrices of all functions, where memory has room for them.
-
-    Parameters
-    ----------
-    flows : array or FactoredFlows
-
-    Returns
-    -------
-    array (..., functions, N, N + 1)
-    """
+    """The matrices (..., functions, N, N + 1) of all functions, for few enough states."""
     return flows.all() if isinstance(flows, FactoredFlows) else flows

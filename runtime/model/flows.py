@@ -12,18 +12,9 @@ __all__ = ["flow_states", "functions_of", "parts_of"]
 
 
 def functions_of(system: PiecewiseLinear, configuration: int, times: np.ndarray) -> np.ndarray:
-    """Functions of time of a configuration: an array (n,) of times gives (n, functions).
+    """Values (n, functions) of a configuration's functions of time at times (n,).
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configuration : int
-    times : array (n,)
-        In the system's unit of time.
-
-    Returns
-    -------
-    array (n, functions)
+    Times are in the system's unit.
     """
     shapes = system.structure.shapes[configuration]
     return np.stack(functions_at(shapes, system.exponents[configuration], times), axis=-1)
@@ -32,20 +23,9 @@ def functions_of(system: PiecewiseLinear, configuration: int, times: np.ndarray)
 def flow_states(
     system: PiecewiseLinear, configuration: int, times: np.ndarray, starts: np.ndarray
 ) -> np.ndarray:
-    """States after times in one configuration.
+    """States (n, N) after times (n,) in one configuration, from starts (n, N) or (N,).
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configuration : int
-    times : array (n,)
-        In the system's unit of time.
-    starts : array (n, N) or (N,)
-        In the system's units.
-
-    Returns
-    -------
-    array (n, N)
+    Times and states are in the system's units.
     """
     functions = functions_of(system, configuration, times)
     flows = system.flows[configuration]
@@ -58,18 +38,9 @@ def flow_states(
 
 
 def parts_of(system: PiecewiseLinear, configuration: int, starts: np.ndarray) -> np.ndarray:
-    """What each function of time of a configuration has as its factor in the state.
+    """The vectors (n, functions, N) that multiply the functions of time, for starts (n, N).
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configuration : int
-    starts : array (n, N)
-        In the system's units.
-
-    Returns
-    -------
-    array (n, functions, N)
+    States are in the system's units.
     """
     flows = system.flows[configuration]
     extended = np.concatenate([starts, np.ones((len(starts), 1))], axis=1)

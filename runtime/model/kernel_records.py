@@ -43,45 +43,24 @@ class ParameterTable:
 
 @dataclass(frozen=True)
 class Boundary:
-    """A boundary watched along one phase: one row of the boundary functions.
-
-    Attributes
-    ----------
-    phase : int
-    name : str
-    open_parameter : str or None
-        Parameter that the orbit's equations leave open; it enters the function as
-        ``open_coefficient * value``.
-    open_coefficient : float
-    begins : bool
-        Whether the phase begins on the boundary.
-    """
+    """A boundary that is watched along one phase: one row of the boundary functions."""
 
     phase: int
     name: str
-    open_parameter: str | None
-    open_coefficient: float
-    begins: bool
+    open_parameter: str | None  # left open by the orbit's equations
+    open_coefficient: float  # factor of the open parameter's value in the function
+    begins: bool  # whether the phase begins on the boundary
 
 
 @dataclass(frozen=True)
 class SystemKernels:
-    """Tables and kernels of one system.
+    """Tables and kernels of one system."""
 
-    Attributes
-    ----------
-    name : str
-        What loads it again: its name if it is built in, the whole path of the file or folder
-        that a user gave, or ``NAME@HASH`` of a System that was declared in Python.
-    module : module
-        The emitted tables and kernels.
-    compiled : module or None
-        The same kernels in C, as many as there are.
-    """
-
+    # what loads it again: built-in name, whole path of a user's file or folder, or ``NAME@HASH`` of
+    # a System declared in Python
     name: str
-    module: ModuleType
-    compiled: ModuleType | None
+    module: ModuleType  # the emitted tables and kernels
+    compiled: ModuleType | None  # the same kernels in C, as many as there are
 
     def __hash__(self) -> int:
         """Hash that is computed once: caches are keyed by systems on every path."""
@@ -93,7 +72,7 @@ class SystemKernels:
 
     @property
     def built_in(self) -> bool:
-        """Whether this is one of the systems that the package brings along."""
+        """Whether this is one of the package's own systems."""
         return self.module.__name__.startswith("nonsmooth.generated.")
 
     @property
@@ -118,51 +97,24 @@ class SystemKernels:
         return int(self.module.KERNELS["rows"][1][0][0])
 
     def source(self, kernel: str) -> Callable[..., Any]:
-        """A kernel over any arithmetic: takes its arrays as sequences, and ``lib``.
-
-        Returns
-        -------
-        callable
-        """
+        """A kernel over any arithmetic; it takes its arrays as sequences, and ``lib``."""
         function: Callable[..., Any] = getattr(self.module, kernel)
         return function
 
     def evaluate(self, kernel: str, *arrays: Any) -> Any:
-        """A kernel in double precision, broadcast over leading axes.
+        """Values of a kernel in double precision; its arguments broadcast over leading axes.
 
-        Parameters
-        ----------
-        kernel : str
-        *arrays : array
-            The kernel's arguments; a tiny imaginary part comes out as a derivative.
-
-        Returns
-        -------
-        array or tuple of array
+        A tiny imaginary part of an argument comes out as a derivative.
         """
         if any(map(np.iscomplexobj, arrays)):
             return self._on_numpy(kernel)(*arrays)
         return self.function(kernel)(*arrays)
 
     def flow(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
-        """State after a time in one configuration; physical coordinates, nondimensional.
+        """State (..., N) after a time (...) in one configuration, from a state (..., N).
 
-        Parameters
-        ----------
-        configuration : str
-        parameters : array (..., p)
-            In the order of `parameters`.
-        time : array (...)
-        state : array (..., N)
-
-        Returns
-        -------
-        array (..., N)
-
-        Raises
-        ------
-        InputError
-            For an unknown configuration.
+        States are physical coordinates, nondimensional; the parameters (..., p) are in the order of
+        `parameters`. Raises `InputError` for an unknown configuration.
         """
         if configuration not in self.configurations:
             raise unknown_name("configuration", configuration, self.configurations)
@@ -176,7 +128,7 @@ class SystemKernels:
         return self.evaluate(kernel, parameters, spectrum, time, state)
 
     def _exponential(self, configuration: str, parameters: Any, time: Any, state: Any) -> Any:
-        """Flow without a closed form: exp(t [[A, b], [0, 0]]) takes (y, 1) along."""
+        """The flow without a closed form: exp(t [[A, b], [0, 0]]) applied to (y, 1)."""
         from scipy.linalg import expm
 
         size, place = len(self.table["states"]), self.configurations.index(configuration)
@@ -190,12 +142,7 @@ class SystemKernels:
 
     @cache  # noqa: B019 - as long as `loading.load.remember` keeps the system
     def function(self, kernel: str) -> Callable[..., Any]:
-        """What evaluates a kernel in double precision, compiled where there is C of it.
-
-        Returns
-        -------
-        callable
-        """
+        """The function that evaluates a kernel in double precision, in C if it is compiled."""
         compiled = getattr(self.compiled, f"{self.table['name'].replace('-', '_')}_{kernel}", None)
         if compiled is not None:
             return with_entries(compiled, self.module.KERNELS[kernel][0])
@@ -211,39 +158,20 @@ class SystemKernels:
 
 @dataclass(frozen=True, eq=False)
 class SavedTable:
-    """The table of an orbit that a file of results holds, with that orbit as the reference.
+    """The table of an orbit from a file of results; that orbit is its reference."""
 
-    Attributes
-    ----------
-    name : str
-        Of the orbit; where it has none of its own, the address.
-    address : str
-        What loads it again: the whole path ``FILE.json:N``.
-    entries : dict
-        As the table of a declared orbit.
-    """
-
-    name: str
-    address: str
-    entries: dict[str, Any]
+    name: str  # of the orbit; the address if the orbit has none
+    address: str  # what loads it again: the whole path ``FILE.json:N``
+    entries: dict[str, Any]  # as in the table of a declared orbit
 
 
 @dataclass(frozen=True)
 class OrbitKernels:
-    """Tables and kernels of one orbit of a system.
-
-    Attributes
-    ----------
-    system : SystemKernels
-    orbit : str
-        Its name among the system's orbits; empty for one that the system does not declare.
-    saved : SavedTable or None
-        The table where a file of results holds it.
-    """
+    """Tables and kernels of one orbit of a system."""
 
     system: SystemKernels
-    orbit: str
-    saved: SavedTable | None = None
+    orbit: str  # name among the system's orbits; empty if the system does not declare it
+    saved: SavedTable | None = None  # its table if a file of results holds it
 
     def __hash__(self) -> int:
         """Hash that is computed once, as that of the system."""
@@ -262,15 +190,15 @@ class OrbitKernels:
 
     @property
     def address(self) -> str:
-        """What loads it again."""
+        """The name with which the orbit can be loaded again."""
         return self.name if self.saved is None else self.saved.address
 
     @property
     def derived(self) -> bool:
-        """Whether there are kernels of this orbit; else it is composed from its system's.
+        """Whether this orbit has kernels of its own; else it is composed from its system's.
 
-        Then the table holds the phases, the reason, the names of the start's unknowns, the
-        parameter that gives the period, and a reference, and nothing else here applies.
+        The table of a composed orbit holds the phases, the reason, the names of the start's
+        unknowns, the parameter that gives the period, and a reference; nothing else here applies.
         """
         return bool(self.table["derived"])
 
@@ -310,7 +238,7 @@ class OrbitKernels:
 
     @cached_property
     def solved_for(self) -> tuple[str, ...]:
-        """Parameters among the unknowns."""
+        """Names of the parameters among the unknowns."""
         others = [p.name for p in self.other_parameters]
         return tuple(name for name in self.unknowns if name in others)
 
@@ -331,21 +259,13 @@ class OrbitKernels:
 
     @cached_property
     def timed(self) -> tuple[str, ...]:
-        """Dwell times among the unknowns."""
+        """Names of the dwell times among the unknowns."""
         return tuple(name for name in self.unknowns if name in self.dwell_times)
 
     def durations(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Dwell time of each phase, from parameters and unknowns.
+        """Dwell time of each phase by name, from parameters and unknowns (numbers or arrays).
 
-        One that is no unknown is the period, what the others leave of it, or zero.
-
-        Parameters
-        ----------
-        values : mapping of str to number or array
-
-        Returns
-        -------
-        dict of str to number or array
+        A dwell time that is no unknown is the period, what the others leave of it, or zero.
         """
         return {
             name: _total(
@@ -357,7 +277,7 @@ class OrbitKernels:
 
     @cached_property
     def period_name(self) -> str | None:
-        """The parameter that the dwell times sum up to, of a conservative orbit."""
+        """The parameter that is the sum of a conservative orbit's dwell times; None for others."""
         total: dict[str, int] = {}
         for terms in self.table["durations"]:
             for name, factor in terms.items():
@@ -387,55 +307,32 @@ class OrbitKernels:
 
     @cached_property
     def spectrum_places(self) -> np.ndarray:
-        """Where among the parameters those of the spectrum stand."""
+        """Indices of the spectrum's parameters among the equations' parameters."""
         names = self.system.table["spectrum_parameters"]
         return np.array([self.parameter_names.index(name) for name in names], dtype=np.intp)
 
     @cached_property
     def frequency_places(self) -> list[int]:
-        """Where in the spectrum the frequencies stand."""
+        """Indices of the frequencies in the spectrum."""
         names = self.system.table["spectrum"]
         return [place for place, name in enumerate(names) if name.startswith("omega")]
 
     def source(self, kernel: str) -> Callable[..., Any]:
-        """A kernel of this orbit over any arithmetic.
-
-        Returns
-        -------
-        callable
-        """
+        """A kernel of this orbit over any arithmetic."""
         return self.system.source(f"{self.orbit.replace('-', '_')}_{kernel}")
 
     def evaluate(self, kernel: str, *arrays: Any) -> Any:
-        """A kernel of this orbit in double precision, broadcast over leading axes.
+        """Values of a kernel of this orbit in double precision.
 
-        Parameters
-        ----------
-        kernel : str
-        *arrays : array
-            The kernel's arguments, in double precision.
-
-        Returns
-        -------
-        array or tuple of array
+        Its arguments broadcast over leading axes.
         """
         return self._function(kernel)(*arrays)
 
     def spectrum(self, parameters: Any, lib: Any = None) -> tuple[Any, Any]:
-        """Spectrum and its derivatives at the equations' parameters.
+        """The spectrum and its derivatives at the equations' parameters, in their order.
 
-        Without ``lib`` for arrays (..., p) of floats; with it for one point in that
-        arithmetic.
-
-        Parameters
-        ----------
-        parameters : array (..., p) or sequence of number
-            In the order of the equations' parameters.
-        lib : arithmetic, optional
-
-        Returns
-        -------
-        spectrum, derivatives : array or list
+        Without ``lib`` the parameters are an array (..., p) of floats; with it they are one point
+        in that arithmetic.
         """
         if lib is not None:
             found: tuple[Any, Any] = self.system.source("spectrum")(
@@ -449,22 +346,11 @@ class OrbitKernels:
         return result
 
     def expand(self, parameters: Any, spectrum: Any, reduced: Any) -> tuple[Any, Any]:
-        """All unknowns from the reduced ones, and determinants in units of their bounds.
+        """All unknowns (..., n) from the reduced ones, and determinants (..., d).
 
-        Floats, arrays (..., n) and (..., d); d is the number of linear systems that were
-        solved on the way.
-
-        Parameters
-        ----------
-        parameters : array (..., p)
-        spectrum : array (..., k)
-        reduced : array (..., r)
-            Reduced unknowns; not used where there are none.
-
-        Returns
-        -------
-        unknowns : array (..., n)
-        determinants : array (..., d)
+        Each determinant is that of a linear system solved on the way, relative to its bound.
+        Everything is in floats: parameters (..., p), spectrum (..., k), reduced unknowns (..., r),
+        which are not used if the orbit has none.
         """
         arrays = (parameters, spectrum, *([reduced] if self.reduced else []))
         found = self.evaluate("expand", *arrays)
@@ -499,5 +385,5 @@ class OrbitKernels:
 
 
 def _total(terms: Iterator[Any]) -> Any:
-    """Sum of numbers or arrays, which are not added to zero first."""
+    """Sum of numbers or arrays; the first one is not added to zero."""
     return sum(terms, next(terms, 0))

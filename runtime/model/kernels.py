@@ -91,17 +91,9 @@ def orbit_names() -> tuple[str, ...]:
 
 
 def orbits_in(system: str) -> tuple[str, ...]:
-    """Names of the orbits of a system, of whatever kind.
+    """Names of the orbits of a system, whatever `load_system` accepts.
 
-    Parameters
-    ----------
-    system : str
-        As for `load_system`.
-
-    Raises
-    ------
-    InputError
-        If there is no such system.
+    Raises `InputError` if there is no such system.
 
     Examples
     --------
@@ -117,26 +109,18 @@ def orbits_in(system: str) -> tuple[str, ...]:
 
 
 def backend() -> str:
-    """Which kernels are used: "c" when they are built, else "numpy".
+    """The kernels in use: "c" if they are built, else "numpy".
 
-    The environment variable NONSMOOTH_BACKEND chooses; asking for C that is not there is an
-    InputError.
-
-    Raises
-    ------
-    InputError
-        If the environment asks for C that is not built.
+    The environment variable NONSMOOTH_BACKEND chooses; asking for C that is not built is an
+    `InputError`.
     """
     return "numpy" if _compiled_module() is None else "c"
 
 
 def compiled_engine() -> ModuleType | None:
-    """The compiled engine, or None where Python is to be used.
+    """The extension module of the compiled engine.
 
-    Returns
-    -------
-    module or None
-        The extension module; None where Python runs or nothing is compiled.
+    None if Python is to be used or the engine is not built.
     """
     if backend() != "c":
         return None
@@ -149,18 +133,10 @@ def compiled_engine() -> ModuleType | None:
 def load_orbit(orbit: str | DeclaredOrbit) -> OrbitKernels:
     """Tables and kernels of an orbit.
 
-    Parameters
-    ----------
-    orbit : str or Itinerary
-        ``system/orbit`` of a built-in system; ``FILE.py:orbit`` or ``FOLDER:orbit`` of a
-        user's own; ``FILE.json`` or ``FILE.json:N`` of a saved one; or an itinerary, which is
-        derived.
-
-    Raises
-    ------
-    InputError
-        For an unknown name, generated files that are cut, edited or foreign, or a file that
-        fails.
+    An orbit is ``system/orbit`` of a built-in system, ``FILE.py:orbit`` or ``FOLDER:orbit`` of a
+    user's, ``FILE.json`` or ``FILE.json:N`` of a saved one, or an itinerary, which is derived.
+    Raises `InputError` for an unknown name, for generated files that are cut, edited or foreign,
+    and for a file that fails.
     """
     if not isinstance(orbit, str) and isinstance(orbit, DeclaredOrbit):
         return _orbit(_kernels(load_declared(orbit.system, (orbit,))), orbit.name)
@@ -193,7 +169,7 @@ def load_orbit(orbit: str | DeclaredOrbit) -> OrbitKernels:
 
 @contextmanager
 def standing_for(name: str, kernels: OrbitKernels) -> Iterator[None]:
-    """Let a name stand for an orbit that is at hand, whatever file of that name is there."""
+    """In the block, make a name stand for the given orbit, whatever file of that name exists."""
     token = _STANDING.set({name: kernels})
     try:
         yield
@@ -209,16 +185,9 @@ _STANDING: ContextVar[Mapping[str, OrbitKernels]] = ContextVar(
 def load_system(system: str | DeclaredSystem) -> SystemKernels:
     """Tables and kernels of a system.
 
-    Parameters
-    ----------
-    system : str or System
-        Name of a built-in system, a FILE.py that defines `system` and, if it likes, `orbits`,
-        a folder that `nonsmooth generate` wrote, or a System, which is derived.
-
-    Raises
-    ------
-    InputError
-        As for `load_orbit`.
+    A system is the name of a built-in one, a FILE.py that defines `system` and maybe `orbits`, a
+    folder that `nonsmooth generate` wrote, or a System, which is derived. Raises `InputError` as
+    `load_orbit` does.
 
     Examples
     --------
@@ -238,20 +207,11 @@ def load_system(system: str | DeclaredSystem) -> SystemKernels:
 
 
 def compiled_for(kernels: OrbitKernels, seconds: float, *, at_once: bool = False) -> OrbitKernels:
-    """An orbit with the compiled kernels of its declaration, if they are there or worth making.
+    """The orbit with the compiled kernels of its declaration, if they exist or are worth making.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    seconds : float
-        What NumPy takes for the work that they are for.
-    at_once : bool
-        Wait where they are made, so that all of a work has the same bits.
-
-    Returns
-    -------
-    OrbitKernels
-        The same where there are none: the work is done by NumPy.
+    `seconds` is the time that NumPy takes for the work. With `at_once` it waits while they are
+    made, so that all of the work has the same bits. Without compiled kernels the same orbit is
+    returned, and NumPy does the work.
     """
     system, chosen = kernels.system, _chosen()
     library = None if system.compiled or chosen == "numpy" else library_of(system.module)
@@ -263,32 +223,17 @@ def compiled_for(kernels: OrbitKernels, seconds: float, *, at_once: bool = False
 
 
 def key_of_many(orbit: OrbitKernels) -> str | None:
-    """What the compiled kernels of `kernels_of_many` are kept under, which finds them again.
-
-    Returns
-    -------
-    str or None
-        None where there are none.
-    """
+    """The key under which the kernels of `kernels_of_many` are stored; None if there are none."""
     return many_points_key(orbit.system.module)
 
 
 def kernels_of_many(orbit: OrbitKernels, key: str | None = None) -> OrbitKernels | None:
-    """Compiled kernels of the own equations of an orbit that is composed, for many points.
+    """Compiled kernels of a composed orbit's own equations, for many points.
 
-    The first time it waits until they are derived and compiled: which way an orbit is solved
-    is a matter of its declaration and of the machine, never of time.
-
-    Parameters
-    ----------
-    orbit : OrbitKernels
-    key : str, optional
-        What they are kept under, for an orbit whose declaration is not at hand.
-
-    Returns
-    -------
-    OrbitKernels or None
-        None where it has kernels anyway, where its formulas are long, and without a compiler.
+    The first call waits until they are derived and compiled: which way an orbit is solved is a
+    matter of its declaration and of the machine, never of time. `key` is that of the stored
+    kernels, for an orbit whose declaration is not at hand. None if the orbit has kernels anyway,
+    if its formulas are long, or without a compiler.
     """
     if orbit.derived or orbit.saved is not None or _chosen() == "numpy":
         return None
@@ -301,23 +246,17 @@ def kernels_of_many(orbit: OrbitKernels, key: str | None = None) -> OrbitKernels
 
 
 def uncompiled(kernels: OrbitKernels) -> OrbitKernels:
-    """An orbit with the kernels of NumPy alone."""
+    """The orbit with the kernels of NumPy alone."""
     if kernels.system.compiled is None:
         return kernels
     return replace(kernels, system=replace(kernels.system, compiled=None))
 
 
 def known_system(name: str, orbit: str | None = None) -> SystemKernels:
-    """A system, or that of an orbit, as it was loaded last: results that are there are of it.
+    """The system of a name, or of one of its orbits, as it was last loaded.
 
-    A file may have been changed since, or be gone. Errors as for `load_system`.
-
-    Parameters
-    ----------
-    name : str
-        Of the system.
-    orbit : str, optional
-        Of an orbit of it.
+    Existing results belong to that version: a file may have been changed since, or be gone.
+    Raises `InputError` as `load_system` does.
     """
     found = _KNOWN.get((name, orbit))
     if found is not None:
@@ -340,30 +279,17 @@ def is_saved(name: str) -> bool:
 
 
 def kernels_of(system: str | SystemKernels | DeclaredSystem) -> SystemKernels:
-    """Tables and kernels of what stands for a system; errors as for `load_system`."""
+    """Tables and kernels of a system that may be loaded already; errors as for `load_system`."""
     return system if isinstance(system, SystemKernels) else load_system(system)
 
 
 def grown(kernels: SystemKernels, visits: Iterable[Visit] = ()) -> SystemKernels:
-    """A system with all configurations that were visited so far, and some more.
+    """The system with all configurations visited so far, and with those of the given visits.
 
-    Indices of what is there stay as they are.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    visits : iterable of (str, tuple of str)
-        Configurations, and boundaries that are reached together in them, or none.
-
-    Returns
-    -------
-    SystemKernels
-        The same where nothing is added, as of every system that is listed whole.
-
-    Raises
-    ------
-    InputError
-        If there is no such configuration.
+    A visit is a configuration and the boundaries that are reached together in it, or none. The
+    indices of existing configurations stay the same. If nothing is added, as for every system
+    that is listed whole, the same kernels come back. Raises `InputError` if there is no such
+    configuration.
     """
     before = Loaded(kernels.name, kernels.module, kernels.compiled)
     found = load_grown(before, visits)
@@ -377,7 +303,7 @@ def _text(name: Any, kind: str) -> str:
 
 
 def _located(name: str) -> Loaded | Path | None:
-    """What a user declared under a name, or where it is; None for a name of neither."""
+    """What a user declared under a name, or the path of it; None for any other name."""
     return load_named(name) or located(name)
 
 

@@ -38,14 +38,14 @@ _EPSILON = float(np.finfo(float).eps)
 
 
 class _Subspace(NamedTuple):
-    """Eigenvalues taken together, with a basis of their invariant subspace."""
+    """A group of eigenvalues, with a basis of their invariant subspace."""
 
     values: list[complex]
     basis: np.ndarray  # (N + 1, m)
 
 
 class _ModeParts(NamedTuple):
-    """Powers of one exponent: columns and rows of factors, or matrices."""
+    """The powers of time with one exponent: as columns and rows of factors, or as matrices."""
 
     centre: complex
     left: np.ndarray  # (k, N)
@@ -56,23 +56,11 @@ class _ModeParts(NamedTuple):
 def large_modes(
     matrix: np.ndarray, units: np.ndarray, depends: np.ndarray
 ) -> tuple[tuple[ModeShape, ...], np.ndarray, FactoredFlows] | None:
-    """Modes with factors, where eigenvalues are simple but for a few.
+    """Modes in which all simple eigenvalues have factors, for a matrix with few multiple ones.
 
-    Parameters
-    ----------
-    matrix : array (N + 1, N + 1)
-        The field above a row of zeros, in units of its coordinates.
-    units : array (N + 1,)
-        These units, powers of two.
-    depends : array (N + 1, N + 1) of bool
-        What `dependence` gives.
-
-    Returns
-    -------
-    shapes : tuple of ModeShape
-    exponents : array (modes, 2)
-    flows : FactoredFlows
-        None instead of all where they do not add up to the motion.
+    `matrix` (N + 1, N + 1) is the field above a row of zeros, in the units (N + 1,) of its
+    coordinates, powers of two; `depends` is its `dependence`. The result has the shapes, the
+    exponents (modes, 2) and the flows; it is None if the modes do not add up to the motion.
     """
     values, vectors = np.linalg.eig(matrix)
     scale = float(np.abs(values).max())
@@ -105,7 +93,7 @@ def large_modes(
 def _basis(
     matrix: np.ndarray, values: list[complex], vectors: np.ndarray, group: list[complex]
 ) -> np.ndarray:
-    """The eigenvector of one eigenvalue, or an orthonormal basis for more of them."""
+    """The eigenvector of one eigenvalue, or an orthonormal basis for several."""
     if len(group) == 1:
         return vectors[:, [values.index(group[0])]]
     middle = sum(group) / len(group)
@@ -128,7 +116,7 @@ def _modes_of(
     scale: float,
     norm: float,
 ) -> list[_ModeParts] | None:
-    """Modes of all groups, if none is larger than a norm and they add up to the motion."""
+    """Modes of all groups; None if a projector's norm is too large or they miss the motion."""
     size = len(matrix)
     parts = [
         part
@@ -180,7 +168,7 @@ def _is_real(group: list[complex]) -> bool:
 def _factors(
     centre: complex, column: np.ndarray, row: np.ndarray, units: np.ndarray, depends: np.ndarray
 ) -> _ModeParts:
-    """Factors of a simple mode: zero exactly, and not but for rounding, where nothing depends."""
+    """Factors of a simple mode, exactly zero in states that its mode does not concern."""
     column, row, own = units * column, row / units, int(np.abs(column * row).argmax())
     column, row = np.where(depends[:, own], column, 0)[:-1], np.where(depends[own], row, 0)
     if not centre.imag:
@@ -192,7 +180,7 @@ def _factors(
 def _powers(
     centre: complex, terms: list[np.ndarray], units: np.ndarray, depends: np.ndarray
 ) -> _ModeParts:
-    """Matrices of a group's powers of time."""
+    """Matrices of the powers of time of a group of eigenvalues."""
     size, matrices = len(units) - 1, []
     for k, term in enumerate(terms):
         part = units[:, None] * term / units / math.factorial(k)

@@ -55,20 +55,11 @@ _GROWTH = 100.0  # exponent beyond which nothing is compared
 
 
 def numeric_modes(field: np.ndarray, rows: np.ndarray | None = None) -> NumericModes:
-    """Modes of y' = A y + b.
+    """Modes of y' = A y + b; `field` (N, N + 1) is A, then b, and finite.
 
-    Parameters
-    ----------
-    field : array (N, N + 1)
-        A, then b; finite.
-    rows : array (r, N + 1), optional
-        Of the boundaries in front of which the motion goes on.
-
-    Raises
-    ------
-    InputError
-        If eigenvalues are neither equal nor apart, so that double precision does not tell the
-        motion.
+    `rows` (r, N + 1) are the boundaries in front of which the motion takes place; they set the
+    unit of time. Raises `InputError` if eigenvalues are so close, without being equal, that
+    double precision does not determine the motion.
     """
     array = np.ascontiguousarray(field, dtype=float)
     rate = 0.0 if rows is None else float(fall_rates(array[None], rows[None])[0])
@@ -82,19 +73,10 @@ def numeric_modes(field: np.ndarray, rows: np.ndarray | None = None) -> NumericM
 
 
 def grouped_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
-    """Modes of many motions y' = A y + b, grouped by their shapes.
+    """Modes of n motions y' = A y + b, grouped by their shapes.
 
-    Parameters
-    ----------
-    fields : array (n, N, N + 1)
-        A, then b.
-    rows : array (n, r, N + 1)
-        As for `numeric_modes`.
-
-    Returns
-    -------
-    list of ModeGroup
-        With NaN where there are no numbers, or double precision does not tell the motion.
+    `fields` (n, N, N + 1) are A, then b; `rows` (n, r, N + 1) as for `numeric_modes`. Motions
+    whose numbers are not finite, or that double precision does not determine, get NaN.
     """
     count = len(fields)
     if count > 1 and (fields == fields[:1]).all() and (rows == rows[:1]).all():
@@ -126,18 +108,7 @@ def grouped_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
 
 @cache
 def no_modes(size: int) -> NumericModes:
-    """What stands for the modes of a configuration that are not known.
-
-    Parameters
-    ----------
-    size : int
-        Number of states.
-
-    Returns
-    -------
-    NumericModes
-        One mode, and NaN.
-    """
+    """A placeholder for unknown modes of a configuration: one mode, and NaN."""
     exponents, flows = np.full((1, 2), np.nan), np.full((1, size, size + 1), np.nan)
     for array in (exponents, flows):
         array.flags.writeable = False
@@ -146,17 +117,9 @@ def no_modes(size: int) -> NumericModes:
 
 @cache
 def standing_modes(size: int) -> NumericModes:
-    """What stands for the modes of a configuration in which a motion ends at once.
+    """A placeholder for a configuration in which motions end at once.
 
-    Parameters
-    ----------
-    size : int
-        Number of states.
-
-    Returns
-    -------
-    NumericModes
-        One mode, which keeps the state.
+    It has one mode, with which the state stays constant.
     """
     exponents, flows = np.zeros((1, 2)), np.eye(size, size + 1)[None]
     for array in (exponents, flows):
@@ -173,7 +136,7 @@ def _numeric_modes(content: bytes, size: int, rate: float) -> NumericModes:
 
 
 def _simple_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
-    """Modes of those motions of a stack whose eigenvalues are apart, found in natural units."""
+    """Modes of the motions of a stack with distinct eigenvalues, computed in natural units."""
     units = natural_units(fields, fall_rates(fields, rows))
     groups = []
     for group in simple_modes(units.fields(fields)):
@@ -184,7 +147,7 @@ def _simple_modes(fields: np.ndarray, rows: np.ndarray) -> list[ModeGroup]:
 
 
 def _found(field: np.ndarray, rate: float) -> NumericModes:
-    """Modes of one motion, found in its natural units."""
+    """Modes of one motion, computed in its natural units."""
     units = natural_units(field[None], np.array([rate]))
     shapes, exponents, flows = _found_in_natural_units(units.fields(field[None])[0])
     return NumericModes(
@@ -193,7 +156,7 @@ def _found(field: np.ndarray, rate: float) -> NumericModes:
 
 
 def _found_in_natural_units(field: np.ndarray) -> NumericModes:
-    """The fast ways first; what they leave is clustered."""
+    """Modes of one motion by the fast methods if they succeed, else by clusters of eigenvalues."""
     size = len(field)
     if size < LARGE:
         for group in simple_modes(field[None]):
@@ -211,7 +174,7 @@ def _found_in_natural_units(field: np.ndarray) -> NumericModes:
 
 
 def _modes_of(clusters: list[Cluster]) -> NumericModes:
-    """Modes of clusters, with a square matrix for each function."""
+    """Modes of clusters, with a square matrix for each function of time."""
     shapes: list[tuple[int, bool, bool, bool]] = []
     exponents, terms = [], []
     for cluster in clusters:
@@ -235,9 +198,9 @@ def _modes_of(clusters: list[Cluster]) -> NumericModes:
 def _chained(
     poles: tuple[complex, ...], products: list[np.ndarray]
 ) -> tuple[list[tuple[tuple[int, bool, bool, bool], complex]], list[np.ndarray]]:
-    """Modes of a chain, with their exponents, and a matrix for each function.
+    """Modes of a chain of poles with their exponents, and a matrix for each function of time.
 
-    Products go on pole by pole; a pair of conjugates is one mode.
+    Newton's products go on pole by pole; a pair of conjugate poles is one mode.
     """
     real = any(pole.imag <= 0 for pole in poles)
     head = 1 if poles[0].imag else sum(pole == poles[0] for pole in poles)
@@ -261,9 +224,10 @@ def _chained(
 
 
 def _decomposed(matrix: np.ndarray, units: np.ndarray) -> list[Cluster]:
-    """Clusters that sum up to the exponential of a matrix, given in units of its coordinates.
+    """Clusters whose sum is the exponential of a matrix, given in units of its coordinates.
 
-    Those in double precision if they do so to rounding, else the best of those in more digits.
+    They are in double precision if their sum is then right to rounding, else the best of those
+    in more digits.
     """
     values, right = np.linalg.eig(matrix)
     scale = float(np.abs(values).max())

@@ -29,26 +29,12 @@ _HASH = re.compile("@[0-9a-f]{16}")  # of a system's data or declaration
 
 
 def cycle_label(system: str, count: int) -> str:
-    """What an orbit of so many phases is called that no declaration names.
-
-    Parameters
-    ----------
-    system : str
-    count : int
-        Phases.
-    """
+    """Label of an orbit with `count` phases that no declaration names."""
     return f"{system}, {count} phase{'' if count == 1 else 's'}"
 
 
 def dwell_names(count: int, taken: Container[str]) -> tuple[str, ...]:
-    """Names of dwell times that were not declared: tau1, tau2, ... where these are free.
-
-    Parameters
-    ----------
-    count : int
-    taken : container of str
-        Names that are not free.
-    """
+    """Names of dwell times that were not declared: tau1, tau2, ... except those that are taken."""
     stem = "tau"
     while any(f"{stem}{i}" in taken for i in range(1, count + 1)):
         stem = f"dwell_{stem}"
@@ -58,20 +44,9 @@ def dwell_names(count: int, taken: Container[str]) -> tuple[str, ...]:
 def start_names(
     states: Sequence[str], taken: Container[str], declared: Mapping[str, str] | None = None
 ) -> tuple[str, ...]:
-    """Names of the states at the start: those declared, or x10 for x1 where that is free.
+    """Names of the states' values at the start, in the states' order.
 
-    Parameters
-    ----------
-    states : sequence of str
-    taken : container of str
-        Names that are not free.
-    declared : mapping of str to str, optional
-        From states to the names of their values at the start.
-
-    Returns
-    -------
-    tuple of str
-        In the order of the states.
+    A name is the declared one (`declared` maps states to names), or x10 for x1 if that is free.
     """
     known = declared or {}
     return tuple(
@@ -81,12 +56,12 @@ def start_names(
 
 
 def is_hashed(system: str) -> bool:
-    """Whether a name is that of a system by its content, as files hold it: no path is one."""
+    """Whether a name has the form in which files name a system by its content; no path has it."""
     return re.fullmatch(rf"[^/\\:]+{_HASH.pattern}", system) is not None
 
 
 def shown_name(name: str) -> str:
-    """System, or system/orbit, of a name that may be that of a file or of an orbit in one.
+    """The name to show, ``system`` or ``system/orbit``, of a built-in one or of one in a file.
 
     Examples
     --------
@@ -102,11 +77,6 @@ def shown_name(name: str) -> str:
 
 def itinerary_text(itinerary: Sequence[tuple[str, str]]) -> str:
     """Configurations and the boundaries by which they are left; equal phases are counted.
-
-    Parameters
-    ----------
-    itinerary : sequence of (str, str)
-        Configurations, and the boundaries that end their phases.
 
     Examples
     --------
@@ -126,12 +96,7 @@ def itinerary_text(itinerary: Sequence[tuple[str, str]]) -> str:
 
 
 def symbol(name: str) -> str:
-    r"""LaTeX of a name: Greek names are letters, what follows the letter is an index.
-
-    Returns
-    -------
-    str
-        Without dollar signs.
+    r"""LaTeX of a name, without dollar signs: Greek letters by name, the rest as a subscript.
 
     Examples
     --------

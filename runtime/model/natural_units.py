@@ -33,7 +33,7 @@ class NaturalUnits(NamedTuple):
     states: np.ndarray
 
     def at(self, places: np.ndarray) -> NaturalUnits:
-        """Those of the motions at some places (k,)."""
+        """The units of the motions at some places (k,)."""
         return NaturalUnits(self.time[places], self.states[places])
 
     def fields(self, fields: np.ndarray) -> np.ndarray:
@@ -42,15 +42,15 @@ class NaturalUnits(NamedTuple):
         return np.asarray(fields * columns / rows * self.time[:, None, None])
 
     def exponents(self, exponents: np.ndarray) -> np.ndarray:
-        """Exponents (n, modes, 2) that were found in these units, in those of the fields."""
+        """Exponents (n, modes, 2) in natural units, converted to the units of the fields."""
         return np.asarray(exponents / self.time[:, None, None])
 
     def flows(
         self, shapes: tuple[ModeShape, ...], arrays: tuple[np.ndarray, ...]
     ) -> tuple[np.ndarray, ...]:
-        """Flows that were found in these units, in those of the fields.
+        """Flows in natural units, converted to the units of the fields.
 
-        They are matrices (n, d, N, N + 1), and of factored modes columns (n, k, N) and rows
+        They are matrices (n, d, N, N + 1) and, for factored modes, columns (n, k, N) and rows
         (n, k, N + 1) as well.
         """
         rows, columns = self.states[:, None, :-1], self.states[:, None]
@@ -65,7 +65,7 @@ class NaturalUnits(NamedTuple):
         return found, left * rows, right / columns
 
     def flows_of_one(self, shapes: tuple[ModeShape, ...], flows: Flows) -> Flows:
-        """The same of the flows of a single motion."""
+        """Flows of a single motion in natural units, converted to the units of its field."""
         if isinstance(flows, FactoredFlows):
             arrays = (flows.matrices[None], flows.left[None], flows.right[None])
             return FactoredFlows(shapes, *(part[0] for part in self.flows(shapes, arrays)))
@@ -73,7 +73,7 @@ class NaturalUnits(NamedTuple):
 
 
 class _Blocks(NamedTuple):
-    """What the zeros of a field say: states in groups, and groups in blocks.
+    """Groups of states and blocks of groups, as the zeros of a field define them.
 
     A group is a coordinate with its derivatives. A block's groups depend on each other.
     """
@@ -89,14 +89,9 @@ class _Blocks(NamedTuple):
 
 
 def natural_units(fields: np.ndarray, rates: np.ndarray) -> NaturalUnits:
-    """Natural units of many motions y' = A y + b, each by itself.
+    """Natural units of n motions y' = A y + b, each by itself; `fields` are (n, N, N + 1).
 
-    Parameters
-    ----------
-    fields : array (n, N, N + 1)
-        A, then b.
-    rates : array (n,)
-        Of loads that cross gaps, from `fall_rates`; 0 where there is none.
+    `rates` (n,) are those of loads that cross gaps, from `fall_rates`; 0 for no such load.
     """
     count, _, columns = fields.shape
     whole = np.concatenate([fields, np.zeros((count, 1, columns))], axis=1)
@@ -112,22 +107,11 @@ def natural_units(fields: np.ndarray, rates: np.ndarray) -> NaturalUnits:
 
 
 def fall_rates(fields: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """Inverses of the times in which loads cross the gaps in front of boundaries.
+    """Inverses (n,) of the times in which loads cross the gaps in front of boundaries.
 
     A gap is a boundary's function at the state 0; a load crosses it with the second or third
-    power of the time.
-
-    Parameters
-    ----------
-    fields : array (n, N, N + 1)
-        A, then b.
-    rows : array (n, r, N + 1)
-        Of the boundaries.
-
-    Returns
-    -------
-    array (n,)
-        Powers of two; 0 where there is no load, or no gap.
+    power of the time. `fields` are (n, N, N + 1), the boundaries' rows (n, r, N + 1). The rates
+    are powers of two, and 0 without a load or a gap.
     """
     sizes, gaps = np.abs(rows[..., :-1]), np.abs(rows[..., -1])
     matrices, moved = np.abs(fields[..., :-1]), np.abs(fields[..., -1])
@@ -142,7 +126,11 @@ def fall_rates(fields: np.ndarray, rows: np.ndarray) -> np.ndarray:
 
 
 def _kinds(whole: np.ndarray) -> np.ndarray:
-    """Numbers (n, m m) that tell zeros, 0, ones, 2, and turning pairs, 3, of matrices (n, m, m)."""
+    """Kinds (n, m m) of the entries of matrices (n, m, m).
+
+    They are 0 for zeros, 2 for a one alone in its row, 3 for the entries a and -a of a pair of
+    states that turn into each other, and 1 for all others.
+    """
     kinds = (whole != 0).astype(np.int8)
     alone = (kinds.sum(axis=-1) == 1)[:, :, None]
     kinds[alone & (whole == 1)] = 2
@@ -206,9 +194,9 @@ def _units(whole: np.ndarray, rates: np.ndarray, blocks: _Blocks) -> tuple[np.nd
 
 
 def _rates(sizes: np.ndarray) -> np.ndarray:
-    """Powers of two near the fastest rates of matrices (n, m, m) >= 0: 0 where nothing returns.
+    """Powers of two near the fastest rates of matrices (n, m, m) >= 0; 0 if there is no cycle.
 
-    A product around a cycle of states has no unit but that of time.
+    A product of entries around a cycle of states has no unit but that of time.
     """
     rates = np.full(len(sizes), -np.inf)  # their logarithms
     exponents, steps = np.zeros(len(sizes)), 1
@@ -224,7 +212,7 @@ def _rates(sizes: np.ndarray) -> np.ndarray:
 
 
 def _block_units(couplings: np.ndarray, blocks: _Blocks) -> np.ndarray:
-    """Units (n, blocks) with which no block responds by more than its own unit."""
+    """Units (n, blocks) with which each block's response is at most its own unit."""
     count = len(blocks.drives)
     units = np.ones((len(couplings), count))
     known = np.zeros(count, dtype=bool)
@@ -255,5 +243,5 @@ def _block_units(couplings: np.ndarray, blocks: _Blocks) -> np.ndarray:
 
 
 def _power_of_two(numbers: np.ndarray) -> np.ndarray:
-    """The powers of two at or below numbers, which are positive or 0."""
+    """The largest powers of two that do not exceed numbers, which are positive or 0."""
     return np.asarray(np.where(numbers > 0, np.ldexp(1.0, np.frexp(numbers)[1] - 1), 0.0))

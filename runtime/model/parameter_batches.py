@@ -34,37 +34,18 @@ __all__ = [
 
 @dataclass(frozen=True, eq=False)
 class Batch:
-    """How the parameters of many points are completed.
-
-    Attributes
-    ----------
-    kernels : OrbitKernels
-    known : tuple of str
-        Those that have to have values.
-    opened : tuple of str
-        Open parameters that have values, or follow.
-    completed : dict of str to dict
-        Those that follow, and the multiples of known ones that sum up to them.
-    """
+    """How the parameters of many points are completed."""
 
     kernels: OrbitKernels
-    known: tuple[str, ...]
-    opened: tuple[str, ...]
+    known: tuple[str, ...]  # parameters that need values
+    opened: tuple[str, ...]  # open parameters that have values or follow
+    # parameters that follow, each with the factors of the known ones whose sum it is
     completed: dict[str, Terms]
 
     def complete(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """All parameters of the equations, and open ones, from those that are known.
+        """Arrays of all parameters of the equations, and of open ones, from those that are known.
 
-        A point at which another parameter is outside its domain is NaN.
-
-        Parameters
-        ----------
-        values : mapping of str to array
-            Of the names in `known`; they broadcast.
-
-        Returns
-        -------
-        dict of str to array
+        The arrays broadcast. A point at which another parameter is outside its domain is NaN.
         """
         found, own = dict(values), self.kernels.parameter_names
         for name, terms in self.completed.items():
@@ -80,16 +61,8 @@ class Batch:
 def complete_batch(kernels: OrbitKernels, given: Iterable[str]) -> Batch:
     """Which parameters of many points are given, follow, or stay open.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    given : iterable of str
-        Names of what is fixed or swept.
-
-    Raises
-    ------
-    InputError
-        For a name that fixes nothing, or several that fix one parameter twice.
+    `given` has the names of those that are fixed or swept. Raises `InputError` for a name that
+    fixes nothing, or names that fix one parameter twice.
     """
     given, tables, own = list(given), kernels.tables, kernels.parameter_names
     opened = [table.name for table in kernels.open_parameters]
@@ -117,25 +90,12 @@ def complete_batch(kernels: OrbitKernels, given: Iterable[str]) -> Batch:
 
 
 def complete_arrays(kernels: OrbitKernels, given: Mapping[str, Any]) -> dict[str, np.ndarray]:
-    """Arrays of parameters for a batch: names known, the rest from the reference point.
+    """Arrays of parameters for a batch: the given ones, and the rest from the reference point.
 
-    Values outside a domain stay: their points get a status of their own.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    given : mapping of str to array, number, text or Value
-        Parameters of the equations, or the physical ones in their place.
-
-    Returns
-    -------
-    dict of str to array
-        Parameters of the equations, then open ones as far as they are given.
-
-    Raises
-    ------
-    InputError
-        As for `complete_batch`, for a missing name, or what is no array of real numbers.
+    Given are parameters of the equations or the physical ones in their place; returned are
+    those of the equations, then open ones as far as they are given. Values outside a domain
+    stay: their points get a status of their own. Raises `InputError` as `complete_batch` does,
+    for a missing name, and for anything but arrays of real numbers.
     """
     batch, defaults = complete_batch(kernels, given), default_parameters(kernels)
     found = {}
@@ -151,21 +111,9 @@ def complete_arrays(kernels: OrbitKernels, given: Mapping[str, Any]) -> dict[str
 
 
 def parameter_array(name: str, given: Any) -> np.ndarray:
-    """Values of a parameter at many points, or the one that they share.
+    """A parameter's values at many points, or the one that they share, as an array of floats.
 
-    Parameters
-    ----------
-    name : str
-    given : array, number, text or Value
-
-    Returns
-    -------
-    array of float
-
-    Raises
-    ------
-    InputError
-        If they are no real numbers.
+    Raises `InputError` unless they are real numbers.
     """
     try:
         array = np.asarray(float(as_value(given)) if isinstance(given, str | Value) else given)
@@ -177,18 +125,7 @@ def parameter_array(name: str, given: Any) -> np.ndarray:
 
 
 def check_arrays(kernels: SystemKernels, parameters: Mapping[str, Any]) -> None:
-    """Refuse what `parameter_points` refuses, before work that takes long.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    parameters : mapping of str to array, number, text or Value
-
-    Raises
-    ------
-    InputError
-        For an unknown or missing name, or arrays that do not fit.
-    """
+    """Raise the errors of `parameter_points` early, before work that takes long."""
     check_names(kernels, parameters)
     _common_shape({name: parameter_array(name, given) for name, given in parameters.items()})
 
@@ -204,26 +141,10 @@ def _common_shape(arrays: Mapping[str, np.ndarray]) -> tuple[int, ...]:
 def parameter_points(
     kernels: SystemKernels, parameters: Mapping[str, Any]
 ) -> tuple[np.ndarray, tuple[int, ...]]:
-    """Points (n, p) of parameters that broadcast against each other, and their common shape.
+    """Points (n, p) of all parameters of a system, broadcast together, and their common shape.
 
-    A point outside a domain, or one that breaks a constraint, is NaN.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    parameters : mapping of str to array, number, text or Value
-        All parameters of the system.
-
-    Returns
-    -------
-    points : array (n, p)
-        In the order of the system's parameters.
-    shape : tuple of int
-
-    Raises
-    ------
-    InputError
-        For an unknown or missing name, or arrays that do not fit.
+    Columns are in the system's order. A point outside a domain, or one that breaks a constraint,
+    is NaN. Raises `InputError` for an unknown or missing name, or arrays that do not broadcast.
     """
     tables = {p.name: p for p in kernels.parameters}
     check_names(kernels, parameters)

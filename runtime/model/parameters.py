@@ -26,7 +26,7 @@ __all__ = [
 
 
 def in_domain(table: ParameterTable, number: float) -> bool:
-    """Whether a parameter may have this value."""
+    """Whether a number is in a parameter's domain."""
     lower, upper = table.ends
     if lower < number < upper:
         return True
@@ -34,18 +34,7 @@ def in_domain(table: ParameterTable, number: float) -> bool:
 
 
 def in_domains(table: ParameterTable, numbers: np.ndarray) -> np.ndarray:
-    """Which of many numbers a parameter may be; those that are not finite never.
-
-    Parameters
-    ----------
-    table : ParameterTable
-    numbers : array
-
-    Returns
-    -------
-    array of bool
-        Of the same shape.
-    """
+    """For each number of an array, whether it is in a parameter's domain; False unless finite."""
     inside: np.ndarray = np.isfinite(numbers)
     lower, upper = table.ends
     if table.lower is not None:
@@ -56,12 +45,9 @@ def in_domains(table: ParameterTable, numbers: np.ndarray) -> np.ndarray:
 
 
 def check_constraints(kernels: SystemKernels, values: Mapping[str, Value]) -> None:
-    """Check the constraints of a system, as far as their parameters have values.
+    """Check those constraints of a system whose parameters all have values.
 
-    Raises
-    ------
-    InputError
-        Names the values and the constraint that does not hold.
+    The `InputError` names the values and the constraint that does not hold.
     """
     for text, names, total in _constraints(kernels, values, _number):
         if total < 0:
@@ -70,17 +56,7 @@ def check_constraints(kernels: SystemKernels, values: Mapping[str, Value]) -> No
 
 
 def constrained(kernels: SystemKernels, numbers: Mapping[str, np.ndarray]) -> np.ndarray:
-    """At which points the constraints hold whose parameters have numbers (n,).
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    numbers : mapping of str to array (n,)
-
-    Returns
-    -------
-    array (n,) of bool
-    """
+    """Bools (n,): at which points the constraints hold whose parameters have numbers (n,)."""
     found = _constraints(kernels, numbers, np.asarray)
     totals = [np.asarray(total) >= 0 for _, _, total in found]
     shape = np.broadcast_shapes(*(np.shape(column) for column in numbers.values()))
@@ -120,24 +96,15 @@ def _used(kernels: SystemKernels) -> list[tuple[dict[str, Any], set[str]]]:
 
 @cache
 def _powers(product: str) -> list[tuple[str, int]]:
-    """Names and powers of a product such as ``a*b**2``; none of ``1``."""
+    """Names and powers in a product such as ``a*b**2``; ``1`` has none."""
     parts = (part.partition("^") for part in product.replace("**", "^").split("*"))
     return [(name, int(power or 1)) for name, _, power in parts if name != "1"]
 
 
 def value_of(table: ParameterTable, given: object) -> Value:
-    """Value of one parameter.
+    """The value of one parameter from a number, its text or a Value.
 
-    Parameters
-    ----------
-    table : ParameterTable
-    given : object
-        A number, its text, or a Value.
-
-    Raises
-    ------
-    InputError
-        If it is no number or outside the domain.
+    Raises `InputError` if it is no number or outside the domain.
     """
     value = number_of(table.name, given)
     check_domain(table, value)
@@ -145,18 +112,9 @@ def value_of(table: ParameterTable, given: object) -> Value:
 
 
 def number_of(name: str, given: object) -> Value:
-    """Value that is given for a name.
+    """The value that is given for a name as a number, its text or a Value.
 
-    Parameters
-    ----------
-    name : str
-    given : object
-        A number, its text, or a Value.
-
-    Raises
-    ------
-    InputError
-        If it is no number; the message names it.
+    Raises `InputError` if it is no number; the message gives the name.
     """
     try:
         return as_value(given)
@@ -165,24 +123,13 @@ def number_of(name: str, given: object) -> Value:
 
 
 def check_domain(table: ParameterTable, value: Value) -> None:
-    """Refuse a value that a parameter cannot have.
-
-    Raises
-    ------
-    InputError
-        If the value is outside the parameter's domain.
-    """
+    """Raise `InputError` if a value is outside a parameter's domain."""
     if not in_domain(table, float(value)):
         raise InputError(f"{table.name} = {value} is outside its domain {domain_text(table)}")
 
 
 def domain_text(table: ParameterTable) -> str:
-    """The domain as an interval.
-
-    Returns
-    -------
-    str
-        Such as ``(0, oo)`` or ``[0, 1]``.
+    """A parameter's domain as an interval, such as ``(0, oo)`` or ``[0, 1]``.
 
     Examples
     --------

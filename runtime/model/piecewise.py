@@ -43,32 +43,20 @@ __all__ = [
 
 @dataclass(frozen=True, eq=False)
 class PiecewiseLinear:
-    """A system at one parameter point, in one arithmetic: entries are its numbers.
+    """A system at one parameter point, in one arithmetic, whose numbers are the entries.
 
     In other arithmetics than double precision a system whose flows have no closed form has
     neither modes, exponents nor flows: its flow is the exponential of the field.
-
-    Attributes
-    ----------
-    structure : Structure
-    parameters : dict of str to Value
-    fields : array (configurations, N, N + 1)
-        ``y' = A y + b``: A, then b as the last column.
-    rows : array (R, N + 1)
-        Affine functions ``n y + c``: n, then c.
-    resets : array (S, N, N + 1)
-    exponents : for each configuration an array (modes, 2)
-        Real and imaginary parts.
-    flows : for each configuration an array (functions, N, N + 1), or FactoredFlows
-        ``y(t) = sum_f phi_f(t) (B_f y(0) + beta_f)``: B_f, then beta_f.
     """
 
     structure: Structure
     parameters: dict[str, Value]
-    fields: np.ndarray
-    rows: np.ndarray
-    resets: np.ndarray
-    exponents: tuple[np.ndarray, ...]
+    fields: np.ndarray  # (configurations, N, N + 1), ``y' = A y + b``: A, then b as the last column
+    rows: np.ndarray  # (R, N + 1), affine functions ``n y + c``: n, then c
+    resets: np.ndarray  # (S, N, N + 1)
+    exponents: tuple[np.ndarray, ...]  # for each configuration (modes, 2), real and imaginary parts
+    # for each configuration (functions, N, N + 1) or FactoredFlows, with ``y(t) = sum_f phi_f(t)
+    # (B_f y(0) + beta_f)``: B_f, then beta_f
     flows: tuple[Flows, ...]
 
     @property
@@ -80,18 +68,9 @@ class PiecewiseLinear:
 def piecewise(
     system: str | SystemKernels | DeclaredSystem, parameters: Mapping[str, object]
 ) -> PiecewiseLinear:
-    """A system at one parameter point, in double precision.
+    """A system at one parameter point, in double precision; all physical parameters are given.
 
-    Parameters
-    ----------
-    system : str, System or SystemKernels
-    parameters : mapping of str to str, number or Value
-        All physical parameters of the system.
-
-    Raises
-    ------
-    InputError
-        As for `system_parameters` and `structure_of`.
+    Raises `InputError` as `system_parameters` and `structure_of` do.
     """
     kernels = kernels_of(system)
     values = system_parameters(kernels, parameters)
@@ -102,20 +81,10 @@ def piecewise(
 def piecewise_at(
     kernels: SystemKernels, point: np.ndarray, visited: Collection[int] | None = None
 ) -> PiecewiseLinear:
-    """A system at a checked parameter point (p,), in double precision.
+    """A system at a checked parameter point (p,), in double precision, in the system's order.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    point : array (p,)
-        In the order of the system's parameters.
-    visited : collection of int, optional
-        Configurations whose flows are needed, as for `numbers_at`.
-
-    Raises
-    ------
-    InputError
-        Where double precision does not tell the modes from each other.
+    `visited` are the configurations whose flows are needed, as for `numbers_at`. Raises
+    `InputError` where double precision does not tell the modes from each other.
     """
     values = {p.name: as_value(x) for p, x in zip(kernels.parameters, point.tolist(), strict=True)}
     fields, rows, resets = (part[0] for part in _evaluated(kernels, point[None]))
@@ -138,21 +107,11 @@ def piecewise_at(
 
 
 class PointGroup(NamedTuple):
-    """Numbers of parameter points whose configurations have the same modes.
+    """Numbers of parameter points whose configurations have the same modes."""
 
-    Attributes
-    ----------
-    structure : Structure
-        With these modes.
-    places : array (k,) of int
-        Which of the points they are.
-    flat : array (k, size)
-        Fields, rows, resets, exponents and flows, one after the other.
-    """
-
-    structure: Structure
-    places: np.ndarray
-    flat: np.ndarray
+    structure: Structure  # with these modes
+    places: np.ndarray  # (k,) of int, indices of the points
+    flat: np.ndarray  # (k, size), fields, rows, resets, exponents and flows, one after the other
 
 
 def numbers_at(
@@ -160,19 +119,9 @@ def numbers_at(
 ) -> list[PointGroup]:
     """Numbers at points (n, p), grouped by their modes: one group for flows in closed form.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    points : array (n, p)
-        In the order of the system's parameters.
-    visited : collection of int, optional
-        Configurations whose flows are needed: all when omitted. Where eigenvalues are found
-        numerically those of the others are NaN.
-
-    Returns
-    -------
-    list of PointGroup
-        NaN at points that have no modes.
+    Points are in the system's order. Flows are needed of the configurations in `visited`, all by
+    default; if eigenvalues are computed numerically, those of the others are NaN. Points that
+    have no modes get NaN.
     """
     structure, count = structure_of(kernels), len(points)
     parts = _evaluated(kernels, points)
@@ -210,7 +159,7 @@ def numbers_at(
 
 
 def _everywhere(modes: NumericModes, places: np.ndarray) -> ModeGroup:
-    """The same modes at some points."""
+    """The modes of one motion, repeated for the points at some places."""
     exponents, *flows = (
         np.broadcast_to(part, (len(places), *part.shape))
         for part in (modes.exponents, *arrays_of(modes.flows))
@@ -219,7 +168,10 @@ def _everywhere(modes: NumericModes, places: np.ndarray) -> ModeGroup:
 
 
 def _alike(told: np.ndarray, found: Iterable[list[ModeGroup]]) -> list[np.ndarray]:
-    """Places of the points of whose modes every configuration's are in one group."""
+    """Places of the points, split so that in each part all configurations have equal mode shapes.
+
+    Points whose numbers are not `told` are a part by themselves.
+    """
     labels = [~told]
     for groups in found:
         label = np.zeros(len(told), dtype=int)
@@ -232,7 +184,7 @@ def _alike(told: np.ndarray, found: Iterable[list[ModeGroup]]) -> list[np.ndarra
 
 
 def _members(groups: list[ModeGroup], places: np.ndarray) -> ModeGroup:
-    """Modes of some points of one group."""
+    """The modes of some points, all of which are in one of the groups."""
     for group in groups:
         row = np.searchsorted(group.places, places[0])
         if row < len(group.places) and group.places[row] == places[0]:
@@ -247,7 +199,7 @@ def _flat(parts: Iterable[np.ndarray]) -> np.ndarray:
 
 
 def _rows_of(structure: Structure, place: int) -> list[int]:
-    """Rows of a configuration's boundaries."""
+    """The rows of a configuration's boundaries."""
     return [boundary.row for boundary in structure.boundaries[place]]
 
 
@@ -271,26 +223,11 @@ def _numeric(
 def piecewise_in(
     system: str | SystemKernels | DeclaredSystem, parameters: Mapping[str, object], lib: Any
 ) -> PiecewiseLinear:
-    """A system at one parameter point in another arithmetic, Mpmath or Balls.
+    """A system at one parameter point in another arithmetic, `Mpmath` or `Balls`.
 
-    Entries are that arithmetic's numbers, or integers, in arrays of objects.
-
-    Parameters
-    ----------
-    system : str, System or SystemKernels
-    parameters : mapping of str to str, number or Value
-        All physical parameters of the system.
-    lib : Mpmath or Balls
-
-    Returns
-    -------
-    PiecewiseLinear
-        Without exponents and flows where the flow has no closed form.
-
-    Raises
-    ------
-    InputError
-        As for `piecewise`.
+    Entries are that arithmetic's numbers, or integers, in arrays of objects; all physical
+    parameters are given. There are no exponents and flows if the flow has no closed form.
+    Raises `InputError` as `piecewise` does.
     """
     kernels = kernels_of(system)
     structure = structure_of(kernels)
@@ -318,17 +255,8 @@ def tables_at(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Fields, rows and resets at points (n, p), in double precision.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    points : array (n, p)
-        In the order of the system's parameters.
-
-    Returns
-    -------
-    fields : array (n, configurations, N, N + 1)
-    rows : array (n, R, N + 1)
-    resets : array (n, S, N, N + 1)
+    Points are in the system's order; the arrays are (n, configurations, N, N + 1), (n, R, N + 1)
+    and (n, S, N, N + 1).
     """
     size = len(kernels.table["states"])
     fields, rows, resets = _evaluated(kernels, points)
@@ -368,7 +296,7 @@ def _record(
     exponents: np.ndarray,
     flows: np.ndarray,
 ) -> PiecewiseLinear:
-    """Cut stacked arrays into configurations."""
+    """The system at one point, from arrays in which all configurations are stacked."""
     size = len(structure.states)
     counts = [len(modes) for modes in structure.shapes]
     ends = np.cumsum([0, *counts])

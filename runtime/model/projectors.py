@@ -31,28 +31,11 @@ _TINY = 1e-6  # radius of a circle around equal eigenvalues, relative to the nea
 def chain(
     matrix: np.ndarray, group: list[complex], others: list[complex], real: bool, constant: bool
 ) -> Iterator[tuple[complex, np.ndarray]]:
-    """The centre mu of a cluster of eigenvalues of B, and (B - mu)^k P for k = 0, 1, ....
+    """Yield the centre mu of a cluster of eigenvalues of B with (B - mu)^k P for k = 0, 1, ....
 
-    Parameters
-    ----------
-    matrix : array (N, N)
-        B, exact.
-    group, others : list of complex
-        The eigenvalues, roughly.
-    real : bool
-        Whether the cluster has with each eigenvalue the conjugate one.
-    constant : bool
-        Whether the centre is zero.
-
-    Yields
-    ------
-    centre : complex
-    term : array (N, N) of complex
-
-    Raises
-    ------
-    ValueError
-        If no circle of some width has the cluster alone inside.
+    `matrix` (N, N) is B, exact, and `group` and `others` are its approximate eigenvalues. `real`
+    says that the cluster has each eigenvalue's conjugate, and `constant` that mu is zero. The
+    terms are complex. Raises `ValueError` if no circle of some width has only the cluster inside.
     """
     projector, bits = _projector(matrix, group, others)
     with flint_precision(bits):
@@ -69,28 +52,10 @@ def chain(
 def newton(
     matrix: np.ndarray, group: list[complex], others: list[complex], poles: list[complex]
 ) -> list[np.ndarray]:
-    """The products (B - p_0) ... (B - p_(k-1)) P for k = 0, ..., as many as there are poles p.
+    """The products (B - p_0) ... (B - p_(k-1)) P (N, N), complex, one for each of the poles p.
 
-    Parameters and exceptions are those of `chain`.
-
-    Parameters
-    ----------
-    matrix : array (N, N)
-        B, exact.
-    group, others : list of complex
-        The eigenvalues, roughly.
-    poles : list of complex
-        p_0, p_1, ...: nodes of Newton's interpolation.
-
-    Returns
-    -------
-    list of array (N, N)
-        Complex.
-
-    Raises
-    ------
-    ValueError
-        As for `chain`.
+    k is 0, 1, ..., and the poles are the nodes of Newton's interpolation. `matrix` is B, exact,
+    and `group` and `others` are its approximate eigenvalues. Raises `ValueError` as `chain` does.
     """
     projector, bits = _projector(matrix, group, others)
     terms = []
@@ -103,12 +68,9 @@ def newton(
 
 
 def poles_of(matrix: np.ndarray) -> list[complex]:
-    """The eigenvalues of B, each to its last digit, with their conjugates and multiplicities.
+    """The eigenvalues of an exact matrix B (N, N), each to its last digit.
 
-    Parameters
-    ----------
-    matrix : array (N, N)
-        B, exact.
+    They come with their conjugates and multiplicities.
     """
     with flint_precision(_BITS):
         rational = fmpq_mat([[_rational(x) for x in row] for row in matrix.tolist()])
@@ -153,19 +115,9 @@ def _projector(
 
 
 def exponentials_at(matrix: np.ndarray, times: Collection[float]) -> dict[float, np.ndarray]:
-    """The matrices e^(B t) at some times, each entry to its last digit.
+    """The matrices e^(B t) by time, each entry to its last digit; B (N, N) is exact and real.
 
-    Parameters
-    ----------
-    matrix : array (N, N)
-        B, exact and real.
-    times : collection of float
-        Powers of two: each exponential is one of half the time, squared.
-
-    Returns
-    -------
-    dict of float to array (N, N)
-        By times.
+    Times are powers of two, as each exponential is one of half the time, squared.
     """
     for bits in (_FEW_BITS, _BITS):
         found, now = {}, min(times)

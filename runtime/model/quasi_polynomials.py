@@ -55,23 +55,16 @@ def _slope(coefficients: Coefficients, exponent: complex) -> Coefficients:
 
 @dataclass(frozen=True, eq=False)
 class Chain:
-    """A part of a quasi-polynomial: a sum of the functions of a chain of modes.
-
-    Parameters
-    ----------
-    shapes : tuple of ModeShape
-    exponents : array (modes, 2)
-    coefficients, sizes : array (functions,)
-    """
+    """A part of a quasi-polynomial: a sum of the functions of a chain of modes."""
 
     shapes: tuple[ModeShape, ...]
-    exponents: np.ndarray
-    coefficients: np.ndarray
-    sizes: np.ndarray
+    exponents: np.ndarray  # (modes, 2)
+    coefficients: np.ndarray  # (functions,)
+    sizes: np.ndarray  # (functions,), rounding errors of the coefficients in units of 16 eps
 
     @cached_property
     def _turned(self) -> np.ndarray:
-        """Matrix that makes the derivative's coefficients of a function's."""
+        """Matrix from the coefficients of a function to those of its derivative."""
         return derivative_matrix(self.shapes, self.exponents).T
 
     @cached_property
@@ -93,17 +86,9 @@ class Chain:
 
     @_QUIET
     def jet(self, t: float) -> Jet:
-        """Values and the rounding error, which is relative to the sizes.
+        """Value, slope and curvature at t, and the value's rounding error in units of 16 eps.
 
-        Parameters
-        ----------
-        t : float
-            At least 0. In the system's unit of time.
-
-        Returns
-        -------
-        value, slope, curvature, error : float
-            The error in units of 16 eps.
+        t is at least 0, in the system's unit of time.
         """
         values = np.array(functions_at(self.shapes, self.exponents, t))
         bounds = np.array(function_bounds(self.shapes, self.exponents, t, t))
@@ -113,13 +98,9 @@ class Chain:
 
     @_QUIET
     def bound(self, order: int, t: float, length: float) -> float:
-        """Bound on the absolute value of a derivative over [t, t + length].
+        """Bound on the absolute value of the derivative of some order over [t, t + length].
 
-        Parameters
-        ----------
-        order : int
-        t, length : float
-            In the system's unit of time.
+        Times are in the system's unit.
         """
         part = self.coefficients
         for _ in range(order):
@@ -129,12 +110,9 @@ class Chain:
 
     @_QUIET
     def taylor(self, count: int) -> tuple[list[float], list[float]]:
-        """Derivatives of order 0, ..., count - 1 at 0, where only the first function is not 0.
+        """Derivatives of order 0, ..., count - 1 at 0, with their errors in units of 16 eps.
 
-        Returns
-        -------
-        values, sizes : list of float
-            Sizes are what rounds in each value.
+        At 0 only the first function of a chain is not 0.
         """
         values, sizes = [], []
         part, size = self.coefficients, self.sizes
@@ -145,32 +123,21 @@ class Chain:
         return values, sizes
 
     def ceiling(self) -> float:
-        """Bound at all times, inf where there is none; a constant has its sign."""
+        """Upper bound at all times, inf if there is none; a constant enters with its sign."""
         head = float(self.coefficients[0])
         return self.bound(0, 0.0, math.inf) - (0.0 if self.exponents[0].any() else abs(head) - head)
 
 
 @dataclass(frozen=True)
 class QuasiPolynomial:
-    """The function g(t) = Re sum_m P_m(t) e^(lambda_m t).
+    """The function g(t) = Re sum_m P_m(t) e^(lambda_m t), plus chains."""
 
-    Parameters
-    ----------
-    exponents : tuple of complex
-        lambda_m; none twice.
-    polynomials : tuple of tuple of complex
-        Coefficients of each P_m, the constant first.
-    sizes : tuple of tuple of float, optional
-        For each coefficient the sum of the absolute values it was added up from: its rounding
-        error is 16 eps times that. By default its own absolute value.
-    chains : tuple of Chain
-        Added to the sum.
-    """
-
-    exponents: tuple[complex, ...]
-    polynomials: tuple[Coefficients, ...]
+    exponents: tuple[complex, ...]  # lambda_m; none twice
+    polynomials: tuple[Coefficients, ...]  # coefficients of each P_m, the constant first
+    # for each coefficient the sum of the absolute values it was added up from: its rounding error
+    # is 16 eps times that; by default its own absolute value
     sizes: tuple[tuple[float, ...], ...] = ()
-    chains: tuple[Chain, ...] = ()
+    chains: tuple[Chain, ...] = ()  # added to the sum
 
     def __post_init__(self) -> None:
         if not self.sizes:
@@ -194,13 +161,7 @@ class QuasiPolynomial:
         )
 
     def raised(self, by: float) -> QuasiPolynomial:
-        """The function g + a constant.
-
-        Parameters
-        ----------
-        by : float
-            The constant.
-        """
+        """The function g + by."""
         if 0 not in self.exponents:
             polynomials = ((by + 0j,), *self.polynomials)
             sizes = ((0.0,), *self.sizes)
@@ -235,14 +196,7 @@ class QuasiPolynomial:
     def jet(self, t: float) -> Jet:
         """Values of g, g' and g'' at t, and the rounding error of g.
 
-        Parameters
-        ----------
-        t : float
-            At least 0. In the system's unit of time.
-
-        Returns
-        -------
-        value, slope, curvature, error : float
+        t is at least 0, in the system's unit of time.
         """
         plain, powers = self._parts
         value = slope = curvature = error = 0.0
@@ -270,13 +224,7 @@ class QuasiPolynomial:
         return value, slope, curvature, UNIT * error + TINY
 
     def rounding(self, t: float) -> float:
-        """Bound on the rounding error of the value at t.
-
-        Parameters
-        ----------
-        t : float
-            In the system's unit of time.
-        """
+        """Bound on the rounding error of the value at t, in the system's unit of time."""
         return self.jet(t)[3]
 
     @cached_property
@@ -306,13 +254,9 @@ class QuasiPolynomial:
         return tuple(b * (1 + 2.0**-40) for b in bounds)
 
     def bound(self, order: int, t: float, length: float) -> float:
-        """Bound on the absolute value of a derivative over [t, t + length].
+        """Bound on the absolute value of the derivative of some order over [t, t + length].
 
-        Parameters
-        ----------
-        order : int
-        t, length : float
-            In the system's unit of time.
+        Times are in the system's unit.
         """
         if order in (2, 3) and self.uniform is not None:
             return self.uniform[order - 2]
@@ -335,12 +279,7 @@ class QuasiPolynomial:
         return total * (1 + 2.0**-40)
 
     def taylor(self, count: int) -> tuple[list[float], list[float]]:
-        """Derivatives of order 0, ..., count - 1 at 0, and the error of each.
-
-        Returns
-        -------
-        values, errors : list of float
-        """
+        """Derivatives of order 0, ..., count - 1 at 0, and the rounding error of each."""
         values, errors = [0.0] * count, [0.0] * count
         for exponent, p, s in zip(self.exponents, self.polynomials, self.sizes, strict=True):
             speed = abs(exponent)
@@ -356,12 +295,9 @@ class QuasiPolynomial:
         return values, errors
 
     def ceiling(self, t: float) -> float:
-        """Bound on g over [t, infinity), inf where the amplitudes give none.
+        """Upper bound on g over [t, infinity), inf if the amplitudes give none.
 
-        Parameters
-        ----------
-        t : float
-            In the system's unit of time.
+        t is in the system's unit of time.
         """
         total = sum(chain.ceiling() for chain in self.chains)
         for exponent, p in zip(self.exponents, self.polynomials, strict=True):
@@ -382,7 +318,7 @@ class QuasiPolynomial:
         return total
 
     def last_root(self) -> float:
-        """Bound on the roots where g is a polynomial, else inf.
+        """Bound on the roots if g is a polynomial, else inf.
 
         The bound is that of Fujiwara (1916).
         """

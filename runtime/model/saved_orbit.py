@@ -49,40 +49,19 @@ class ComposedEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class HeldOrbit:
-    """An orbit of a system, or a system alone.
+    """An orbit of a system, or a system alone, as data."""
 
-    Attributes
-    ----------
-    system : str
-        What `named` calls it.
-    tables : SavedSystem or None
-        None for a built-in system.
-    orbit : str
-        Its name among the orbits of the system; empty for none.
-    label : str
-        What an orbit of a file of results is called; empty for others.
-    reference : ReferenceEntries or None
-        Where a file of results gave an orbit of the system another one.
-    composed : ComposedEntries or None
-        Of an orbit that the system does not declare.
-    """
-
-    system: str
-    tables: SavedSystem | None
-    orbit: str
-    label: str
+    system: str  # the name that `named` gives it
+    tables: SavedSystem | None  # None for a built-in system
+    orbit: str  # name among the orbits of the system; empty for none
+    label: str  # name of an orbit of a file of results; empty for others
+    # replaces that of a declared orbit, if a file of results does so
     reference: ReferenceEntries | None
-    composed: ComposedEntries | None
+    composed: ComposedEntries | None  # table of an orbit that the system does not declare
 
 
 def held_text(system: SystemKernels, orbit: OrbitKernels | None = None) -> str:
-    """A system, and an orbit of it, as text.
-
-    Returns
-    -------
-    str
-        JSON.
-    """
+    """A system, and an orbit of it, as JSON text."""
     own = "" if orbit is None else orbit.orbit
     name, _, tables = named(system, own)
     saved = None if orbit is None else orbit.saved
@@ -104,17 +83,9 @@ def held_text(system: SystemKernels, orbit: OrbitKernels | None = None) -> str:
 
 @lru_cache(maxsize=32)
 def kernels_held(text: str) -> OrbitKernels:
-    """The orbit that a text holds; of a system alone one without a name.
+    """The orbit that a text of `held_text` holds; without a name for a system alone.
 
-    Parameters
-    ----------
-    text : str
-        As `held_text` gives it.
-
-    Raises
-    ------
-    InputError
-        If the data are not in order; the message is one line.
+    Raises `InputError` with a message of one line if the data are not consistent.
     """
     held = decode(HeldOrbit, json.loads(text))
     system = system_in(held.system, held.tables)

@@ -87,7 +87,7 @@ class TransitionEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactEntries:
-    """Rows of a contact."""
+    """Rows of a contact: of its force by configuration, and of two velocities."""
 
     forces: Mapping[str, int]
     velocity: int
@@ -127,7 +127,7 @@ class LawEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class TableEntries:
-    """What does not depend on parameters; rows and resets by index, from 0."""
+    """The tables that no parameter changes; rows and resets by index, from 0."""
 
     name: str
     description: str
@@ -151,49 +151,28 @@ class TableEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class SavedSystem:
-    """A system as data.
+    """A system as data."""
 
-    Attributes
-    ----------
-    derivation : str
-        Hash of the declaration that it is of.
-    table : TableEntries
-    functions : mapping of str to Function
-        Fields, rows and resets; spectrum and modes where the flows have a closed form; the
-        functions of the orbits.
-    orbits : mapping of str to dict
-        Tables of those of its orbits that are in the file.
-    """
-
-    derivation: str
+    derivation: str  # hash of the declaration
     table: TableEntries
+    # fields, rows and resets; spectrum and modes if the flows have a closed form; the functions of
+    # the orbits
     functions: Mapping[str, Function]
-    orbits: Mapping[str, Any]
+    orbits: Mapping[str, Any]  # tables of those of its orbits that are in the file
 
     @cached_property
     def name(self) -> str:
-        """Name of the system, and the hash of its data: what a file calls it."""
+        """Name of the system with the hash of its data, as a file calls it."""
         data = {name: entry for name, entry in encode(self).items() if name != "derivation"}
         content = json.dumps(data)  # in order: fields stand in that of the configurations
         return f"{self.table.name}@{hashlib.sha256(content.encode()).hexdigest()[:16]}"
 
 
 def named(kernels: SystemKernels, orbit: str = "") -> tuple[str, str, SavedSystem | None]:
-    """What a file calls a system and an orbit of it, and the data that it holds.
+    """The names that a file gives to a system and an orbit of it, and the system as data.
 
-    A system that is not built in is called ``NAME@HASH``, the hash of its data.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    orbit : str
-        Its name, with that of the system in front or without.
-
-    Returns
-    -------
-    system, orbit : str
-    saved : SavedSystem or None
-        None for a built-in system.
+    A system that is not built in is called ``NAME@HASH``, the hash of its data; a built-in one
+    has no data, but None. `orbit` may be given with the system's name in front or without.
     """
     if kernels.built_in:
         return kernels.name, orbit, None
@@ -213,31 +192,15 @@ def same_system(kernels: SystemKernels, other: SystemKernels) -> bool:
 
 
 def check_same_system(what: str, asked: SystemKernels, known: SystemKernels) -> None:
-    """Refuse to go on with what was kept of another system.
-
-    Parameters
-    ----------
-    what : str
-        What was kept, in words.
-    asked, known : SystemKernels
-
-    Raises
-    ------
-    InputError
-        If their tables differ.
-    """
+    """Raise `InputError` if the tables of two systems differ; `what` names what was stored."""
     if not same_system(known, asked):
         raise InputError(f"{asked.name} is not the system of the {what} to resume, or has changed")
 
 
 def saved_of(kernels: SystemKernels, orbit: str = "") -> SavedSystem | None:
-    """A system as data, with one of its orbits if it is to be; None for a built-in one.
+    """A system as data, None for a built-in one, with the table of one orbit if it declares it.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    orbit : str
-        Empty for none; one that the system does not declare is left out.
+    An empty name stands for no orbit.
     """
     if kernels.built_in:
         return None
@@ -290,24 +253,15 @@ def _function(module: ModuleType, name: str, names: Mapping[str, Sequence[str]])
 
 
 def _plain(entries: Any) -> Any:
-    """Entries as JSON has them."""
+    """Entries in the types of JSON."""
     return json.loads(json.dumps(entries))
 
 
 def system_in(name: str, saved: SavedSystem | None) -> SystemKernels:
     """The system of a file: the built-in one of that name, or the one that the file holds.
 
-    Parameters
-    ----------
-    name : str
-        What the file calls the system.
-    saved : SavedSystem or None
-        What the file holds.
-
-    Raises
-    ------
-    InputError
-        If it is neither, or the data are not in order; the message is one line.
+    Raises `InputError` with a message of one line if it is neither, or if the data are not
+    consistent.
     """
     if saved is None:
         if name not in system_names():
@@ -321,17 +275,7 @@ def system_in(name: str, saved: SavedSystem | None) -> SystemKernels:
 def orbit_in(name: str, saved: SavedSystem | None) -> OrbitKernels:
     """The orbit of a file: of the built-in systems, or of the one that the file holds.
 
-    Parameters
-    ----------
-    name : str
-        What the file calls the orbit.
-    saved : SavedSystem or None
-        What the file holds.
-
-    Raises
-    ------
-    InputError
-        As for `system_in`, or for an orbit that the system has not.
+    Raises `InputError` as `system_in` does, or if the system has no such orbit.
     """
     if saved is not None:
         system_in(name.rpartition(":")[0], saved)
@@ -341,12 +285,10 @@ def orbit_in(name: str, saved: SavedSystem | None) -> OrbitKernels:
 
 
 def kernels_of_saved(saved: SavedSystem) -> SystemKernels:
-    """Tables and kernels of a system that is given as data; `load_system` finds it by its name.
+    """Tables and kernels of a system that is given as data; `load_system` loads it by its name.
 
-    Raises
-    ------
-    InputError
-        If names, indices, shapes or expressions are not in order; the message is one line.
+    Raises `InputError` with a message of one line if names, indices, shapes or expressions are
+    not consistent.
     """
     _check(saved)
     module = ModuleType("nonsmooth_saved")
@@ -370,7 +312,7 @@ def kernels_of_saved(saved: SavedSystem) -> SystemKernels:
 
 
 def _check(saved: SavedSystem) -> None:
-    """Refuse data whose parts do not belong together: the engine in C takes them as they are."""
+    """Refuse data whose parts are not consistent: the engine in C does not check them."""
     table, functions = saved.table, saved.functions
     names = [parameter.name for parameter in table.parameters]
     _once("parameter", names)
@@ -423,7 +365,7 @@ def _check(saved: SavedSystem) -> None:
 
 
 def _check_table(table: TableEntries, rows: int, resets: int) -> None:
-    """Refuse names and indices of what is not there."""
+    """Refuse names and indices that do not exist."""
     for name in ("held", "constraint_rows", "boundary_rows"):
         _same_keys(name, getattr(table, name), table.configurations)
     for name, boundaries in table.configurations.items():
@@ -478,7 +420,7 @@ def _shapes(
     inputs: Sequence[tuple[int, ...]],
     outputs: Sequence[tuple[int | None, ...]],
 ) -> None:
-    """Refuse a function of other shapes; None stands for any size but none."""
+    """Refuse a function with other shapes than these; None stands for any size above 0."""
     found = functions[name]
     fits = list(found.inputs) == list(inputs) and len(found.outputs) == len(outputs)
     for shape, wanted in zip(found.outputs, outputs, strict=False):

@@ -30,56 +30,29 @@ _MODERATE = 1e3  # term of a state beside which it loses no digits that count wh
 
 
 class NumericModes(NamedTuple):
-    """Modes of one configuration.
+    """Modes of one configuration."""
 
-    Attributes
-    ----------
-    shapes : tuple of ModeShape
-        First that of the exponent 0, which has the constants.
-    exponents : array (modes, 2)
-        Real and imaginary parts.
-    flows : array (functions, N, N + 1), or FactoredFlows
-        ``y(t) = sum_f phi_f(t) (B_f y(0) + beta_f)``: B_f, then beta_f.
-    """
-
-    shapes: tuple[ModeShape, ...]
-    exponents: np.ndarray
+    shapes: tuple[ModeShape, ...]  # first that of the exponent 0, which has the constants
+    exponents: np.ndarray  # (modes, 2), real and imaginary parts
+    # (functions, N, N + 1) or FactoredFlows, ``y(t) = sum_f phi_f(t) (B_f y(0) + beta_f)``: B_f,
+    # then beta_f
     flows: Flows
 
 
 class ModeGroup(NamedTuple):
-    """Modes of those configurations of a stack that have modes of the same shapes.
+    """Modes of those configurations of a stack that have modes of the same shapes."""
 
-    Attributes
-    ----------
-    places : array (k,) of int
-        Which of the stack they are.
-    shapes : tuple of ModeShape
-        First that of the exponent 0, which has the constants.
-    exponents : array (k, modes, 2)
-        Real and imaginary parts.
-    flows : tuple of array (k, ...)
-        The arrays of the flows: matrices (k, functions, N, N + 1), or matrices and factors.
-    """
-
-    places: np.ndarray
-    shapes: tuple[ModeShape, ...]
-    exponents: np.ndarray
+    places: np.ndarray  # (k,) of int, indices in the stack
+    shapes: tuple[ModeShape, ...]  # first that of the exponent 0, which has the constants
+    exponents: np.ndarray  # (k, modes, 2), real and imaginary parts
+    # arrays of the flows: matrices (k, functions, N, N + 1), or matrices and factors
     flows: tuple[np.ndarray, ...]
 
 
 def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
-    """Modes of motions y' = A y + b whose eigenvalues are apart.
+    """Modes of motions y' = A y + b with simple eigenvalues that double precision determines well.
 
-    Parameters
-    ----------
-    fields : array (n, N, N + 1)
-        A, then b; finite.
-
-    Returns
-    -------
-    list of ModeGroup
-        Without those whose eigenvalues are not simple, or not told well by double precision.
+    `fields` (n, N, N + 1) are A, then b, and finite. Other motions are left out.
     """
     count, size, columns = fields.shape
     whole = np.concatenate([fields, np.zeros((count, 1, columns))], axis=1)
@@ -123,18 +96,10 @@ def simple_modes(fields: np.ndarray) -> list[ModeGroup]:
 
 
 def is_moderate(flows: np.ndarray, fields: np.ndarray) -> np.ndarray:
-    """Whether no digits that count are lost while a motion is small.
+    """Bools (...): whether no significant digits are lost while a motion is small.
 
-    Motions that are slow in the unit of time are sums of terms that cancel.
-
-    Parameters
-    ----------
-    flows : array (..., functions, N, N + 1)
-    fields : array (..., N, N + 1)
-
-    Returns
-    -------
-    array (...) of bool
+    Motions that are slow in the unit of time are sums of terms that cancel. `flows` are
+    (..., functions, N, N + 1), and `fields` (..., N, N + 1).
     """
     rates = np.maximum(np.abs(fields).max(axis=-1, initial=1.0), 1.0)
     return np.asarray(
@@ -155,7 +120,7 @@ def _terms(count: int, right: np.ndarray, left: np.ndarray) -> np.ndarray:
 def _sound(
     matrix: np.ndarray, values: np.ndarray, right: np.ndarray, left: np.ndarray, scale: np.ndarray
 ) -> np.ndarray:
-    """Where projectors are small, sum up to the unit and belong to their eigenvalues."""
+    """Whether projectors are small, add up to the identity and belong to their eigenvalues."""
     norms = np.linalg.norm(left, axis=-1) * np.linalg.norm(right, axis=-2)
     missed = np.abs(matrix @ right - right * values[:, None, :]) @ np.abs(left)
     unit = np.abs(right @ left - np.eye(matrix.shape[-1]))
@@ -168,7 +133,7 @@ def _sound(
 
 
 def _snapped(values: np.ndarray, tiny: np.ndarray) -> np.ndarray:
-    """Eigenvalues without what rounding makes of a part that is zero."""
+    """Eigenvalues with a real or imaginary part set to zero if it is only a rounding error."""
     real = np.where(np.abs(values.real) <= tiny, 0.0, values.real)
     return np.asarray(real + 1j * np.where(np.abs(values.imag) <= tiny, 0.0, values.imag))
 

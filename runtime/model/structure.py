@@ -33,10 +33,10 @@ class ModeShape:
     """Functions of time with one exponent: t^k e^(st) cos(wt), and sines where it oscillates.
 
     `places` are the functions' places among those of the configuration: for each power k the
-    cosine's, then the sine's if there is one. A mode that is `joined` goes on from the one in
-    front of it (`functions`): then it has one power. One that is `paired` stands for its
-    exponent and the conjugate one: its second function is the divided difference of both. One
-    that is `factored` has factors of its matrices in place of these (`factored_flows`).
+    cosine's, then the sine's if there is one. A `joined` mode continues the chain of the mode in
+    front of it (`time_functions`) and has one power. A `paired` mode stands for its exponent and
+    the conjugate one: its second function is the divided difference of both. A `factored` mode
+    has factors in place of matrices (`factored_flows`).
     """
 
     length: int
@@ -52,109 +52,73 @@ Modes = tuple[tuple[ModeShape, ...], ...]  # of each configuration
 
 @dataclass(frozen=True)
 class BoundaryShape:
-    """A boundary of a configuration: its name, its row, and whether reaching it is enough."""
+    """A boundary of a configuration: its name, its row, and whether it acts as soon as reached."""
 
     name: str
     row: int
-    reached: bool
+    reached: bool  # else it acts when exceeded
 
 
 @dataclass(frozen=True)
 class TransitionShape:
-    """What follows when exactly these boundaries are reached at one instant.
+    """What follows when exactly these boundaries are reached at one instant."""
 
-    Attributes
-    ----------
-    boundaries : frozenset of int
-        Indices among the boundaries of the source.
-    conditions : tuple of (row, configuration, bool)
-        The first nonzero derivative of the row along the configuration's flow is positive,
-        or not.
-    reset, target : int
-    order : int
-        Of the orders in which stops may act that are reached together; 0 belongs to all.
-    path : Path, optional
-        The steps by which the contact law comes to it; None where the system lists it.
-    """
-
-    boundaries: frozenset[int]
+    boundaries: frozenset[int]  # indices among the boundaries of the source
+    # (row, configuration, bool): the first nonzero derivative of the row along the configuration's
+    # flow is positive, or not
     conditions: tuple[tuple[int, int, bool], ...]
     reset: int
     target: int
-    order: int = 0
+    order: int = 0  # of the orders in which stops reached together may act; 0 belongs to all
+    # the steps of the contact law that lead to it; None if the system lists it
     path: Path | None = None
 
 
 @dataclass(frozen=True)
 class ContactShape:
-    """Where the surroundings act: rows of force by configuration, of velocity, of the surface."""
+    """A contact with the surroundings: the rows of its force and of two velocities."""
 
     name: str
-    forces: Mapping[int, int]
-    velocity: int
-    surface: int
+    forces: Mapping[int, int]  # row by configuration
+    velocity: int  # row of the velocity of the oscillator's point
+    surface: int  # row of the velocity of the surroundings
 
 
 @dataclass(frozen=True, eq=False)
 class Structure:
-    """What a system is apart from its parameters; configurations and states by index.
-
-    Attributes
-    ----------
-    name : str
-    states, configurations : tuple of str
-    modes : for each configuration its modes
-        None before the numbers of a parameter point tell them, where flows have no closed form.
-    held : for each configuration the positions that keep their velocity
-    constraints : for each configuration the rows that vanish in it
-    boundaries, transitions : for each configuration
-    contacts : tuple of ContactShape
-    rows, resets : int
-        How many there are.
-    forcing : tuple of (int, int)
-        States c and s of a harmonic forcing: c^2 + s^2 = 1.
-    coordinates : tuple of (int, int)
-        Positions and their velocities.
-    law : Law, optional
-        What decides where no transition is listed.
-    forcing_row : int or None
-        Row that is zero where the phase of the first forcing begins anew.
-    kernels : SystemKernels, optional
-        What it was made of.
-    """
+    """What a system is apart from its parameters; configurations and states by index."""
 
     name: str
     states: tuple[str, ...]
     configurations: tuple[str, ...]
+    # of each configuration; None before a parameter point determines them, for flows without a
+    # closed form
     modes: Modes | None
+    # for each configuration the positions that keep their velocity
     held: tuple[tuple[int, ...], ...]
-    constraints: tuple[tuple[int, ...], ...]
-    boundaries: tuple[tuple[BoundaryShape, ...], ...]
-    transitions: tuple[tuple[TransitionShape, ...], ...]
+    constraints: tuple[tuple[int, ...], ...]  # for each configuration the rows that vanish in it
+    boundaries: tuple[tuple[BoundaryShape, ...], ...]  # for each configuration
+    transitions: tuple[tuple[TransitionShape, ...], ...]  # for each configuration
     contacts: tuple[ContactShape, ...]
-    rows: int
-    resets: int
+    rows: int  # number of rows
+    resets: int  # number of resets
+    # states c and s of each harmonic forcing: c^2 + s^2 = 1
     forcing: tuple[tuple[int, int], ...] = ()
-    coordinates: tuple[tuple[int, int], ...] = ()
-    law: Law | None = None
+    coordinates: tuple[tuple[int, int], ...] = ()  # positions with their velocities
+    law: Law | None = None  # decides where no transition is listed
+    # row that is zero where the phase of the first forcing begins anew
     forcing_row: int | None = None
-    kernels: SystemKernels | None = None
+    kernels: SystemKernels | None = None  # tables and kernels that it was made from
 
     def configuration(self, name: str) -> int:
-        """Index of a configuration.
-
-        Raises
-        ------
-        InputError
-            If there is none of that name.
-        """
+        """Index of a configuration; raises `InputError` if there is none of that name."""
         if name not in self.configurations:
             raise unknown_name("configuration", str(name), self.configurations)
         return self.configurations.index(name)
 
     @cached_property
     def unvisited(self) -> frozenset[int]:
-        """Configurations that others lead to and of which nothing more is known."""
+        """Configurations that others lead to and about which nothing more is known."""
         return frozenset(
             place
             for place, found in enumerate(self.boundaries)
@@ -163,21 +127,13 @@ class Structure:
 
     @cached_property
     def visited(self) -> tuple[int, ...]:
-        """All other configurations: of a system that is listed whole, all."""
+        """All other configurations; if the system is listed whole, all."""
         return tuple(c for c in range(len(self.configurations)) if c not in self.unvisited)
 
     def check_listed(self, what: str) -> None:
-        """Refuse what compares the configurations of a whole system, where they are not listed.
+        """Raise `InputError` if configurations are made only when they are visited.
 
-        Parameters
-        ----------
-        what : str
-            Who asks, for the message.
-
-        Raises
-        ------
-        InputError
-            If there are configurations that are made when they are visited.
+        It guards what compares the configurations of a whole system; `what` names that.
         """
         if self.unvisited:
             raise InputError(
@@ -186,14 +142,7 @@ class Structure:
             )
 
     def listed(self, source: int, boundaries: frozenset[int]) -> tuple[TransitionShape, ...]:
-        """Transitions that are listed for exactly these boundaries.
-
-        Parameters
-        ----------
-        source : int
-            Configuration in which they are reached.
-        boundaries : frozenset of int
-        """
+        """Transitions listed for exactly these boundaries of the configuration `source`."""
         return self._listed.get((source, boundaries), ())
 
     @cached_property
@@ -208,15 +157,9 @@ class Structure:
     def transitions_to(
         self, source: int, boundaries: frozenset[int], target: int
     ) -> tuple[TransitionShape, ...]:
-        """Transitions to a target, listed or of the law, which tells no conditions here.
+        """Transitions from `source` to `target` by these boundaries, listed or of the contact law.
 
-        Parameters
-        ----------
-        source : int
-            Configuration in which they are reached.
-        boundaries : frozenset of int
-        target : int
-            A configuration.
+        Those of the law come without conditions.
         """
         listed = tuple(t for t in self.listed(source, boundaries) if t.target == target)
         if self.law is None:
@@ -227,42 +170,19 @@ class Structure:
         return (*listed, TransitionShape(boundaries, (), self.law.reset(event, target), target))
 
     def exits(self, source: int) -> Iterator[tuple[int, int]]:
-        """Each boundary with each target that it may lead to when it is reached alone.
-
-        Parameters
-        ----------
-        source : int
-            A configuration.
-
-        Yields
-        ------
-        boundary, target : int
-        """
+        """Yield each boundary of `source` with each target that it may lead to if reached alone."""
         for boundary in range(len(self.boundaries[source])):
             for target in range(len(self.configurations)):
                 if self.transitions_to(source, frozenset({boundary}), target):
                     yield boundary, target
 
     def orders(self, source: int, boundaries: frozenset[int]) -> tuple[int, ...]:
-        """Numbers of the orders in which what is reached together may act; 0 for one order.
-
-        Parameters
-        ----------
-        source : int
-            Configuration in which they are reached.
-        boundaries : frozenset of int
-        """
+        """Numbers of the orders in which boundaries reached together may act; (0,) for only one."""
         numbers = (t.order for t in self.listed(source, boundaries))
         return tuple(dict.fromkeys(filter(None, numbers))) or (0,)
 
     def boundary(self, configuration: int, name: str) -> int:
-        """Index of a boundary of a configuration.
-
-        Raises
-        ------
-        InputError
-            If it has none of that name.
-        """
+        """Index of a boundary of a configuration; raises `InputError` for an unknown name."""
         names = [b.name for b in self.boundaries[configuration]]
         if name not in names:
             where = self.configurations[configuration]
@@ -273,10 +193,7 @@ class Structure:
     def shapes(self) -> Modes:
         """The modes of each configuration.
 
-        Raises
-        ------
-        InputError
-            If they depend on the parameters and no point is chosen.
+        Raises `InputError` if they depend on the parameters and no point is chosen.
         """
         if self.modes is None:
             raise InputError(f"the modes of {self.name} depend on its parameters")
@@ -288,13 +205,7 @@ class Structure:
         return tuple(sum(len(mode.places) for mode in modes) for modes in self.shapes)
 
     def with_modes(self, modes: Modes) -> Structure:
-        """The same with the modes of a parameter point; one record for equal modes.
-
-        Parameters
-        ----------
-        modes : tuple of tuple of ModeShape
-            Of each configuration.
-        """
+        """The same structure with the modes of a parameter point; equal modes share one record."""
         return _with_modes(self, modes)
 
 
@@ -304,12 +215,7 @@ def _with_modes(structure: Structure, modes: Modes) -> Structure:
 
 
 def structure_of(system: str | SystemKernels | DeclaredSystem) -> Structure:
-    """Structure of a system.
-
-    Raises
-    ------
-    InputError
-        As for `load_system`.
+    """Structure of a system; errors as for `load_system`.
 
     Examples
     --------
@@ -392,16 +298,10 @@ def mode_shapes(
         tuple[int, bool] | tuple[int, bool, bool, bool] | tuple[int, bool, bool, bool, bool]
     ],
 ) -> tuple[ModeShape, ...]:
-    """Modes of a configuration: lengths, then whether they oscillate, are joined, paired, factored.
+    """Shapes of a configuration's modes, with places of their functions of time counted from 0.
 
-    Parameters
-    ----------
-    modes : iterable of (int, bool), (int, bool, bool, bool) or (int, bool, bool, bool, bool)
-
-    Returns
-    -------
-    tuple of ModeShape
-        With the places of their functions of time, counted from 0.
+    Each mode is given by its length and then by whether it oscillates, and optionally by whether
+    it is joined, paired and factored.
     """
     shapes, first = [], 0
     for length, oscillates, *chained in modes:

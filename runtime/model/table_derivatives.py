@@ -25,39 +25,21 @@ _IMAGINARY = 1e-30  # of a parameter, in units of max(1, |it|)
 
 
 class TableDerivatives(NamedTuple):
-    """Derivatives of the tables by q parameters.
+    """Derivatives of the tables by q parameters."""
 
-    Attributes
-    ----------
-    fields : array (q, configurations, N, N + 1)
-    rows : array (q, R, N + 1)
-    resets : array (q, S, N, N + 1)
-    """
-
-    fields: np.ndarray
-    rows: np.ndarray
-    resets: np.ndarray
+    fields: np.ndarray  # (q, configurations, N, N + 1)
+    rows: np.ndarray  # (q, R, N + 1)
+    resets: np.ndarray  # (q, S, N, N + 1)
 
 
 def relative_rates(
     numbers: Sequence[np.ndarray], changes: Sequence[np.ndarray], sizes: np.ndarray
 ) -> np.ndarray:
-    """Largest relative change of functions of a state, such as boundaries', by q parameters.
+    """Largest relative change (q,) of functions of a state, such as boundaries, by q parameters.
 
-    So a parameter that is zero has a size too: that which changes something by itself.
-
-    Parameters
-    ----------
-    numbers : sequence of array (..., N + 1)
-        Functions, such as fields and rows.
-    changes : sequence of array (q, ..., N + 1)
-        Their derivatives.
-    sizes : array (N,)
-        Of the states.
-
-    Returns
-    -------
-    array (q,)
+    So a parameter that is zero has a size too: the one that changes a function by that
+    function's size. `numbers` are functions (..., N + 1), such as fields and rows, `changes` their
+    derivatives (q, ..., N + 1), and `sizes` (N,) those of the states.
     """
     state = np.append(sizes, 1.0)
     found = []
@@ -69,35 +51,18 @@ def relative_rates(
 
 
 class TableRates(NamedTuple):
-    """The entries of the tables that some parameters change, at k points.
+    """The entries of the tables that some parameters change, at k points."""
 
-    Attributes
-    ----------
-    directions : array (m,) of int
-        Which of the parameters.
-    entries : array (m,) of int
-        Which entry, counted through fields, rows and resets.
-    values : array (k, m)
-        Its derivative by the parameter.
-    """
-
-    directions: np.ndarray
-    entries: np.ndarray
-    values: np.ndarray
+    directions: np.ndarray  # (m,) of int, index of the parameter
+    entries: np.ndarray  # (m,) of int, index of the entry, through fields, rows and resets
+    values: np.ndarray  # (k, m), derivative of the entry by the parameter
 
 
 def table_rates(kernels: SystemKernels, points: np.ndarray, places: Sequence[int]) -> TableRates:
-    """Differentiate fields, rows and resets at many points: what does not change is left out.
+    """Nonzero derivatives of fields, rows and resets by some parameters, at points (k, p).
 
-    One parameter after the other becomes complex, and so do the entries that depend on it.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    points : array (k, p)
-        In the order of the system's parameters.
-    places : sequence of int
-        Which of the parameters.
+    Points are in the system's order, and `places` are the parameters' indices there. One
+    parameter after the other becomes complex, and so do the entries that depend on it.
 
     Examples
     --------
@@ -130,20 +95,10 @@ def table_rates(kernels: SystemKernels, points: np.ndarray, places: Sequence[int
 
 
 def table_derivatives(kernels: SystemKernels, point: np.ndarray) -> TableDerivatives:
-    """Differentiate fields, rows and resets by every parameter, to full precision.
+    """Derivatives of fields, rows and resets by every parameter at a point (q,), to full precision.
 
-    Each parameter gets a tiny imaginary part (Squire and Trapp, SIAM Review 40, 1998).
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    point : array (q,)
-        In the order of the system's parameters.
-
-    Returns
-    -------
-    TableDerivatives
-        In the order of the system's parameters.
+    Each parameter gets a tiny imaginary part (Squire and Trapp, SIAM Review 40, 1998); they are
+    in the system's order.
 
     Examples
     --------

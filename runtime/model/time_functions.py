@@ -38,18 +38,9 @@ _Poles = tuple[complex, ...]
 
 
 def chains(shapes: Sequence[ModeShape]) -> Iterator[tuple[int, int, bool]]:
-    """First and last place of modes that go on from each other, and whether they are a chain.
+    """Yield the first and the end place of modes that are joined, and whether they are a chain.
 
-    A mode by itself is none, unless it stands for a pair of poles.
-
-    Parameters
-    ----------
-    shapes : sequence of ModeShape
-
-    Yields
-    ------
-    first, end : int
-    chain : bool
+    A mode by itself is no chain, unless it stands for a pair of poles.
     """
     starts = [place for place, shape in enumerate(shapes) if not shape.joined]
     for first, end in pairwise([*starts, len(shapes)]):
@@ -57,11 +48,9 @@ def chains(shapes: Sequence[ModeShape]) -> Iterator[tuple[int, int, bool]]:
 
 
 def function_orders(shapes: Sequence[ModeShape]) -> list[int]:
-    """The power of time that is each function's unit: k of t^k and of a difference of k + 1.
+    """The power of time that is each function's unit.
 
-    Parameters
-    ----------
-    shapes : sequence of ModeShape
+    It is k for t^k and for a divided difference of k + 1 poles.
     """
     found: list[int] = []
     for first, end, chain in chains(shapes):
@@ -80,20 +69,10 @@ def function_orders(shapes: Sequence[ModeShape]) -> list[int]:
 def functions_at(
     shapes: Sequence[ModeShape], exponents: np.ndarray, times: Any, lib: Any = np
 ) -> list[Any]:
-    """Values of a configuration's functions of time.
+    """Values (...) of a configuration's functions of time, one array for each.
 
-    Parameters
-    ----------
-    shapes : sequence of ModeShape
-    exponents : array (..., modes, 2)
-    times : array (...)
-        In the system's unit of time.
-    lib : arithmetic with `sin`, `cos` and `exp` of arrays
-        Chains have values in double precision only.
-
-    Returns
-    -------
-    list of arrays (...)
+    `exponents` are (..., modes, 2), `times` (...) in the system's unit. `lib` is an arithmetic
+    with `sin`, `cos` and `exp` of arrays; chains have values in double precision only.
     """
     found: list[Any] = []
     for first, end, chain in chains(shapes):
@@ -115,15 +94,7 @@ def functions_at(
 def derivative_matrix(shapes: Sequence[ModeShape], exponents: np.ndarray) -> np.ndarray:
     """Matrix (functions, functions) that gives the derivatives of the functions of time.
 
-    Parameters
-    ----------
-    shapes : sequence of ModeShape
-    exponents : array (modes, 2)
-        Rate and angular frequency of each mode.
-
-    Returns
-    -------
-    array (functions, functions)
+    `exponents` (modes, 2) are rate and angular frequency of each mode.
     """
     size = sum(len(shape.places) for shape in shapes)
     start = shapes[0].places[0]
@@ -153,20 +124,10 @@ def derivative_matrix(shapes: Sequence[ModeShape], exponents: np.ndarray) -> np.
 def function_bounds(
     shapes: Sequence[ModeShape], exponents: np.ndarray, begin: Any, end: Any
 ) -> list[Any]:
-    """Bounds of the functions' absolute values between two times, which may be arrays.
+    """Bounds of the absolute value of each function of time between two times.
 
-    Parameters
-    ----------
-    shapes : sequence of ModeShape
-    exponents : array (modes, 2)
-        Rate and angular frequency of each mode.
-    begin, end : float or array
-        At least 0. In the system's unit of time.
-
-    Returns
-    -------
-    list of float or array
-        One for each function of time.
+    `exponents` (modes, 2) are rate and angular frequency of each mode. Times may be arrays; they
+    are at least 0 and in the system's unit.
     """
     found: list[Any] = []
     for first, last, chain in chains(shapes):
@@ -183,16 +144,9 @@ def function_bounds(
 
 
 def wave(exponent: complex, t: float) -> complex:
-    """e^(lambda t), the rounding of the angle w t taken in: its error does not grow with it.
+    """The number e^(lambda t), whose error does not grow with the angle w t.
 
-    The product w t is split into what rounds and what is lost (Dekker, 1971).
-
-    Parameters
-    ----------
-    exponent : complex
-        lambda.
-    t : float
-        In the system's unit of time.
+    The product w t is split into its rounded value and the rounding error (Dekker, 1971).
     """
     w = exponent.imag
     if w == 0:
@@ -214,24 +168,10 @@ def factors_at(
     *,
     changes: bool = False,
 ) -> list[tuple[float, float, int]]:
-    """Values of the functions of time, or their changes since 0, with bounds and places.
+    """Value, bound and place of each function of time, or its change since 0, at one time.
 
-    As `functions_at`, for one time and without arrays: the rounding of angles is taken in, and
-    changes over a short time keep their relative accuracy.
-
-    Parameters
-    ----------
-    modes : sequence of (exponent, ModeShape)
-    joined : sequence of (int, int, bool)
-        What `chains` gives of their shapes.
-    t : float
-        In the system's unit of time.
-    changes : bool
-
-    Returns
-    -------
-    list of (float, float, int)
-        Value, bound and place of each function.
+    As `functions_at`, but without arrays; angles keep their rounding error, and changes over a
+    short time keep their relative accuracy. `joined` is what `chains` gives for the shapes.
     """
     found = []
     for first, end, chain in joined:
@@ -271,7 +211,10 @@ def factors_at(
 def _poles_of(
     shapes: Sequence[ModeShape], exponents: np.ndarray
 ) -> Iterator[tuple[ModeShape, _Poles, _Poles]]:
-    """Of each mode of a chain the poles up to its own, and up to its conjugate in a pair."""
+    """Yield each mode of a chain with the poles up to it, and the same with its conjugate added.
+
+    The two differ only for a pair of conjugate poles.
+    """
     poles: _Poles = ()
     for shape, (rate, frequency) in zip(shapes, exponents.tolist(), strict=True):
         pole = complex(rate, frequency)
@@ -309,12 +252,12 @@ def _chain_at(shapes: Sequence[ModeShape], exponents: np.ndarray, times: Any) ->
 
 
 def _farthest(poles: _Poles) -> tuple[float, int, int]:
-    """The largest distance of two poles, and their places."""
+    """The largest distance between two poles, and their places."""
     return max((abs(poles[i] - poles[j]), i, j) for i, j in combinations(range(len(poles)), 2))
 
 
 def _bound(poles: _Poles, times: Any) -> Any:
-    """Bound on the divided difference's absolute value beside the growth of its fastest pole."""
+    """Bound on a divided difference's absolute value, relative to its fastest pole's growth."""
     order = len(poles) - 1
     bound = times**order / math.factorial(order)
     if order:

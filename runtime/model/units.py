@@ -19,66 +19,32 @@ _STATED = re.compile(rf"(?:, |\[)(?P<unit>{NO_UNIT}|{_FACTOR}(?:[*/]{_FACTOR})*)
 
 @dataclass(frozen=True)
 class Units:
-    """Units of a system.
+    """Units of a system."""
 
-    Attributes
-    ----------
-    parameters : dict of str to str
-        Of those parameters whose description ends with a unit.
-    states : str
-        "nondimensional" where all parameters are said to be so; else empty: positions,
-        velocities and times are in the user's own units.
-    """
-
-    parameters: dict[str, str]
+    parameters: dict[str, str]  # of those parameters whose description ends with a unit
+    # "nondimensional" if all parameters are declared so; else empty, as positions, velocities and
+    # times are in the user's units
     states: str
 
     def label(self, name: str) -> str:
-        """A parameter, or another number of the system, as a formula with its unit.
-
-        Returns
-        -------
-        str
-            In LaTeX, with dollar signs.
-        """
+        """A parameter, or another number of the system, in LaTeX with dollar signs and its unit."""
         return with_unit(f"${symbol(name)}$", self.parameters.get(name, self.states))
 
     def attributes(self, name: str = "") -> dict[str, str]:
-        """The unit of a parameter, or of a state or time, as an attribute of an array.
+        """The unit of a parameter as an attribute of an array; empty without a unit.
 
-        Parameters
-        ----------
-        name : str
-            Of a parameter; any other name stands for a state or time.
-
-        Returns
-        -------
-        dict of str to str
-            Empty without a unit.
+        Any name but that of a parameter stands for a state or time.
         """
         unit = self.parameters.get(name, self.states)
         return {"units": unit} if unit else {}
 
     def text(self, text: str, line: str = " ") -> str:
-        """A text about states or times with their unit.
-
-        Parameters
-        ----------
-        text : str
-        line : str
-            What stands between the text and the unit.
-        """
+        """A text about states or times with their unit; `line` stands between the two."""
         return with_unit(text, self.states, line)
 
 
 def with_unit(text: str, unit: str, line: str = " ") -> str:
-    """A text and a unit in brackets, if there is one.
-
-    Parameters
-    ----------
-    text, unit : str
-    line : str
-        What stands between them.
+    """A text and a unit in brackets, if there is one; `line` stands between the two.
 
     Examples
     --------
@@ -89,7 +55,7 @@ def with_unit(text: str, unit: str, line: str = " ") -> str:
 
 
 def units_of(system: str | SystemKernels) -> Units:
-    """What a system says of its units; nothing where it cannot be loaded."""
+    """The units that a system declares; none if it cannot be loaded."""
     try:
         kernels = load_system(system) if isinstance(system, str) else system
     except (NonsmoothError, OSError):

@@ -18,27 +18,12 @@ _MOST_TURNS = 24  # of the first forcing, until all meet again
 def linearised_closure(
     now: Shooting, dwell: Any, size_of: Any, period: Any = None
 ) -> tuple[Any, Any]:
-    """Closure, linearised, in units of the states' sizes: matrix and right-hand side.
+    """Matrix (..., m, N) and right-hand side (..., m) of the linearised closure conditions.
 
-    Where any period is given the sum of the dwell times is one equation more; at a point
-    whose period is NaN that is 0 = 0.
-
-    Parameters
-    ----------
-    now : Shooting
-        At the present start and dwell times.
-    dwell : array (..., p)
-        Dwell times. In the system's unit of time.
-    size_of : array (..., N)
-        As `sizes` gives it.
-    period : array (...), optional
-        Sum of the dwell times that is asked for, or NaN. In the system's unit of time.
-
-    Returns
-    -------
-    matrix : array (..., m, N)
-        m is N, or N + 1 with a period.
-    right : array (..., m)
+    The unknown is the change of the start in units of the states' sizes (..., N) from `sizes`;
+    `now` belongs to the present start and dwell times (..., p). If a period (...) is given, the
+    sum of the dwell times is one more equation, m = N + 1; at a point whose period is NaN it is
+    0 = 0. Times are in the system's unit.
     """
     size = now.starts.shape[-1]
     matrix = np.eye(size, dtype=int) - now.variational[..., :size]
@@ -68,29 +53,12 @@ def with_forcing(
     right: Any,
     lib: Any,
 ) -> tuple[Any, Any]:
-    """Linear equations, and those of the forcing: its amplitudes, and its phases at one time.
+    """The linear equations (..., m, N) and (..., m) with k equations for the forcing added.
 
-    A forcing c, s has the amplitude 1, and several have begun together at some time at c = 1.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-        Of the system at its points.
-    now : Shooting
-        At the present start and dwell times.
-    size_of : array (..., N)
-        As `sizes` gives it.
-    matrix : array (..., m, N)
-    right : array (..., m)
-    lib : arithmetic
-        Its `angle` is taken.
-
-    Returns
-    -------
-    matrix : array (..., m + k, N)
-        k equations more: none without a forcing.
-    right : array (..., m + k)
+    A forcing c, s has the amplitude 1, and several have begun together at some time at c = 1: each
+    gives an equation for its amplitude, and each but the first one for its phase. `now` belongs to
+    the present start, `size_of` (..., N) is as `sizes` gives it, and `lib` provides `angle`.
+    Without a forcing k is 0.
     """
     rows, rests = [], []
     start = now.starts[0]
@@ -123,7 +91,7 @@ def with_forcing(
 
 
 def _phase_difference(angle: Any, first: Any, ratio: Any, angle_of: Any) -> Any:
-    """How far an angle is from the ratio times the first one, over turns of both."""
+    """Difference of an angle from the ratio times the first one, up to full turns of both."""
     turn = 2 * angle_of(0 * first, 0 * first - 1)  # 2 pi
     best: Any = None
     for turns in range(_MOST_TURNS):

@@ -29,28 +29,14 @@ _TINY = 1e-30
 
 
 class ShootingDerivatives(NamedTuple):
-    """The shooting map at k points; its w unknowns are p dwell times, N states, a parameter.
+    """The shooting map at k points; its w unknowns are p dwell times, N states, a parameter."""
 
-    Attributes
-    ----------
-    starts : array (k, p + 1, N)
-        State at each phase's start; last what the first would be after the chain.
-    ends, velocities : array (k, p, N)
-        State at each phase's end, and its velocity there.
-    residual : array (k, p)
-        Boundary function at each phase's end.
-    slopes : array (k, p, w)
-        Its derivatives.
-    variational : array (k, N, w)
-        Derivatives of the state after the chain.
-    """
-
-    starts: np.ndarray
-    ends: np.ndarray
-    velocities: np.ndarray
-    residual: np.ndarray
-    slopes: np.ndarray
-    variational: np.ndarray
+    starts: np.ndarray  # (k, p + 1, N), state at each phase's start; last the state after the chain
+    ends: np.ndarray  # (k, p, N), state at each phase's end
+    velocities: np.ndarray  # (k, p, N), velocity at each phase's end
+    residual: np.ndarray  # (k, p), boundary function at each phase's end
+    slopes: np.ndarray  # (k, p, w), its derivatives by the unknowns
+    variational: np.ndarray  # (k, N, w), derivatives of the state after the chain
 
 
 def shooting_derivatives(
@@ -60,24 +46,11 @@ def shooting_derivatives(
     start: np.ndarray,
     changes: Numbers | None = None,
 ) -> ShootingDerivatives:
-    """Pass through a cycle once, at k points.
+    """The shooting map of one passage through a cycle, with its derivatives, at k points.
 
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-        Of k points; exponents and flows are not used.
-    dwell : array (k, p)
-        In the system's unit of time.
-    start : array (k, N)
-        In the system's units.
-    changes : Numbers, optional
-        Derivatives of the numbers by a parameter, which is then the last unknown.
-
-    Returns
-    -------
-    ShootingDerivatives
-        NaN where flows are not finite.
+    The numbers' exponents and flows are not used. Dwell times (k, p) and the start (k, N) are in
+    the system's units. `changes` are derivatives of the numbers by a parameter, which is then the
+    last unknown. The result is NaN where flows are not finite.
     """
     count, (points, size) = len(cycle), start.shape
     engine = compiled_engine()
@@ -101,17 +74,9 @@ def shooting_derivatives(
 
 
 def dependent_variational(found: ShootingDerivatives) -> np.ndarray:
-    """Derivatives of the state after a chain whose dwell times follow the start.
+    """Derivatives (k, N, N) of the state after a chain by the start, dwell times following it.
 
-    Parameters
-    ----------
-    found : ShootingDerivatives
-        Of k points.
-
-    Returns
-    -------
-    array (k, N, N)
-        Infinite or NaN where a boundary is touched.
+    They are infinite or NaN where a boundary is touched tangentially.
     """
     count, size = found.residual.shape[1], found.ends.shape[2]
     changes = found.variational[:, :, count : count + size].copy()
@@ -126,19 +91,7 @@ def dependent_variational(found: ShootingDerivatives) -> np.ndarray:
 
 
 def cycle_maps(cycle: ItineraryShape, numbers: Numbers) -> tuple[np.ndarray, ...]:
-    """Fields, rows and resets phase by phase, as the compiled engine reads them.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-        Of k points.
-
-    Returns
-    -------
-    fields, rows, resets : array (k, p, ...)
-        Contiguous.
-    """
+    """Fields, rows and resets (k, p, ...) phase by phase, contiguous for the compiled engine."""
     configurations, rows, resets = cycle.packed[: 3 * len(cycle)].reshape(3, -1)
     return (
         numbers.fields.take(configurations, axis=1),
@@ -148,19 +101,10 @@ def cycle_maps(cycle: ItineraryShape, numbers: Numbers) -> tuple[np.ndarray, ...
 
 
 def flows_over(fields: np.ndarray, dwell: np.ndarray) -> np.ndarray:
-    """Flows of fields over times; a tiny imaginary part comes out as a derivative.
+    """Flows (..., N, N + 1) of fields (..., N, N + 1) over times (...), in the system's unit.
 
-    Parameters
-    ----------
-    fields : array (..., N, N + 1)
-        Real or complex.
-    dwell : array (...)
-        In the system's unit of time.
-
-    Returns
-    -------
-    array (..., N, N + 1)
-        NaN where they are not finite.
+    Fields may be complex: a tiny imaginary part comes out as a derivative. Flows that are not
+    finite are NaN.
     """
     size = fields.shape[-2]
     kind = np.result_type(fields, dwell)
@@ -180,7 +124,7 @@ def _in_python(
     start: np.ndarray,
     changes: Numbers | None,
 ) -> ShootingDerivatives:
-    """The same on NumPy."""
+    """The result of `shooting_derivatives`, computed by NumPy."""
     count, (points, size) = len(cycle), start.shape
     if changes is not None:
         numbers = Numbers(

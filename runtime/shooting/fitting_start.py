@@ -15,21 +15,11 @@ _ANGLES = 48  # of a forcing, tried for a start
 
 
 def fitting_start(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) -> np.ndarray:
-    """The start that fits given dwell times best: closure and switching are linear in it.
+    """The start (n, N) that fits given dwell times (n, p) best, by least squares.
 
-    A forcing has some angle at the start: of several that are tried the one that fits best.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    flat : array (n, size)
-        Numbers of each point, as `numbers_at` gives them.
-    dwell : array (n, p)
-        Dwell times. In the system's unit of time.
-
-    Returns
-    -------
-    array (n, N)
+    Closure and switching conditions are linear in the start. A forcing has some angle at the
+    start: several are tried, and the best fit is kept. `flat` (n, size) has the numbers of each
+    point, as `numbers_at` gives them; times are in the system's unit.
     """
     size = len(cycle.structure.states)
     numbers = numbers_in(cycle.structure, flat)
@@ -63,10 +53,10 @@ def fitting_start(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) ->
 def _fitting_forced(
     matrix: np.ndarray, right: np.ndarray, rates: np.ndarray, forcing: Any, turns: np.ndarray
 ) -> np.ndarray:
-    """Best start over the times since all forcings were at c = 1, s = 0.
+    """The best start over the time that has passed since all forcings were at c = 1, s = 0.
 
     Of two that fit equally well, such as mirror images, the one that reaches its boundaries
-    from inside: there their `rates`, affine in the start, are positive.
+    from inside is taken: there their `rates`, affine in the start, are positive.
     """
     count, _, size = matrix.shape
     known = [state for pair in forcing for state in pair]
@@ -90,19 +80,10 @@ def _fitting_forced(
 
 
 def least_squares(matrix: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Shortest solutions in the sense of least squares, and the smallest singular values.
+    """Shortest least-squares solutions (n, k), and the smallest singular values (n,).
 
-    The latter in units of the largest; NaN where something is not finite.
-
-    Parameters
-    ----------
-    matrix : array (n, m, k)
-    right : array (n, m)
-
-    Returns
-    -------
-    solution : array (n, k)
-    least : array (n,)
+    Matrices are (n, m, k), right-hand sides (n, m). Singular values are relative to the largest.
+    Both are NaN where something is not finite.
     """
     count, _, size = matrix.shape
     solution, least = np.full((count, size), np.nan), np.full(count, np.nan)

@@ -62,21 +62,11 @@ class Solved(NamedTuple):
 def solve_reduced(
     kernels: OrbitKernels, parameters: Any, guess: Any, out: np.ndarray | None = None
 ) -> Solved:
-    """Newton's method on the reduced equations, elementwise over leading axes.
+    """Solve the reduced equations by Newton's method, elementwise over leading axes.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    parameters : array (..., p)
-    guess : array (..., m)
-        Start of the reduced unknowns; of none where all is explicit.
-    out : array (..., n), optional
-        Where the unknowns go.
-
-    Returns
-    -------
-    Solved
-        With the compiled solver's meaning of `status`.
+    Parameters are (..., p), the guess of the reduced unknowns (..., m); m is 0 if all unknowns
+    are explicit. The unknowns are written to `out` (..., n) if it is given. `status` means what
+    it means in the compiled solver.
     """
     if kernels.solver is not None:
         given = (parameters, guess) if kernels.reduced else (parameters,)
@@ -137,7 +127,7 @@ def _solve_flat(kernels: OrbitKernels, parameters: np.ndarray, x: np.ndarray) ->
 
 
 def _steps(jacobian: np.ndarray, residual: np.ndarray) -> np.ndarray:
-    """Newton steps; NaN where a Jacobian is singular, so that its point alone is lost."""
+    """Newton steps; NaN where a Jacobian is singular, so that only this point is lost."""
     sound = np.isfinite(jacobian).all(axis=(-2, -1)) & (np.linalg.det(jacobian) != 0)
     steps = np.full_like(residual, np.nan)
     if sound.any():
@@ -156,21 +146,12 @@ class Full(NamedTuple):
 
 
 def solve_full(kernels: OrbitKernels, values: dict[str, float], solved_for: Sequence[str]) -> Full:
-    """Damped Newton's method on the full equations, for any choice of what is unknown.
+    """Solve the full equations by damped Newton's method, for any choice of unknowns.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    values : dict of str to float
-        All parameters and unknowns: those in `solved_for` are a guess, the rest stay.
-    solved_for : sequence of str
-        As many names as there are equations.
-
-    Raises
-    ------
-    InputError
-        If the equations do not determine these names: the Jacobian's condition number is
-        beyond 1e12, or no digit of a solution is sure (as where the only one is zero).
+    `values` has all parameters and unknowns: those in `solved_for`, as many as equations, are a
+    guess, the rest stay. Raises `InputError` if the equations do not determine these names: if
+    the Jacobian's condition number is beyond 1e12, or no digit of a solution is certain (as
+    where the only solution is zero).
     """
     names = (*kernels.unknowns, *kernels.parameter_names)
     places = [names.index(name) for name in solved_for]
@@ -221,7 +202,7 @@ def _undetermined(solved_for: Sequence[str], condition: float) -> InputError:
 
 
 class LinearisedEquations(NamedTuple):
-    """Residual (n), Jacobian (n, n + p) by unknowns, then parameters, and the spectrum."""
+    """Residual (n,), Jacobian (n, n + p) by unknowns and then parameters, and the spectrum."""
 
     residual: np.ndarray
     jacobian: np.ndarray
@@ -229,13 +210,7 @@ class LinearisedEquations(NamedTuple):
 
 
 def equations_at(kernels: OrbitKernels, x: np.ndarray) -> LinearisedEquations:
-    """Evaluate the full equations at unknowns, then parameters (n + p,).
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    x : array (n + p,)
-    """
+    """The full equations at a point x (n + p,) of unknowns, then parameters."""
     unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
     spectrum, derivatives = kernels.spectrum(parameters)
     residual, by_unknowns = kernels.evaluate(
@@ -249,15 +224,11 @@ def equations_at(kernels: OrbitKernels, x: np.ndarray) -> LinearisedEquations:
 
 
 class Errors(NamedTuple):
-    """Bounds on errors of what was solved for, and dwell times of phases that take time.
+    """Bounds on the errors of a solution, and the dwell times of its phases that take time."""
 
-    `largest` (...) is of all numbers in units of max(1, |x|), inf where nothing is known; `dwell`
-    (..., p) has errors of at most `of_dwell` (..., p).
-    """
-
-    largest: Any
-    dwell: np.ndarray
-    of_dwell: np.ndarray
+    largest: Any  # (...), of all numbers in units of max(1, |x|), inf where nothing is known
+    dwell: np.ndarray  # (..., p)
+    of_dwell: np.ndarray  # (..., p), bounds on the errors of the dwell times
 
 
 def error_bound(
@@ -266,23 +237,11 @@ def error_bound(
     places: Sequence[int] | slice,
     equations: LinearisedEquations,
 ) -> Errors:
-    """Bounds on the errors of the numbers at some places of x.
+    """Bounds on the errors of the numbers at some places of x (n + p,).
 
-    By J^-1, from the residual and the rounding of all that enters the equations: parameters
-    and unknowns, and the states along the orbit, of which they are differences.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    x : array (n + p,)
-    places : sequence of int, or slice
-    equations : LinearisedEquations
-        Those at x.
-
-    Returns
-    -------
-    Errors
-        inf where J is singular.
+    J^-1 is applied to the residual and to the rounding errors of all that enters the equations:
+    parameters and unknowns, and the states along the orbit, whose differences the equations are.
+    `equations` are those at x. The bounds are inf where J is singular.
     """
     residual, jacobian, spectrum = equations
     unknowns, parameters = x[: len(kernels.unknowns)], x[len(kernels.unknowns) :]
@@ -303,18 +262,9 @@ def error_bound(
 
 
 def error_bounds(kernels: OrbitKernels, unknowns: np.ndarray, parameters: np.ndarray) -> Errors:
-    """Give `error_bound` of all unknowns at many points.
+    """Bounds on the errors of all unknowns (count, n), as `error_bound` gives them, at many points.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    unknowns : array (count, n)
-    parameters : array (count, p)
-
-    Returns
-    -------
-    Errors
-        inf where nothing is known.
+    `parameters` are (count, p). The bounds are inf where nothing is known.
     """
     with np.errstate(all="ignore"):
         spectrum, derivatives = kernels.spectrum(parameters)
@@ -345,7 +295,7 @@ def error_bounds(kernels: OrbitKernels, unknowns: np.ndarray, parameters: np.nda
 def _waits(
     kernels: OrbitKernels, x: np.ndarray, errors: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Dwell times (..., p) of the phases that take time, and their errors by those of x."""
+    """Dwell times (..., p) of the phases that take time, and their errors from those of x."""
     names = (*kernels.unknowns, *kernels.parameter_names)
     durations = kernels.durations(dict(zip(names, np.moveaxis(x, -1, 0), strict=True)))
     own = dict(zip(names, np.moveaxis(errors, -1, 0), strict=True))
@@ -361,17 +311,7 @@ def frequency_spread(kernels: OrbitKernels, spectrum: np.ndarray) -> np.ndarray 
     """Ratio (...) of the largest to the smallest frequency of a spectrum (..., k).
 
     The equations' rounding errors grow with the ratio, those of the Poincare map with its
-    square. It is 1 of fewer than two frequencies.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    spectrum : array (..., k)
-
-    Returns
-    -------
-    array (...)
-        inf where the ratio is not finite.
+    square. It is 1 for fewer than two frequencies, and inf where it is not finite.
     """
     places = kernels.frequency_places
     if len(places) < 2:
@@ -387,21 +327,12 @@ def frequency_spread(kernels: OrbitKernels, spectrum: np.ndarray) -> np.ndarray 
 
 
 def natural_scales(jacobian: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Sizes (n,) of equations, by the parts of their sums, and (m,) of what they are made of.
+    """Sizes (n,) of equations and sizes (m,) of the numbers x (m,) that enter them.
 
-    The size of a number is the least change that by itself is as large as all parts of an
-    equation: at least its own, but positive also where it is zero. All are powers of two, next
-    to these, which no scaling rounds.
-
-    Parameters
-    ----------
-    jacobian : array (n, m)
-        By all numbers.
-    x : array (m,)
-
-    Returns
-    -------
-    tuple of array (n,), array (m,)
+    An equation's size is the sum of its terms' absolute values; the Jacobian (n, m) is by all
+    numbers. A number's size is the least change that by itself is as large as all terms of an
+    equation, so it is positive where the number is zero too. Both are rounded to powers of two,
+    so that scaling rounds nothing.
     """
     entries = np.abs(jacobian.astype(float))
     rows = entries @ np.abs(x.astype(float))
@@ -411,16 +342,9 @@ def natural_scales(jacobian: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.
 
 
 def condition_number(jacobian: np.ndarray) -> float:
-    """Condition number after scaling the rows, and then the columns, to unit size.
+    """Condition number of a Jacobian (n, m) after scaling rows, then columns, to unit size.
 
-    Parameters
-    ----------
-    jacobian : array (n, m)
-
-    Returns
-    -------
-    float
-        In the 2-norm; inf where an entry is not finite.
+    It is in the 2-norm, and inf if an entry is not finite.
     """
     rows = np.abs(jacobian).max(axis=1, keepdims=True)
     scaled = jacobian / np.where(rows > 0, rows, 1)

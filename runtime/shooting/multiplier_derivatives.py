@@ -19,22 +19,12 @@ _COLLISION = 1e-6  # of the largest multiplier: distance below which two are not
 
 
 class MapDerivatives(NamedTuple):
-    """A section map and its derivatives by q numbers.
+    """A section map and its derivatives by q numbers."""
 
-    Attributes
-    ----------
-    matrix : array (k, k)
-    rates : array (q, k, k)
-    rank : int
-        So many multipliers may differ from zero.
-    trivial : int
-        How many of these are 1 because a first integral is kept.
-    """
-
-    matrix: np.ndarray
-    rates: np.ndarray
-    rank: int
-    trivial: int
+    matrix: np.ndarray  # (k, k)
+    rates: np.ndarray  # (q, k, k)
+    rank: int  # number of multipliers that may differ from zero
+    trivial: int  # how many of these are 1 because a first integral is kept
 
 
 class MultiplierDerivatives(NamedTuple):
@@ -65,16 +55,10 @@ class MultiplierDerivatives(NamedTuple):
 
 
 def multiplier_derivatives(found: MapDerivatives, lib: Mpmath | None) -> MultiplierDerivatives:
-    """Differentiate multipliers by their left and right eigenvectors, as far as they are apart.
+    """Derivatives of multipliers, from their left and right eigenvectors, if they are distinct.
 
-    P. Lancaster, Numer. Math. 6, 1964. Where two collide trace and determinant still have
-    derivatives.
-
-    Parameters
-    ----------
-    found : MapDerivatives
-    lib : Mpmath or None
-        None in double precision.
+    See P. Lancaster, Numer. Math. 6, 1964. Where two multipliers collide, trace and determinant
+    still have derivatives. `lib` is None in double precision.
     """
     matrix, rates, rank, trivial = found
     number = float if lib is None else lib.mp.mpf
@@ -143,17 +127,10 @@ def multiplier_derivatives(found: MapDerivatives, lib: Mpmath | None) -> Multipl
 
 
 def many_multiplier_derivatives(found: MapDerivatives) -> tuple[np.ndarray, np.ndarray]:
-    """Differentiate determinant and spectral radius of many maps, in double precision.
+    """Derivatives (k, q) of determinant and of spectral radius of k maps, in double precision.
 
-    Parameters
-    ----------
-    found : MapDerivatives
-        Its matrix (k, m, m) and rates (k, q, m, m) have one axis more.
-
-    Returns
-    -------
-    determinant, spectral_radius : array (k, q)
-        As those of `multiplier_derivatives`; NaN where a map is not finite, too.
+    The matrices are (k, m, m), the rates (k, q, m, m). The results are those of
+    `multiplier_derivatives`, and NaN where a map is not finite.
     """
     shape = found.rates.shape[:2]
     determinant, radius = np.full(shape, np.nan), np.full(shape, np.nan)
@@ -174,7 +151,7 @@ def many_multiplier_derivatives(found: MapDerivatives) -> tuple[np.ndarray, np.n
 
 
 def _reduced_of_many(found: MapDerivatives) -> tuple[np.ndarray, np.ndarray]:
-    """As `_reduced`, of many maps."""
+    """The maps on their ranges and their derivatives, as `_reduced` gives them for one map."""
     matrix, rates, rank, _ = found
     if rank == matrix.shape[1]:
         return matrix, rates
@@ -212,7 +189,7 @@ def _radius_rates(matrix: np.ndarray, rates: np.ndarray, trivial: int) -> np.nda
 
 
 def _adjugates(matrix: np.ndarray) -> np.ndarray:
-    """As `_adjugate`, of many matrices."""
+    """The adjugates of many matrices, as `_adjugate` gives them for one."""
     size = matrix.shape[1]
     found = np.ones_like(matrix)
     for i in range(size):
@@ -236,7 +213,7 @@ def _inverses(matrix: np.ndarray) -> np.ndarray:
 def _reduced(
     matrix: np.ndarray, rates: np.ndarray, rank: int, lib: Mpmath | None
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The map on its range, whose rank stays what it is, and its derivatives there.
+    """The map on its range, whose rank is taken to be constant, and its derivatives there.
 
     In a basis of the range and its complement the map is [[A, B], [0, 0]], its change
     [[a, b], [c, d]]; the range turns by c A^-1, and what is left changes by a + B c A^-1.

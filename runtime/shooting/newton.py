@@ -58,17 +58,9 @@ _MOST_LOST = 0.75  # of a dwell time in one step
 def iterate(count: int, advance: Callable[[np.ndarray], Any]) -> tuple[np.ndarray, np.ndarray]:
     """Take steps at many points until each has converged or is given up.
 
-    Parameters
-    ----------
-    count : int
-    advance : function
-        Takes a step at the points of these places (k,) and gives a status (k,) for each: `GOING`,
-        or why it ends there.
-
-    Returns
-    -------
-    taken, status : arrays (count,) of int32
-        Steps; `STALLED` where they were not enough.
+    `advance` takes a step at the points with the given places (k,) and returns a status (k,) for
+    each: `GOING`, or why the iteration ends there. The results are the numbers of steps and the
+    final status, both (count,) of int32; it is `STALLED` where the steps were not enough.
     """
     taken = np.full(count, _MOST_ITERATIONS, dtype=np.int32)
     status = np.full(count, STALLED, dtype=np.int32)
@@ -87,45 +79,21 @@ def iterate(count: int, advance: Callable[[np.ndarray], Any]) -> tuple[np.ndarra
 
 
 def damping(dwell: np.ndarray, change: np.ndarray, growth: float = math.inf) -> Any:
-    """Largest part (...) of a step that changes dwell times (..., p) within bounds, at most 1.
+    """Largest fraction (...), at most 1, of a step that changes dwell times within bounds.
 
-    None loses more than three quarters of itself, or grows by more than `growth` times itself.
-
-    Parameters
-    ----------
-    dwell : array (..., p)
-        Positive. In the system's unit of time.
-    change : array (..., p)
-        What a whole step would change them by.
-    growth : float
-
-    Returns
-    -------
-    array (...)
+    `dwell` (..., p) are positive, and `change` (..., p) is that of a whole step. No dwell time
+    loses more than three quarters of itself or grows by more than `growth` times itself.
     """
     bound = np.where(change < 0, _MOST_LOST, growth) * dwell / np.abs(change)
     return np.minimum(1.0, bound.min(axis=-1, initial=math.inf))
 
 
 def judged(dwell: np.ndarray, of_dwell: np.ndarray, errors: Any, most: float) -> np.ndarray:
-    """Status (...) of orbits that have converged, by bounds on their errors.
+    """Status (...) of orbits that have converged, from bounds on their errors.
 
-    Parameters
-    ----------
-    dwell : array (..., p)
-        Of the phases that take time, in any unit.
-    of_dwell : array (..., p)
-        Bounds on their errors, in the same unit.
-    errors : array (...)
-        Of all that was solved for, in units of max(1, |x|).
-    most : float
-        Errors from which on nothing is sure.
-
-    Returns
-    -------
-    array (...) of int
-        `UNSURE` where an error is too large; `NEGATIVE` where a dwell time is not larger than
-        its own error.
+    `of_dwell` bounds the errors of `dwell` (..., p), the dwell times of phases that take time;
+    `errors` (...) are those of everything, in units of max(1, |x|). The status is `UNSURE` where
+    these reach `most`, and `NEGATIVE` where a dwell time is not larger than its own error.
     """
     lost = ~(dwell > of_dwell)
     vanishes = lost & (dwell <= SHORTEST * dwell.sum(axis=-1, keepdims=True))
@@ -134,14 +102,7 @@ def judged(dwell: np.ndarray, of_dwell: np.ndarray, errors: Any, most: float) ->
 
 
 def precisions(digits: int, start: int) -> list[int]:
-    """Decimals of the steps: doubling up to the last, from what doubles give.
-
-    Parameters
-    ----------
-    digits : int
-        Decimals that are wanted.
-    start : int
-        Decimals that the start has.
+    """Decimals of the steps: doubling up to `digits`, from the decimals `start` that a guess has.
 
     Examples
     --------
@@ -162,32 +123,14 @@ def climb(
     start: int,
     name: str,
 ) -> tuple[np.ndarray, Any, int]:
-    """Refine a solution with growing precision; the last step corrects nothing that counts.
+    """Refine a solution x (n,) by Newton steps of growing precision, and check it by a last one.
 
-    Parameters
-    ----------
-    lib : Mpmath
-    x : array (n,) of mpmath numbers
-    step_at : function
-        From x, and whether this step is the last, at twice the digits, to the step (n,) and what
-        was seen at x; it raises ZeroDivisionError where the equations are singular.
-    digits, start : int
-        Decimals that are wanted, and that x has.
-    name : str
-        What is refined, for the message.
-
-    Returns
-    -------
-    x : array (n,)
-    seen : object
-        By the last step, at x.
-    count : int
-        Of steps.
-
-    Raises
-    ------
-    NoConvergence
-        If the method leaves the solution, as it does where the equations are singular.
+    The last step is taken at twice the digits and not added to x; it has to be negligible.
+    `step_at` takes x and whether this step is the last; it gives the step (n,) and an object seen
+    at x, and raises `ZeroDivisionError` where the equations are singular. `start` and `digits` are
+    the decimals that x has and that are wanted. The results are x, the object that the last step
+    saw, and the number of steps. Raises `NoConvergence`, naming `name`, if the steps lead away
+    from the solution, as they do where the equations are singular.
     """
     steps = [*precisions(digits, start), 2 * digits]
     correction, seen = lib.mp.inf, None
@@ -209,20 +152,7 @@ def climb(
 
 
 def lost(name: str, digits: int) -> NoConvergence:
-    """What is raised where steps lead away from the solution.
-
-    Parameters
-    ----------
-    name : str
-        What is refined.
-    digits : int
-        Decimals of the step that failed.
-
-    Returns
-    -------
-    NoConvergence
-        To be raised by the caller.
-    """
+    """The error to raise where steps of so many digits lead away from the solution `name`."""
     return NoConvergence(
         f"{name}: Newton's method with {digits} digits leaves the orbit: the equations are"
         " singular here, or the start is too coarse"

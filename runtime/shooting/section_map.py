@@ -34,19 +34,9 @@ _RANK = 1e-9  # relative length below which a direction is none
 
 
 def local_maps(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> list[Any]:
-    """Derivative of each phase's start by that of the phase before it, on the sections.
+    """Derivative (N, N) of the state behind each phase's reset by that at the phase's start.
 
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-    now : Shooting
-        Of the orbit as it closes.
-
-    Returns
-    -------
-    list of array (N, N)
-        One for each phase.
+    Both are on sections, where phases start; `now` is of the orbit as it closes.
     """
     parts = zip(phases_in(cycle, numbers), now.flows, now.velocities[..., None], strict=True)
     return [section_map(ARRAYS, *part) for part in parts]
@@ -55,22 +45,9 @@ def local_maps(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> list[A
 def saltations(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Any:
     """Saltation matrix of each transition (p, N, N): R + (f_after - R f_before) n / (n f_before).
 
-    A perturbation in front of the transition, times the matrix, is that behind it, to first
-    order at the same time.
-
-    The correction at a switch is that of Aizerman and Gantmakher (1958); Müller (1995) takes it
-    to Lyapunov exponents.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-    now : Shooting
-        Of the orbit as it closes.
-
-    Returns
-    -------
-    array (p, N, N)
+    It maps a perturbation in front of the transition to the one behind it, to first order and at
+    the same time; `now` is of the orbit as it closes. The correction at a switch is that of
+    Aizerman and Gantmakher (1958); Müller (1995) takes it to Lyapunov exponents.
     """
     size = now.starts.shape[-1]
     unit = np.eye(size, size + 1, dtype=int)
@@ -80,7 +57,7 @@ def saltations(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Any:
 def _timed(
     cycle: ItineraryShape, numbers: Numbers, now: Shooting, flows: Sequence[Any]
 ) -> list[Any]:
-    """Derivative behind each transition by that before a flow to it, at fixed times."""
+    """Derivatives, at fixed times, of states behind transitions by those before the flows."""
     phases = phases_in(cycle, numbers)
     fields = [phase.field for phase in (*phases[1:], phases[0])]
     behind = map(ARRAYS.apply, fields, now.starts[1:, :, None])
@@ -89,15 +66,10 @@ def _timed(
 
 
 def mechanical_states(cycle: ItineraryShape) -> list[int] | None:
-    """States that are no forcing's, where there is a forcing.
+    """Indices of the states that belong to no forcing; None without a forcing.
 
     A forced motion is periodic in time: its Poincare map is the stroboscopic one, at a fixed
     phase of the forcing.
-
-    Returns
-    -------
-    list of int or None
-        None without a forcing.
     """
     forcing = cycle.structure.forcing
     if not forcing:
@@ -109,7 +81,10 @@ def mechanical_states(cycle: ItineraryShape) -> list[int] | None:
 def _timed_maps(
     cycle: ItineraryShape, numbers: Numbers, now: Shooting, states: list[int]
 ) -> list[Any]:
-    """Derivatives of each phase's start by that of the phase before it, at fixed times."""
+    """Derivatives, at fixed times, of the state behind each phase by that at its start.
+
+    Only the given states count.
+    """
     found = _timed(cycle, numbers, now, now.flows)
     return [matrix[np.ix_(states, states)] for matrix in found]
 
@@ -121,25 +96,12 @@ def stroboscopic_maps(
     maps: np.ndarray,
     states: list[int],
 ) -> np.ndarray:
-    """Stroboscopic maps (n, k, k) of forced motions from those on the section (n, N, N).
+    """Stroboscopic maps (n, k, k) of forced motions from their maps on the section (n, N, N).
 
-    The change of the period is what turns the forcing.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    fields : array (n, N, N + 1)
-        Of the first configuration.
-    starts : array (n, N)
-        In the system's units.
-    maps : array (n, N, N)
-        On the section where the first phase starts.
-    states : list of int
-        The k states that are no forcing's.
-
-    Returns
-    -------
-    array (n, k, k)
+    The time of a perturbed motion is changed so that the forcing keeps its phase. `fields`
+    (n, N, N + 1) are those of the first configuration, `starts` (n, N) are in the system's units,
+    the section is the one where the first phase starts, and `states` are the k states that
+    belong to no forcing.
     """
     (cosine, sine), *_ = cycle.structure.forcing
     velocity = np.einsum("nij,nj->ni", fields[..., :-1], starts) + fields[..., -1]
@@ -152,10 +114,10 @@ def stroboscopic_maps(
 
 
 def _remaining(maps: Sequence[Any], size_of: Any, lib: Any) -> list[Any]:
-    """Basis (N, k) of what is left of all directions at the start of each phase.
+    """Bases (N, k) of the directions that remain at the start of each phase.
 
-    Shooting after passage under the local maps, until none loses a dimension; orthonormal, in
-    units of the states' sizes.
+    They remain after passages under the local maps, repeated until no passage loses a dimension;
+    the bases are orthonormal in units of the states' sizes.
     """
     basis = np.eye(len(size_of), dtype=maps[0].dtype)
     while True:
@@ -168,21 +130,10 @@ def _remaining(maps: Sequence[Any], size_of: Any, lib: Any) -> list[Any]:
 
 
 def smallest_section(maps: Sequence[Any], size_of: Any) -> tuple[int, int]:
-    """Phase from which one passage leaves the fewest directions, and how many.
+    """The phase from which one passage leaves the fewest directions, and their number.
 
-    The map from there has no more multipliers that are not zero, and zero is not a defective
-    one of them.
-
-    Parameters
-    ----------
-    maps : sequence of array (N, N)
-        Of each phase, as `local_maps` gives them.
-    size_of : array (N,)
-        As `sizes` gives it.
-
-    Returns
-    -------
-    first, rank : int
+    The map from there has that many multipliers other than zero, and zero is not a defective
+    one. `maps` are those of `local_maps`, and `size_of` (N,) is as `sizes` gives it.
     """
     ranks = []
     for first in range(len(maps)):
@@ -196,17 +147,8 @@ def smallest_section(maps: Sequence[Any], size_of: Any) -> tuple[int, int]:
 def section_dimension(cycle: ItineraryShape, numbers: Numbers, size_of: Any, lib: Any) -> int:
     """Dimension of the section where the first phase starts.
 
-    It is the reset's image of where the last phase's boundary is reached, and its constraints
-    hold.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-    size_of : array (N,)
-        As `sizes` gives it.
-    lib : arithmetic of single numbers
-        `numpy`, or a context of mpmath.
+    It is that of the reset's image of the states that reach the last phase's boundary and keep its
+    constraints. `size_of` (N,) is as `sizes` gives it, and `lib` is `numpy` or a context of mpmath.
     """
     size = len(size_of)
     kept = [*cycle.structure.constraints[cycle.configurations[-1]], cycle.rows[-1]]
@@ -223,7 +165,7 @@ def _scaled(matrix: Any, size_of: Any) -> Any:
 
 
 def _orthonormal(columns: Any, lib: Any) -> Any:
-    """Orthonormal basis of what the columns span, by Gram and Schmidt with pivoting."""
+    """Orthonormal basis of the span of the columns, by Gram-Schmidt with pivoting."""
     left = [columns[:, k] for k in range(columns.shape[1])]
     basis: list[Any] = []
     largest = max((lib.sqrt(v @ v) for v in left), default=0)
@@ -253,21 +195,12 @@ def assess(
     lib: Any,
     error: Any,
 ) -> Stability:
-    """Multipliers and verdict of an orbit.
+    """Multipliers and stability verdict of an orbit, from the data of the orbit as it closes.
 
-    Parameters
-    ----------
-    cycle, numbers, now, dwell
-        Of the orbit as it closes.
-    translations : array (m, N)
-        Directions along which the system does not change: each has a multiplier 1.
-    family : bool
-        Whether the orbit is one of a family: then one multiplier is 1.
-    lib : arithmetic of single numbers
-        `numpy`, or a context of mpmath.
-    error : number
-        Relative error of an orbit, and of the derivative of a phase, where all is well
-        conditioned.
+    `translations` (m, N) are directions along which the system does not change: each has a
+    multiplier 1. An orbit of a family has one more. `lib` is `numpy` or a context of mpmath.
+    `error` is the relative error of an orbit and of the derivative of a phase, if all is well
+    conditioned.
     """
     size_of = sizes(now, dwell)
     driven = mechanical_states(cycle)
@@ -326,9 +259,9 @@ def assess(
 def _errors(maps: Sequence[Any], matrix: Any, slowness: float, error: Any) -> tuple[Any, Any]:
     """Errors of the entries of a product of maps, and of its eigenvalues.
 
-    An error of the orbit is that of a phase times the norm of (I - J)^-1, and each map has it
-    as its own, times what a slow crossing makes of it. Eigenvalues: F. Bauer and C. Fike,
-    Numer. Math. 2, 1960, and, near defective ones, L. Elsner, Linear Algebra Appl. 71, 1985.
+    The error of the orbit is that of a phase times the norm of (I - J)^-1, and each map has it
+    too, times the factor of a slow crossing. Eigenvalues: F. Bauer and C. Fike, Numer. Math. 2,
+    1960, and, near defective ones, L. Elsner, Linear Algebra Appl. 71, 1985.
     """
     count = len(matrix)
     if not count:
@@ -353,7 +286,7 @@ def _errors(maps: Sequence[Any], matrix: Any, slowness: float, error: Any) -> tu
 
 
 def _slowness(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> float:
-    """Largest ratio of the terms of a boundary's speed to their sum, where it is reached."""
+    """Largest ratio of the sum of absolute terms of a boundary's speed to the speed itself."""
     size = now.starts.shape[-1]
     terms = [
         (float(sum(abs(numbers.rows[row, :size] * field))), abs(float(speed)))
@@ -363,10 +296,10 @@ def _slowness(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> float:
 
 
 def _keeps_area(cycle: ItineraryShape, numbers: Numbers) -> bool:
-    """Whether phases and transitions keep the volume of the states, by their numbers.
+    """Whether phases and transitions keep the volume of the states, judged by their numbers.
 
-    A field without divergence does. The determinant of the saltation matrix of a reset R that
-    is its own inverse is that of R times n R f_after / (n f_before): 1 but for the sign where
+    A field without divergence keeps it. For a reset R that is its own inverse, the determinant of
+    the saltation matrix is that of R times n R f_after / (n f_before): 1 up to the sign where
     both are the same function of the state.
     """
     size, count = numbers.fields.shape[-1] - 1, len(cycle)
@@ -397,7 +330,7 @@ def _eigenvalues(matrix: Any, trace: Any, lib: Any) -> list[Multiplier]:
 
 
 def _reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
-    """Whether the map, one of whose multipliers is 1, keeps the area of the two others."""
+    """Whether a map with three multipliers, one of them 1, keeps the area of the two others."""
     if rank != 3:
         return False
     values = matrix.tolist()
@@ -406,7 +339,10 @@ def _reciprocal(matrix: Any, rank: int, lib: Any) -> bool:
 
 
 def _family(matrix: Any, found: list[Multiplier], trace: Any, lib: Any) -> list[Multiplier]:
-    """Mark the multiplier that is 1; a reciprocal pair beside it keeps the trace's digits."""
+    """Mark the multiplier that is 1; compute a reciprocal pair beside it from the trace.
+
+    So the pair keeps the trace's digits.
+    """
     one, zero = 0 * trace + 1, 0 * trace
     nearest = min(found, key=lambda m: abs(m.real - 1) + abs(m.imaginary))
     rest = [m for m in found if m is not nearest]
@@ -428,7 +364,7 @@ def _modulus(multiplier: Multiplier, lib: Any) -> Any:
 
 
 def _grazes(cycle: ItineraryShape, numbers: Numbers, now: Shooting, error: Any) -> bool:
-    """Whether a boundary may be reached tangentially: there no map has a slope."""
+    """Whether a boundary may be reached tangentially, so that the map has no derivative."""
     size = now.starts.shape[-1]
     for place, row in enumerate(cycle.rows):
         terms = sum(abs(numbers.rows[row, :size] * now.velocities[place]))

@@ -49,24 +49,14 @@ _T = TypeVar("_T")
 
 @dataclass(frozen=True, eq=False)
 class ItineraryShape:
-    """An itinerary of a system: phase by phase, with the transition that ends it.
-
-    Attributes
-    ----------
-    structure : Structure
-    itinerary : tuple of (configuration, boundary)
-        By name; boundaries that are reached together are joined, ``"a+b"``.
-    configurations : tuple of int
-    boundaries : tuple of int or None
-        The same as indices, a boundary's among those of its configuration. Of several the
-        first, whose switching condition is solved; None for the forcing's phase, at which a
-        configuration is not left.
-    transitions : tuple of TransitionShape
-    """
+    """An itinerary of a system, phase by phase, with the transition that ends each phase."""
 
     structure: Structure
+    # names of configuration and boundary; boundaries reached together as ``"a+b"``
     itinerary: tuple[tuple[str, str], ...]
-    configurations: tuple[int, ...]
+    configurations: tuple[int, ...]  # indices
+    # index among the configuration's; of several the first, whose switching condition is solved;
+    # None for the forcing's phase, at which a configuration is not left
     boundaries: tuple[int | None, ...]
     transitions: tuple[TransitionShape, ...]
 
@@ -86,34 +76,25 @@ class ItineraryShape:
 
     @property
     def one_sided(self) -> bool:
-        """Whether boundaries are reached together: motions next to it do other things."""
+        """Whether boundaries are reached together: nearby motions have other itineraries then."""
         return any(len(transition.boundaries) > 1 for transition in self.transitions)
 
     @cached_property
     def packed(self) -> np.ndarray:
-        """What the compiled engine reads: configurations, rows, resets; pairs of forcing states."""
+        """The cycle as the compiled engine reads it, an int32 array.
+
+        It has configurations, rows and resets of the phases, then the pairs of forcing states.
+        """
         resets = [t.reset for t in self.transitions]
         pairs = [state for pair in self.structure.forcing for state in pair]
         return np.array([*self.configurations, *self.rows, *resets, *pairs], dtype=np.int32)
 
     def at(self, structure: Structure) -> ItineraryShape:
-        """The same cycle with the modes of a parameter point.
-
-        Parameters
-        ----------
-        structure : Structure
-            Of the same system, with modes.
-        """
+        """The same cycle with the modes of a structure, that of the system at a parameter point."""
         return replace(self, structure=structure)
 
     def rotated(self, first: int) -> ItineraryShape:
-        """The same cycle from another of its phases.
-
-        Parameters
-        ----------
-        first : int
-            Place of the phase that comes first.
-        """
+        """The same cycle, beginning with the phase at place `first`."""
 
         def turned(part: tuple[_T, ...]) -> tuple[_T, ...]:
             return part[first:] + part[:first]
@@ -131,25 +112,14 @@ class ItineraryShape:
 
 
 def itinerary_shape(structure: Structure, itinerary: Sequence[tuple[str, str]]) -> ItineraryShape:
-    """Look an itinerary up in a system.
+    """The shape of an itinerary of configurations and the boundaries that end their phases.
 
     Between two phases the first transition that is declared for the boundary and leads to the
     next configuration is taken. Boundaries that are reached together are one name ``"a+b"``
     or a sequence of names; the first one's switching condition is solved. A motion that
-    reaches no boundary is one phase that ends with ``forcing-phase``: that of the first forcing
-    begins anew.
-
-    Parameters
-    ----------
-    structure : Structure
-    itinerary : sequence of (str, str)
-        Configurations, and the boundaries that end their phases.
-
-    Raises
-    ------
-    InputError
-        For an empty or malformed itinerary, unknown names, or phases between which the system
-        declares no transition.
+    reaches no boundary is one phase that ends with ``forcing-phase``, where the phase of the first
+    forcing begins anew. Raises `InputError` for an empty or malformed itinerary, unknown names, or
+    phases between which the system declares no transition.
     """
     try:
         pairs = tuple((str(c), b if isinstance(b, str) else "+".join(b)) for c, b in itinerary)
@@ -187,10 +157,7 @@ def itinerary_shape(structure: Structure, itinerary: Sequence[tuple[str, str]]) 
 def forcing_row_of(structure: Structure) -> int:
     """Row that is zero where the forcing's phase begins anew.
 
-    Raises
-    ------
-    InputError
-        If the system has no forcing.
+    Raises `InputError` if the system has no forcing.
     """
     if structure.forcing_row is None:
         raise InputError(f"{structure.name} has no forcing whose phase could begin anew")
@@ -198,25 +165,9 @@ def forcing_row_of(structure: Structure) -> int:
 
 
 def guesses(name: str, given: Any, count: int, *, positive: bool = False) -> np.ndarray:
-    """Guesses (..., count) as floats.
+    """Guesses (..., count) as floats; `name` says in the message what they are for.
 
-    Parameters
-    ----------
-    name : str
-        What is guessed, for the message.
-    given : array (..., count)
-    count : int
-    positive : bool
-        Whether all have to be.
-
-    Returns
-    -------
-    array (..., count)
-
-    Raises
-    ------
-    InputError
-        If they are not finite, not positive where that is asked, or not as many.
+    Raises `InputError` if they are not `count`, not finite, or not positive where they must be.
     """
     try:
         array = np.asarray(given, dtype=float)
@@ -231,37 +182,21 @@ def guesses(name: str, given: Any, count: int, *, positive: bool = False) -> np.
 
 
 class Numbers(NamedTuple):
-    """A system's numbers, with leading axes where there are many points.
+    """A system's numbers, with leading axes where there are many points."""
 
-    Attributes
-    ----------
-    fields : array (..., configurations, N, N + 1)
-    rows : array (..., R, N + 1)
-    resets : array (..., S, N, N + 1)
-    exponents : for each configuration an array (..., modes, 2)
-        Empty, as the flows, where modes are not asked for.
-    flows : for each configuration an array (..., functions, N, N + 1), or FactoredFlows
-    """
-
-    fields: np.ndarray
-    rows: np.ndarray
-    resets: np.ndarray
+    fields: np.ndarray  # (..., configurations, N, N + 1)
+    rows: np.ndarray  # (..., R, N + 1)
+    resets: np.ndarray  # (..., S, N, N + 1)
+    # for each configuration (..., modes, 2); empty, as flows, if not asked for
     exponents: tuple[np.ndarray, ...] = ()
+    # for each configuration (..., functions, N, N + 1), or FactoredFlows
     flows: tuple[Flows, ...] = ()
 
 
 def finite_at(cycle: ItineraryShape, flat: np.ndarray) -> np.ndarray:
-    """Whether all numbers are finite that a cycle needs.
+    """Bools (n,): whether all numbers that a cycle needs are finite.
 
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    flat : array (n, size)
-        As `nonsmooth.runtime.model.piecewise.numbers_at` gives them.
-
-    Returns
-    -------
-    array (n,) of bool
+    `flat` (n, size) is as `nonsmooth.runtime.model.piecewise.numbers_at` gives it.
     """
     numbers = numbers_in(cycle.structure, flat)
     parts = [numbers.fields, numbers.rows, numbers.resets]
@@ -272,18 +207,9 @@ def finite_at(cycle: ItineraryShape, flat: np.ndarray) -> np.ndarray:
 
 
 def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = None) -> Numbers:
-    """Numbers of one point, or those that `numbers_at` gives flat, for their structure.
+    """Numbers of one point, or those of `flat` (..., size) for a structure.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear or Structure
-    flat : array (..., size), optional
-        Needed for a structure.
-
-    Raises
-    ------
-    InputError
-        For a structure alone.
+    `flat` is as `numbers_at` gives it. Raises `InputError` for a structure without it.
     """
     if isinstance(system, PiecewiseLinear):
         return Numbers(system.fields, system.rows, system.resets, system.exponents, system.flows)
@@ -312,22 +238,10 @@ def numbers_in(system: PiecewiseLinear | Structure, flat: np.ndarray | None = No
 
 
 def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: Any, lib: Any) -> Any:
-    """Flow of a configuration (..., N, N + 1) at times (...): matrix, then constant.
+    """Flow (..., N, N + 1) of a configuration at times (...): matrix, then constant.
 
-    Where a structure has no modes it is the exponential of the field, at one mpmath time.
-
-    Parameters
-    ----------
-    structure : Structure
-    numbers : Numbers
-    configuration : int
-    time : number or array (...)
-        In the system's unit of time.
-    lib : arithmetic with `sin`, `cos` and `exp` of arrays
-
-    Returns
-    -------
-    array (..., N, N + 1)
+    Times are in the system's unit. If a structure has no modes the flow is the exponential of the
+    field, at one mpmath time. `lib` is an arithmetic with `sin`, `cos` and `exp` of arrays.
     """
     if structure.modes is None:
         return exponential(numbers.fields[configuration], np.asarray(time).item(), lib)
@@ -344,7 +258,7 @@ def flow_at(structure: Structure, numbers: Numbers, configuration: int, time: An
 
 
 def phases_in(cycle: ItineraryShape, numbers: Numbers) -> list[Phase]:
-    """Phases of a cycle in arrays."""
+    """Fields, rows and resets of each phase of a cycle, as arrays."""
     return [
         Phase(
             numbers.fields[..., configuration, :, :],
@@ -358,22 +272,11 @@ def phases_in(cycle: ItineraryShape, numbers: Numbers) -> list[Phase]:
 
 
 def shoot(cycle: ItineraryShape, numbers: Numbers, dwell: Any, start: Any, lib: Any) -> Shooting:
-    """Pass through a cycle once, with dwell times that follow the start.
+    """The shooting map of one passage through a cycle, with dwell times that follow the start.
 
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-    dwell : array (..., p)
-        In the system's unit of time.
-    start : array (..., N)
-        In the system's units.
-    lib : arithmetic with `sin`, `cos` and `exp` of arrays
-
-    Returns
-    -------
-    Shooting
-        Its n = N + 1 unknowns are the start and the 1 that multiplies constants.
+    Dwell times (..., p) and the start (..., N) are in the system's units, and `lib` is an
+    arithmetic with `sin`, `cos` and `exp` of arrays. The n = N + 1 unknowns of the result are the
+    start and the 1 that multiplies constants.
     """
     size = start.shape[-1]
     unit = np.eye(size, size + 1, dtype=object if start.dtype == object else float)

@@ -45,26 +45,10 @@ __all__ = [
 def whole_itinerary(
     structure: Structure, symmetry: Symmetry, part: Sequence[tuple[str, str]]
 ) -> tuple[tuple[str, str], ...]:
-    """Itinerary of the whole orbit whose first part is given.
+    """Itinerary of the whole orbit whose first part is given, and which a symmetry closes.
 
     The symmetry maps the end of a part to its start: each part is the preimage of the one
-    before it.
-
-    Parameters
-    ----------
-    structure : Structure
-    symmetry : Symmetry
-    part : sequence of (str, str)
-        Configurations, and the boundaries that end their phases.
-
-    Returns
-    -------
-    tuple of (str, str)
-
-    Raises
-    ------
-    InputError
-        If the part is malformed, or names what the system has not.
+    before it. Raises `InputError` if the part is malformed or has names that do not exist.
     """
     try:
         part = tuple((c, b) for c, b in part)
@@ -87,23 +71,10 @@ def whole_itinerary(
 def closing(
     system: PiecewiseLinear, cycle: ItineraryShape, symmetry: Symmetry | None
 ) -> tuple[PiecewiseLinear, ItineraryShape]:
-    """The part of a cycle that the symmetry closes, in a system with one reset more.
+    """The part of a whole cycle that the symmetry closes, in a system with one more reset.
 
-    The last reset of the part is followed by the symmetry, and by the projection along the
-    translations of the system, where it has any.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    cycle : ItineraryShape
-        The whole one, of that system.
-    symmetry : Symmetry or None
-        Where it is None, and there is no translation, both stay as they are.
-
-    Returns
-    -------
-    system : PiecewiseLinear
-    cycle : ItineraryShape
+    The added reset is the part's last one followed by the symmetry, and by the projection along
+    the system's translations if it has any. Without either, system and cycle stay as they are.
     """
     matrix = closing_matrix(system.structure, *system.numbers, symmetry)
     if matrix is None:
@@ -118,19 +89,10 @@ def closing(
 def closing_matrix(
     structure: Structure, fields: Any, rows: Any, resets: Any, symmetry: Symmetry | None
 ) -> np.ndarray | None:
-    """What follows the last reset where an orbit closes; None for nothing.
+    """The matrix (N, N) that follows the last reset where an orbit closes; None if nothing does.
 
-    Parameters
-    ----------
-    structure : Structure
-    fields : array (c, N, N + 1)
-    rows : array (R, N + 1)
-    resets : array (r, N, N + 1)
-    symmetry : Symmetry or None
-
-    Returns
-    -------
-    array (N, N) or None
+    It is made of the symmetry and of the projection along translations. Fields are
+    (c, N, N + 1), rows (R, N + 1) and resets (r, N, N + 1).
     """
     directions = directions_of(structure, fields, rows, resets)
     matrix = None if symmetry is None else symmetry.matrix
@@ -141,14 +103,7 @@ def closing_matrix(
 
 
 def closed_shape(cycle: ItineraryShape, count: int) -> ItineraryShape:
-    """The first phases of a cycle, the last of them followed by a reset that is added.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    count : int
-        Phases of the part.
-    """
+    """The first `count` phases of a cycle, where the last one ends with an added reset."""
     structure = _with_one_reset_more(cycle.structure)
     last = cycle.transitions[count - 1]
     turned = replace(last, reset=structure.resets - 1, target=cycle.configurations[0])
@@ -170,19 +125,8 @@ def _with_one_reset_more(structure: Structure) -> Structure:
 def whole_shape(system: PiecewiseLinear, symmetry: Symmetry, part: Any) -> ItineraryShape:
     """The whole cycle of a part that the symmetry closes.
 
-    InputError as `itinerary_shape`, and where boundaries reset the state as their images do not.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    symmetry : Symmetry
-    part : sequence of (str, str)
-        Configurations, and the boundaries that end their phases.
-
-    Raises
-    ------
-    InputError
-        As `itinerary_shape`, and where boundaries reset the state as their images do not.
+    Raises `InputError` as `itinerary_shape` does, and where the resets at boundaries are not the
+    images of each other.
     """
     cycle = itinerary_shape(system.structure, whole_itinerary(system.structure, symmetry, part))
     for place, transition in enumerate(cycle.transitions):
@@ -202,27 +146,11 @@ def whole_orbit(
     states: np.ndarray,
     lib: Any,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Dwell times and states of the whole orbit from those (p,), (p, N) of its first part.
+    """Dwell times (q,) and states (q, N) of the whole orbit from those (p,), (p, N) of its part.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    cycle : ItineraryShape
-        The whole one, of that system.
-    symmetry : Symmetry or None
-        None where the part is the whole.
-    dwell : array (p,)
-        In the system's unit of time.
-    states : array (p, N)
-        At the start of each phase. In the system's units.
-    lib : arithmetic with `sin`, `cos` and `exp` of arrays
-
-    Returns
-    -------
-    dwell : array (q,)
-        q is p times the order of the symmetry. In the system's unit of time.
-    states : array (q, N)
-        In the system's units.
+    States are those at the start of each phase; q is p times the order of the symmetry, or p
+    without one. `cycle` is the whole one, of that system. All is in the system's units, and
+    `lib` is an arithmetic with `sin`, `cos` and `exp` of arrays.
     """
     if symmetry is None:
         return dwell, states
@@ -247,15 +175,7 @@ def whole_orbit(
 
 
 def part_of(period: Value, order: int) -> Value:
-    """One of so many equal parts of a given period, exactly.
-
-    Parameters
-    ----------
-    period : Value
-        In the system's unit of time.
-    order : int
-        How many parts.
-    """
+    """The `order`-th part of a period, exactly."""
     if period.exact is not None:
         return as_value(period.exact / order)
     return parse(f"({period.text})/{order}")

@@ -20,43 +20,21 @@ _LARGEST_ORDER = 64
 
 @dataclass(frozen=True, eq=False)
 class Symmetry:
-    """A symmetry of a system, whose numbers it has been compared with.
+    """A symmetry of a system, checked against its numbers."""
 
-    Attributes
-    ----------
-    matrix : array (N, N) of int
-        A signed permutation: the image of the state y is ``matrix @ y``.
-    order : int
-        The least power that is the identity.
-    configurations : tuple of int
-        Image of each configuration.
-    boundaries : for each configuration a tuple of int
-        Image of each boundary, among those of the image.
-    """
-
+    # (N, N) of int, a signed permutation: the image of the state y is ``matrix @ y``
     matrix: np.ndarray
-    order: int
-    configurations: tuple[int, ...]
+    order: int  # the least power that is the identity
+    configurations: tuple[int, ...]  # image of each configuration
+    # for each configuration the image of each boundary, among those of the image
     boundaries: tuple[tuple[int, ...], ...]
 
 
 def matrix_of(structure: Structure, given: Mapping[str, str] | Any) -> np.ndarray:
     """Matrix (N, N) of a signed permutation, from images by name or from a matrix.
 
-    Parameters
-    ----------
-    structure : Structure
-    given : mapping of state to text, or array (N, N)
-        ``{"x": "-x", "v": "-v"}``; states that are not named stay. A matrix P maps y to P y.
-
-    Returns
-    -------
-    array (N, N) of int
-
-    Raises
-    ------
-    InputError
-        For unknown names, or what is no signed permutation.
+    Images are ``{"x": "-x", "v": "-v"}``, and states that are not named stay; a matrix P maps y
+    to P y. Raises `InputError` for unknown names, or if it is no signed permutation.
     """
     names = structure.states
     if isinstance(given, Mapping):
@@ -88,17 +66,7 @@ def matrix_of(structure: Structure, given: Mapping[str, str] | Any) -> np.ndarra
 
 
 def images_of(matrix: np.ndarray, states: Sequence[str]) -> dict[str, str]:
-    """Images by name of a signed permutation, as `matrix_of` takes them.
-
-    Parameters
-    ----------
-    matrix : array (N, N) of int
-    states : sequence of str
-
-    Returns
-    -------
-    dict of str to str
-        Of all states.
+    """Images of all states by name under a signed permutation, as `matrix_of` takes them.
 
     Examples
     --------
@@ -115,19 +83,9 @@ def images_of(matrix: np.ndarray, states: Sequence[str]) -> dict[str, str]:
 def symmetry_of(system: PiecewiseLinear, given: Any, error: float = _SAME) -> Symmetry:
     """A symmetry of a system at its parameters, with the images of what the system declares.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    given : mapping or array
-        As for `matrix_of`.
-    error : number
-        Relative difference of numbers that count as equal.
-
-    Raises
-    ------
-    InputError
-        For what is no signed permutation, the identity, or a map that fields, boundaries,
-        constraints or transitions do not follow: the message names what has no image.
+    It is given as for `matrix_of`; numbers are equal if they differ by `error` at most, relatively.
+    Raises `InputError` for the identity, for anything but a signed permutation, or if fields,
+    boundaries, constraints or transitions do not follow: the message names what has no image.
     """
     structure = system.structure
     matrix = matrix_of(structure, given)
@@ -159,37 +117,19 @@ def symmetry_of(system: PiecewiseLinear, given: Any, error: float = _SAME) -> Sy
 
 
 def seen_in_images(matrix: np.ndarray, map_: np.ndarray) -> np.ndarray:
-    """An affine map (N, N + 1) of states, seen in their images.
-
-    Parameters
-    ----------
-    matrix : array (N, N) of int
-        The symmetry.
-    map_ : array (N, N + 1)
-
-    Returns
-    -------
-    array (N, N + 1)
-    """
+    """An affine map (N, N + 1) of states as it acts on their images under the symmetry."""
     found = matrix @ map_
     return np.concatenate([found[:, :-1] @ matrix.T, found[:, -1:]], axis=1)
 
 
 def same_maps(first: np.ndarray, second: np.ndarray, error: float = _SAME) -> bool:
-    """Whether two maps are the same but for an error, relative to the first one's entries.
-
-    Parameters
-    ----------
-    first, second : array
-        Of one shape.
-    error : number
-    """
+    """Whether two maps of one shape are equal, up to an error relative to the first's entries."""
     largest = max(abs(x) for x in first.ravel())
     return bool(all(abs(x) <= error * largest for x in (first - second).ravel()))
 
 
 class _Images:
-    """Which configuration can be the image of which, and how their boundaries correspond."""
+    """Candidates for the image of each configuration, with the images of their boundaries."""
 
     def __init__(self, system: PiecewiseLinear, matrix: np.ndarray, error: float) -> None:
         self.system, self.structure = system, system.structure
@@ -203,7 +143,7 @@ class _Images:
                     self.boundaries[c, image] = found
 
     def bijections(self, chosen: dict[int, int]) -> Iterator[dict[int, int]]:
-        """Maps of all configurations that the transitions follow too."""
+        """Yield the maps of configurations that complete `chosen` and suit the transitions."""
         c = len(chosen)
         if c == len(self.structure.configurations):
             if all(self._transitions_follow(source, chosen) for source in chosen):
@@ -214,14 +154,14 @@ class _Images:
                 yield from self.bijections({**chosen, c: image})
 
     def reason(self) -> str:
-        """What has no image."""
+        """Why there is no symmetry, in words."""
         for c, name in enumerate(self.structure.configurations):
             if not any(source == c for source, _ in self.boundaries):
                 return f"no configuration is the image of {name}, with its field and boundaries"
         return "the transitions do not follow"
 
     def _correspondence(self, c: int, image: int) -> tuple[int, ...] | None:
-        """Images of the boundaries of a configuration if another may be its image."""
+        """Images of a configuration's boundaries in another one; None if it is not its image."""
         structure, system, matrix = self.structure, self.system, self.matrix
         own, other = structure.boundaries[c], structure.boundaries[image]
         field = seen_in_images(matrix, system.fields[c])
@@ -250,7 +190,7 @@ class _Images:
         return tuple(found)
 
     def _row_maps(self, row: int, other: int, *, signed: bool = True) -> bool:
-        """Whether one affine function is a multiple of another one's image, a positive one."""
+        """Whether the image of a row is a multiple of another row, a positive one if `signed`."""
         mapped, wanted = self._image_of_row(row), self.system.rows[other]
         sizes = [max(abs(x) for x in function) for function in (mapped, wanted)]
         if sizes[0] == 0 or sizes[1] == 0:
@@ -269,8 +209,8 @@ class _Images:
     def _transitions_follow(self, source: int, chosen: Mapping[int, int]) -> bool:
         """Whether each transition has its image among those of the image, in the same order.
 
-        Those that never apply together may have any order. Boundaries that are reached together
-        are left out: contacts are decided one after another there, in the order of declaration.
+        Transitions that never apply together may have any order. Boundaries reached together are
+        left out: contacts are decided one after another there, in the order of declaration.
         """
         image = chosen[source]
         places = self.boundaries[source, image]
@@ -308,7 +248,7 @@ class _Images:
         )
 
     def _opposed(self, row: int, other: int) -> bool:
-        """Whether two functions are never positive together: their sum is constant, not above 0."""
+        """Whether two functions are never positive together: their sum is a constant, at most 0."""
         rows = self.system.rows[[row, other]]
         sizes = abs(rows[:, :-1]).max(axis=1)
         if not sizes.all():

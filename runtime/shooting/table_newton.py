@@ -66,25 +66,14 @@ _TIMED = {
 
 
 class TableSolution(NamedTuple):
-    """What a solver gives at n points.
+    """The result of a solver at n points."""
 
-    Attributes
-    ----------
-    dwell : array (n, p)
-    starts : array (n, p, N)
-        State at the start of each phase.
-    maps : array (n, N, N)
-        Derivative of the start behind one period by the start.
-    residual : array (n,)
-    iterations, status : array (n,) of int32
-    """
-
-    dwell: np.ndarray
-    starts: np.ndarray
-    maps: np.ndarray
-    residual: np.ndarray
-    iterations: np.ndarray
-    status: np.ndarray
+    dwell: np.ndarray  # (n, p)
+    starts: np.ndarray  # (n, p, N), state at the start of each phase
+    maps: np.ndarray  # (n, N, N), derivative of the start behind one period by the start
+    residual: np.ndarray  # (n,)
+    iterations: np.ndarray  # (n,) of int32
+    status: np.ndarray  # (n,) of int32
 
 
 def solve_shape(
@@ -94,20 +83,11 @@ def solve_shape(
     start: np.ndarray | None,
     period: np.ndarray,
 ) -> TableSolution:
-    """Solve at many points, compiled where that is possible.
+    """Solve the equations of a cycle at n points, compiled if that is possible.
 
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    flat : array (n, size)
-        Numbers of each point, as `numbers_at` gives them.
-    dwell : array (n, p)
-        Guess. In the system's unit of time.
-    start : array (n, N), optional
-        Guess; without one the start that fits the dwell times best is taken. In the system's
-        units.
-    period : array (n,)
-        Sum of the dwell times, or NaN where that is free. In the system's unit of time.
+    `flat` (n, size) has the numbers of each point, as `numbers_at` gives them. `dwell` (n, p) and
+    `start` (n, N) are guesses, in the system's units; without a start the one that fits the dwell
+    times best is taken. `period` (n,) is the sum of the dwell times, or NaN where it is free.
     """
     engine = compiled_engine()
     if engine is None or len(cycle.structure.forcing) > 1:
@@ -135,14 +115,7 @@ def solve_shape(
 
 
 def message_of(status: int, *, timed: bool = False) -> str:
-    """What a status means and suggests, where the period was given or not.
-
-    Parameters
-    ----------
-    status : int
-    timed : bool
-        Whether the period was given.
-    """
+    """The meaning of a status and a suggestion; `timed` says that the period was given."""
     return _TIMED.get(status, _MESSAGES[status]) if timed else _MESSAGES[status]
 
 
@@ -153,20 +126,7 @@ def solve_in_python(
     start: np.ndarray | None,
     period: np.ndarray,
 ) -> TableSolution:
-    """Solve as `solve_shape` does, on NumPy.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    flat : array (n, size)
-        Numbers of each point, as `numbers_at` gives them.
-    dwell : array (n, p)
-        Guess. In the system's unit of time.
-    start : array (n, N) or None
-        Guess. In the system's units.
-    period : array (n,)
-        Sum of the dwell times, or NaN where that is free. In the system's unit of time.
-    """
+    """Solve as `solve_shape` does, on NumPy."""
     dwell = np.array(dwell, dtype=float)
     count, size = len(flat), len(cycle.structure.states)
     least = np.ones(count)
@@ -205,19 +165,10 @@ def solve_in_python(
 
 
 def sizes(now: Shooting, dwell: Any) -> Any:
-    """Size of each state along a passage (..., N): its unit of measure.
+    """Size (..., N) of each state along a passage, used as its unit, from dwell times (..., p).
 
-    Parameters
-    ----------
-    now : Shooting
-    dwell : array (..., p)
-        In the system's unit of time.
-
-    Returns
-    -------
-    array (..., N)
-        A state that decays to zero by itself has no size of its own: none is smaller than
-        `NOTHING` times the largest, and 1 if all are zero.
+    A state that decays to zero by itself has no size of its own: none is smaller than `NOTHING`
+    times the largest, and all are 1 if all states are zero.
     """
     waits = np.moveaxis(np.asarray(dwell), -1, 0)[..., None]
     found = np.concatenate([np.abs(now.starts), np.abs(now.ends), np.abs(now.velocities * waits)])
@@ -229,7 +180,7 @@ def sizes(now: Shooting, dwell: Any) -> Any:
 def _residuals(
     cycle: ItineraryShape, flat: np.ndarray, now: Shooting, size_of: np.ndarray, waits: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Largest absolute value of closure and switching, and in units of what cancels."""
+    """Largest error of closure and switching, absolute and relative to the terms that cancel."""
     rows = np.moveaxis(numbers_in(cycle.structure, flat).rows[:, list(cycle.rows)], 1, 0)
     reach = np.maximum(np.abs(now.ends), np.abs(now.velocities * waits[..., None]))
     terms = (np.abs(rows[..., :-1]) * reach).sum(axis=-1) + np.abs(rows[..., -1])

@@ -33,11 +33,9 @@ _APART = 1e-9  # relative singular value above which rows annihilate no vector
 
 
 def translations_of(system: PiecewiseLinear) -> np.ndarray:
-    """Directions (m, N) along which nothing changes; in any arithmetic. See `directions_of`.
+    """Directions (m, N) along which a system does not change, in its arithmetic.
 
-    Returns
-    -------
-    array (m, N)
+    See `directions_of`.
     """
     return directions_of(system.structure, system.fields, system.rows, system.resets)
 
@@ -46,18 +44,8 @@ def directions_of(structure: Structure, fields: Any, rows: Any, resets: Any) -> 
     """Directions (m, N) along which a system's numbers do not change, in reduced echelon form.
 
     Fields, boundaries, constraints and conditions do not change along them, and resets carry
-    them along: y + s d is a motion when y is. None, m = 0, is the rule.
-
-    Parameters
-    ----------
-    structure : Structure
-    fields : array (c, N, N + 1)
-    rows : array (R, N + 1)
-    resets : array (r, N, N + 1)
-
-    Returns
-    -------
-    array (m, N)
+    them along: y + s d is a motion if y is. Most systems have none, m = 0. Fields are
+    (c, N, N + 1), rows (R, N + 1) and resets (r, N, N + 1).
     """
     used, taken = deciding_rows(structure), taken_resets(structure)
     size = len(structure.states)
@@ -71,12 +59,9 @@ def directions_of(structure: Structure, fields: Any, rows: Any, resets: Any) -> 
 
 
 def deciding_rows(structure: Structure) -> list[int]:
-    """Rows of boundaries, constraints, conditions and a contact law: what motions depend on.
+    """Rows that decide about motions, increasing.
 
-    Returns
-    -------
-    list of int
-        Increasing.
+    They are those of boundaries, constraints, conditions and a contact law.
     """
     used = {b.row for boundaries in structure.boundaries for b in boundaries}
     used |= {row for rows in structure.constraints for row in rows}
@@ -89,13 +74,7 @@ def deciding_rows(structure: Structure) -> list[int]:
 
 
 def taken_resets(structure: Structure) -> list[int]:
-    """Resets of all transitions, and of a contact law.
-
-    Returns
-    -------
-    list of int
-        Increasing.
-    """
+    """Resets of all transitions and of a contact law, increasing."""
     found = {t.reset for each in structure.transitions for t in each}
     if structure.law is not None:
         found |= {reset for resets in structure.law.resets.values() for reset in resets.values()}
@@ -103,16 +82,9 @@ def taken_resets(structure: Structure) -> list[int]:
 
 
 def projection_along(directions: np.ndarray) -> np.ndarray:
-    """Matrix (N, N) that sets the first coordinate of each direction to zero, moving along it.
+    """Matrix (N, N) that moves a state along directions to where their first coordinates are zero.
 
-    Parameters
-    ----------
-    directions : array (m, N)
-        In reduced echelon form.
-
-    Returns
-    -------
-    array (N, N)
+    The directions (m, N) are in reduced echelon form.
     """
     found = np.eye(directions.shape[1], dtype=directions.dtype)
     for direction, place in zip(directions, gauges_of(directions), strict=True):
@@ -121,39 +93,20 @@ def projection_along(directions: np.ndarray) -> np.ndarray:
 
 
 def up_to_shift(states: np.ndarray, directions: np.ndarray) -> np.ndarray:
-    """States (..., N), each moved along the directions to where their first coordinates are 0.
+    """States (..., N), each moved along directions to where their first coordinates are zero.
 
-    Parameters
-    ----------
-    states : array (..., N)
-        In the system's units.
-    directions : array (m, N)
-        In reduced echelon form.
-
-    Returns
-    -------
-    array (..., N)
+    The directions (m, N) are in reduced echelon form.
     """
     return states @ projection_along(directions).T if len(directions) else states
 
 
 def gauges_of(directions: Sequence[Any] | np.ndarray) -> list[int]:
-    """First coordinate of each direction: one in it, and zero in the others.
-
-    Parameters
-    ----------
-    directions : array (m, N)
-
-    Returns
-    -------
-    list of int
-        One for each direction.
-    """
+    """First coordinate of each direction (m, N): it is one there, and zero in the others."""
     return [next(k for k, x in enumerate(direction) if x) for direction in directions]
 
 
 def _null_space(rows: np.ndarray) -> np.ndarray:
-    """Vectors that all rows annihilate, in reduced echelon form, by Gauss and Jordan."""
+    """Vectors that all rows annihilate, in reduced echelon form, by Gauss-Jordan elimination."""
     largest = abs(rows).max(axis=1)
     left = rows[largest > 0] / largest[largest > 0, None]
     width = rows.shape[1]

@@ -33,120 +33,43 @@ __all__ = [
 
 
 class Phase(NamedTuple):
-    """Affine maps of one phase, in the form of their arithmetic.
+    """Affine maps of one phase, in the form of their arithmetic."""
 
-    Attributes
-    ----------
-    field : affine map
-        The rate of the state.
-    row : affine map to one number
-        The boundary function that is zero where the phase ends.
-    reset : affine map
-        The state behind the boundary.
-    """
-
-    field: Any
-    row: Any
-    reset: Any
+    field: Any  # the rate of the state
+    row: Any  # to one number, the boundary function that is zero where the phase ends
+    reset: Any  # the state behind the boundary
 
 
 class Ahead(NamedTuple):
-    """A boundary function at a phase's end, by the state at its start.
+    """A boundary function at a phase's end, as a function of the state at its start."""
 
-    Attributes
-    ----------
-    row : affine map to one number
-    rate : affine map to one number
-        Its derivative by the dwell time.
-    """
-
-    row: Any
-    rate: Any
+    row: Any  # affine map to one number
+    rate: Any  # affine map to one number, its derivative by the dwell time
 
 
 class Arithmetic(Protocol):
-    """How affine maps act; a column times a row is their outer product."""
+    """How affine maps act on states and their changes; a column times a row is an outer product."""
 
     def apply(self, affine: Any, state: Any) -> Any:
-        """Apply a map to a state.
-
-        Parameters
-        ----------
-        affine : affine map
-        state : column
-            In the system's units.
-
-        Returns
-        -------
-        column
-        """
+        """Apply an affine map to a state, a column, which gives a column."""
 
     def carry(self, affine: Any, changes: Any) -> Any:
-        """Apply a map's linear part to changes of a state, one in each column.
-
-        Parameters
-        ----------
-        affine : affine map
-        changes : columns
-
-        Returns
-        -------
-        columns
-        """
+        """Apply a map's linear part to changes of a state, one in each column."""
 
     def linear(self, affine: Any) -> Any:
-        """Return a map's linear part, as changes.
-
-        Parameters
-        ----------
-        affine : affine map
-
-        Returns
-        -------
-        columns
-        """
+        """Return a map's linear part, as columns of changes."""
 
     def number(self, entry: Any) -> Any:
-        """Return the number in what has one row and one column.
-
-        Parameters
-        ----------
-        entry : row of one column
-
-        Returns
-        -------
-        number
-        """
+        """Return the number in a row that has only one column."""
 
     def turned(self, changes: Any, velocity: Any, rate: Any) -> Any:
-        """Add what a row of changes of a time adds to changes of the state.
+        """Add to columns of changes of the state what changes of the time add, velocity times rate.
 
-        Parameters
-        ----------
-        changes : columns
-            Of the state.
-        velocity : column
-            Of the state.
-        rate : row
-            Of changes of the time.
-
-        Returns
-        -------
-        columns
+        `velocity` is a column; `rate` is a row of changes of the time.
         """
 
     def beside(self, row: Any, value: Any) -> Any:
-        """Add a value to the last entry of a row that nothing else has.
-
-        Parameters
-        ----------
-        row : row
-        value : number
-
-        Returns
-        -------
-        row
-        """
+        """Add a value to the last entry of a row; the row may be changed in place."""
 
 
 class _Arrays:
@@ -215,40 +138,23 @@ MATRICES: Arithmetic = _Matrices()
 
 
 class Shooting(NamedTuple):
-    """The shooting map of p phases at a start, and its variational.
+    """The shooting map of p phases at a start, and its derivatives by n unknowns.
 
     `shooting_map` gives sequences of columns; `nonsmooth.runtime.shooting.shooting_map.shoot`
-    gives arrays of the shapes that follow.
-
-    Attributes
-    ----------
-    flows : array (p, ..., N, N + 1)
-    starts : array (p + 1, ..., N)
-        State at each phase's start; last what the first would be after the chain.
-    ends, velocities : array (p, ..., N)
-        State at each phase's end, and its velocity there.
-    residual : array (p, ...)
-        Boundary function at each phase's end.
-    speeds : array (p, ...)
-        Its rate; empty where dwell times are unknowns.
-    rates : array (p, ..., n)
-        Change of each dwell time by the unknowns; where it follows, by the start, and where the
-        start stays.
-    slopes : array (p, ..., n)
-        Change of each boundary function at its phase's end; empty where dwell times follow.
-    variational : array (..., N, n)
-        Change of the state after the chain.
+    gives arrays of the shapes below. Dwell times are unknowns or follow the start.
     """
 
-    flows: Any
-    starts: Any
-    ends: Any
-    velocities: Any
-    residual: Any
-    speeds: Any
+    flows: Any  # (p, ..., N, N + 1)
+    starts: Any  # (p + 1, ..., N), state at each phase's start; last the state after the chain
+    ends: Any  # (p, ..., N), state at each phase's end
+    velocities: Any  # (p, ..., N), velocity at each phase's end
+    residual: Any  # (p, ...), boundary function at each phase's end
+    speeds: Any  # (p, ...), rate of the boundary function; empty if dwell times are unknowns
+    # (p, ..., n), derivative of each dwell time by the unknowns; if dwell times follow, by the
+    # start, and last their change at a fixed start
     rates: Any
-    slopes: Any
-    variational: Any
+    slopes: Any  # (p, ..., n), derivative of the boundary functions; empty if dwell times follow
+    variational: Any  # (..., N, n), derivative of the state after the chain
 
 
 def shooting_map(
@@ -260,25 +166,14 @@ def shooting_map(
     rates: Sequence[Any] | None = None,
     ahead: Sequence[Ahead | None] | None = None,
 ) -> Shooting:
-    """Carry a start, and changes of it, through a chain of phases.
+    """Carry a start, and its changes by each unknown, through a chain of phases.
 
-    Parameters
-    ----------
-    arithmetic : Arithmetic
-    phases : sequence of Phase
-    flows : iterable of affine maps
-        Of each phase, over its dwell time.
-    start : column
-        In the system's units.
-    changes : columns
-        Of the start, by each unknown.
-    rates : sequence of rows, optional
-        Change of each dwell time by each unknown. Without them a dwell time changes such that
-        its switching condition, linearised, is solved; the last unknown stands for the 1 that
-        multiplies constants.
-    ahead : sequence of (Ahead or None), optional
-        Boundary functions by the starts of their phases, where these are sharper than those
-        at the ends.
+    `flows` are those of the phases over their dwell times; `start` is a column in the system's
+    units, and `changes` has one column for each unknown. `rates` has a row for each phase, the
+    change of its dwell time by each unknown. Without them a dwell time changes such that its
+    linearised switching condition is solved; the last unknown then stands for the 1 that
+    multiplies constants. `ahead` gives boundary functions as functions of the phases' starts,
+    where these are sharper than those at the ends.
     """
     apply, carry = arithmetic.apply, arithmetic.carry
     state, starts = start, [start]
@@ -314,27 +209,13 @@ def shooting_map(
 def section_map(
     arithmetic: Arithmetic, phase: Phase, flow: Any, velocity: Any, behind: Any = None
 ) -> Any:
-    """Derivative of the state behind a phase's reset by that at its start.
+    """Derivative of the state behind a phase's reset by that at its start, as columns.
 
     With the flow's matrix Phi, the reset's R, the gradient n of the boundary, and the
     velocities f- in front and f+ behind it is R (Phi - f- n Phi / n f-) between sections, and
     R Phi + (f+ - R f-) n Phi / n f- at fixed times: the saltation matrix times Phi (M. Aizerman
-    and F. Gantmakher, 1958).
-
-    Parameters
-    ----------
-    arithmetic : Arithmetic
-    phase : Phase
-    flow : affine map
-        Of the phase, over its dwell time.
-    velocity : column
-        f-, at the phase's end.
-    behind : column, optional
-        f+; without it the map is that between sections.
-
-    Returns
-    -------
-    columns
+    and F. Gantmakher, 1958). `velocity` is f-, and `behind` is f+; without it the map is that
+    between sections.
     """
     linear = arithmetic.linear(flow)
     ahead = arithmetic.carry(phase.row, linear)
@@ -348,24 +229,9 @@ def section_map(
 def section_map_times_speed(
     arithmetic: Arithmetic, phase: Phase, flow: Any, velocity: Any, behind: Any = None
 ) -> Any:
-    """Multiply `section_map` by the speed n f- at which the boundary is reached.
+    """The product of `section_map` and the speed n f- at which the boundary is reached.
 
-    The product is regular where the speed is zero: there it has rank one.
-
-    Parameters
-    ----------
-    arithmetic : Arithmetic
-    phase : Phase
-    flow : affine map
-        Of the phase, over its dwell time.
-    velocity : column
-        f-, at the phase's end.
-    behind : column, optional
-        f+; without it the map is that between sections.
-
-    Returns
-    -------
-    columns
+    It is regular where the speed is zero: there it has rank one.
     """
     linear = arithmetic.linear(flow)
     jump = -arithmetic.carry(phase.reset, velocity)

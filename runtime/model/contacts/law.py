@@ -14,7 +14,7 @@ Regimes = tuple[str, ...]
 
 
 class ContactRows(NamedTuple):
-    """A contact: its name, whether it is one of friction, and the rows of its functions."""
+    """A contact: its name, whether it has friction, and the rows of its functions."""
 
     name: str
     friction: bool
@@ -27,72 +27,51 @@ class ContactRows(NamedTuple):
 
     @property
     def rows(self) -> tuple[int, ...]:
-        """Rows of its functions."""
+        """The rows of the contact's functions."""
         return (
             self.relative, self.gap, self.static, self.kinetic, self.slipping, self.overshooting,
         )  # fmt: skip
 
     @property
     def regimes(self) -> Regimes:
-        """What it may do at rest."""
+        """The regimes that the contact may have at rest."""
         return ("slip", "stick", "overshoot") if self.friction else ("free", "contact")
 
 
 class ContactEvent(NamedTuple):
-    """Boundaries that are reached together, as the law sees them.
+    """Boundaries that are reached at one instant, as the contact law sees them."""
 
-    Attributes
-    ----------
-    resting : tuple of int
-        Contacts that are decided: those at rest that the event concerns.
-    reached : frozenset of int
-        Those of them that have reached the limit of their force.
-    regimes : tuple of str
-        Of all contacts before the event.
-    others : str
-        Regimes of the other parts behind it,
-    own : str
-        and their boundaries among those that are reached.
-    """
-
+    # contacts at rest that the event concerns, about which the law decides
     resting: tuple[int, ...]
-    reached: frozenset[int]
-    regimes: Regimes
-    others: str
-    own: str
+    reached: frozenset[int]  # those of them whose force has reached its limit
+    regimes: Regimes  # of all contacts before the event
+    others: str  # regimes of the other parts behind the event
+    own: str  # boundaries of the other parts among those reached, joined by "+"
 
 
 @dataclass(frozen=True, eq=False)
 class Law:
-    """The contacts and what is known of them; see `nonsmooth.derive.declaration.contact_law`.
+    """The law that decides about coupled contacts; see `nonsmooth.derive.declaration.contact_law`.
 
-    Attributes
-    ----------
-    contacts : tuple of ContactRows
-    coupling : m x m rows, whose constants are the entries
-    couples : m x m bools
-        Whether an entry is not zero whatever the parameters.
-    configurations : tuple of str
-    regimes : for each configuration a regime of each contact
-    others : for each configuration the regimes of the other parts
-    free : mapping of the others' regimes to m rows
-    arrivals, limits : mapping of boundary to contact
-    switches : mapping of the others' regimes to mapping of their boundaries to regimes behind
-    idle : for each configuration the contacts that slide in name only
-    resets : mapping of target ("": nothing begins to hold) to mapping of boundaries to reset
+    Here m is the number of contacts. Tuples run over the configurations or over the contacts.
     """
 
     contacts: tuple[ContactRows, ...]
+    # m x m rows, whose constants are the entries of the coupling matrix
     coupling: tuple[tuple[int, ...], ...]
-    couples: tuple[tuple[bool, ...], ...]
-    configurations: tuple[str, ...]
-    regimes: tuple[Regimes, ...]
-    others: tuple[str, ...]
+    couples: tuple[tuple[bool, ...], ...]  # m x m, whether an entry is not identically zero
+    configurations: tuple[str, ...]  # names
+    regimes: tuple[Regimes, ...]  # for each configuration the regime of each contact
+    others: tuple[str, ...]  # for each configuration the regimes of the other parts
+    # for the others' regimes m rows, the accelerations without contact forces
     free: Mapping[str, tuple[int, ...]]
-    arrivals: Mapping[str, int]
-    limits: Mapping[str, int]
+    arrivals: Mapping[str, int]  # contact of each boundary at which one comes to rest
+    limits: Mapping[str, int]  # contact of each boundary at which a force reaches its limit
+    # for the others' regimes and their boundaries the others' regimes behind
     switches: Mapping[str, Mapping[str, str]]
+    # for each configuration the contacts that slide in name only: others keep them at rest
     idle: tuple[tuple[int, ...], ...]
+    # by target ("" if no contact begins to hold) and boundaries of other parts
     resets: Mapping[str, Mapping[str, int]]
 
     @cached_property
@@ -101,35 +80,16 @@ class Law:
         return {key: place for place, key in enumerate(both)}
 
     def configuration(self, regimes: Regimes, others: str) -> int | None:
-        """The configuration of these regimes; None if they do not go together.
+        """Index of the configuration with these regimes; None if no configuration has them.
 
-        Parameters
-        ----------
-        regimes : tuple of str
-            Of each contact.
-        others : str
-            Regimes of the other parts.
-
-        Returns
-        -------
-        int or None
-            Its index.
+        `regimes` has one of each contact, `others` those of the other parts.
         """
         return self._places.get((others, regimes))
 
     def idling(self, event: ContactEvent, regimes: Regimes) -> tuple[int, ...]:
-        """Contacts of an event that slide in name only among these regimes.
+        """Contacts that slide in name only in the configuration that an event and regimes give.
 
-        Parameters
-        ----------
-        event : ContactEvent
-        regimes : tuple of str
-            Of each contact.
-
-        Returns
-        -------
-        tuple of int
-            Indices of contacts.
+        `regimes` has one of each contact; the other parts have those of the event.
         """
         found = self.configuration(regimes, event.others)
         return () if found is None else self.idle[found]
@@ -137,16 +97,7 @@ class Law:
     def untouched(self, event: ContactEvent, regimes: Regimes) -> tuple[int, ...]:
         """Stops of an event that are free because friction holds their directions at rest.
 
-        Parameters
-        ----------
-        event : ContactEvent
-        regimes : tuple of str
-            Of each contact.
-
-        Returns
-        -------
-        tuple of int
-            Indices of contacts.
+        `regimes` has one of each contact.
         """
         return tuple(
             i
@@ -157,25 +108,16 @@ class Law:
         )
 
     def beginning(self, configuration: int, resting: Iterable[int]) -> ContactEvent:
-        """A start at rest, as an event: nothing has reached its limit.
-
-        Parameters
-        ----------
-        configuration : int
-        resting : iterable of int
-            Contacts at rest.
-        """
+        """The event of a start at rest, at which no force has reached its limit."""
         regimes, others = self.regimes[configuration], self.others[configuration]
         return ContactEvent(tuple(resting), frozenset(), regimes, others, "")
 
     def event(self, source: int, boundaries: Iterable[str]) -> ContactEvent | None:
-        """What an event concerns; None where it is none of contacts, or is not declared.
+        """The event of boundaries that are reached together in the configuration `source`.
 
-        Parameters
-        ----------
-        source : int
-            The configuration in which the boundaries are reached.
-        boundaries : iterable of str
+        It concerns the contacts that come to rest or reach their limit, and all contacts at rest
+        that are coupled with these, directly or through others. None if no contact is among them,
+        or if no switch is declared for the boundaries of the other parts.
         """
         boundaries = frozenset(boundaries)
         reached = frozenset(self.limits[b] for b in boundaries if b in self.limits)
@@ -194,31 +136,15 @@ class Law:
         return ContactEvent(tuple(sorted(concerned)), reached, regimes, others, own)
 
     def leads(self, event: ContactEvent, target: int) -> bool:
-        """Whether a configuration may follow: nothing changes but what the event concerns.
-
-        Parameters
-        ----------
-        event : ContactEvent
-        target : int
-            A configuration.
-        """
+        """Whether a configuration may follow: only what the event concerns changes."""
         pairs = zip(event.regimes, self.regimes[target], strict=True)
         kept = all(a == b for i, (a, b) in enumerate(pairs) if i not in event.resting)
         return kept and self.others[target] == event.others
 
     def reset(self, event: ContactEvent, target: int) -> int:
-        """The reset on the way to a target: what begins to hold is put in its place.
+        """Index of the system's reset from an event to a target.
 
-        Parameters
-        ----------
-        event : ContactEvent
-        target : int
-            A configuration.
-
-        Returns
-        -------
-        int
-            Its index among the system's resets.
+        It differs where a contact begins to hold: the reset puts it exactly in its place.
         """
         pairs = zip(event.regimes, self.regimes[target], strict=True)
         begins = any(after in HOLDING and after != before for before, after in pairs)
@@ -226,14 +152,9 @@ class Law:
 
 
 def law_of(table: Mapping[str, Any], configurations: Sequence[str]) -> Law | None:
-    """The law in a system's table; None where each contact is decided by itself.
+    """The law in a system's emitted table; None if each contact is decided by itself.
 
-    Parameters
-    ----------
-    table : mapping of str to object
-        Of a system, as it is emitted.
-    configurations : sequence of str
-        Of that system, in its order.
+    `configurations` are those of the system, in its order.
     """
     found = table.get("law")
     if found is None:

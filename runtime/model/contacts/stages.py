@@ -19,7 +19,7 @@ Combination = dict[int, Any]  # coefficients of rows
 
 
 class Stage(NamedTuple):
-    """A step: contacts whose limit is the kinetic one, and what each contact does."""
+    """One step of the law's choice: the regimes, and the contacts with the kinetic limit."""
 
     reached: frozenset[int]
     regimes: Regimes
@@ -29,7 +29,7 @@ Path = tuple[Stage, ...]  # the steps of a choice; the last has the regimes behi
 
 
 class SignRequirement(NamedTuple):
-    """The sign of a combination of rows: positive, or not; and the contact that it is about."""
+    """The required sign of a combination of rows (positive, or not), and the contact concerned."""
 
     function: Combination
     positive: bool
@@ -37,13 +37,7 @@ class SignRequirement(NamedTuple):
 
 
 def signs(law: Law, event: ContactEvent, stage: Stage) -> list[bool]:
-    """Which of the functions of a step are to be positive; the others are not.
-
-    Returns
-    -------
-    list of bool
-        One for each entry of `requirements`.
-    """
+    """The required sign of each function in `requirements`: True if it has to be positive."""
     found: list[bool] = []
     for i in _judged(law, event, stage):
         kept = stage.regimes[i] in HOLDING
@@ -54,20 +48,10 @@ def signs(law: Law, event: ContactEvent, stage: Stage) -> list[bool]:
 def requirements(
     law: Law, event: ContactEvent, stage: Stage, entry: Callable[[int], Any]
 ) -> list[SignRequirement]:
-    """What has to hold in a step.
+    """The signs of functions that have to hold in a step of the law.
 
-    Parameters
-    ----------
-    law : Law
-    event : ContactEvent
-    stage : Stage
-    entry : function
-        The constant of a row: an entry of the coupling.
-
-    Raises
-    ------
-    ZeroDivisionError
-        Where the directions that hold depend on each other.
+    `entry` gives the constant of a row, which is an entry of the coupling. Raises
+    `ZeroDivisionError` where the directions of the contacts that hold depend on each other.
     """
     resting, regimes = event.resting, stage.regimes
     kept = [i for i in resting if regimes[i] in HOLDING]
@@ -109,7 +93,7 @@ def requirements(
 
 
 def _judged(law: Law, event: ContactEvent, stage: Stage) -> list[int]:
-    """Contacts of which something is required."""
+    """The contacts for which a step requires a sign."""
     untouched = law.untouched(event, stage.regimes)
     return [i for i in event.resting if i not in untouched]
 
@@ -119,7 +103,7 @@ def _coupling(law: Law, i: int, j: int, entry: Callable[[int], Any]) -> Any:
 
 
 def _force(law: Law, index: int, regime: str, kinetic: bool) -> Combination:
-    """Force of a contact that does not hold: of the kinetic law, or of the static limit."""
+    """The force of a contact that does not hold: kinetic friction, or the static limit."""
     contact = law.contacts[index]
     if regime == "slip":
         return {contact.slipping if kinetic else contact.static: 1}
@@ -134,7 +118,10 @@ def _reactions(
     accelerations: dict[int, Combination],
     entry: Callable[[int], Any],
 ) -> dict[int, Combination]:
-    """Reactions that leave what holds without acceleration: elimination without exchanges."""
+    """The reactions with which the contacts that hold do not accelerate.
+
+    They are solved for by elimination without exchanges of rows.
+    """
     matrix = [[_coupling(law, i, j, entry) for j in kept] for i in kept]
     right = [_sum([(-1, accelerations[i])]) for i in kept]
     count = len(kept)

@@ -47,7 +47,7 @@ class UnfoldedKernels(SystemKernels):
 
     @cached_property
     def _steps(self) -> list[tuple[ContactEvent, Stage]]:
-        """Every step of the routes, one after the other."""
+        """The event and the stage of every step, route by route."""
         return [(self._event(route), stage) for route in self.routes for stage in route.path]
 
     def _event(self, route: Route) -> ContactEvent:
@@ -82,12 +82,7 @@ class UnfoldedKernels(SystemKernels):
         return base | {"transitions": [*base["transitions"], *listed]}
 
     def source(self, kernel: str) -> Callable[..., Any]:
-        """A kernel over any arithmetic; rows with those of the routes.
-
-        Returns
-        -------
-        callable
-        """
+        """A kernel over any arithmetic; `rows` gives the rows of the routes too."""
         found = self._declared.source(kernel)
         if kernel != "rows":
             return found
@@ -100,17 +95,9 @@ class UnfoldedKernels(SystemKernels):
         return rows
 
     def evaluate(self, kernel: str, *arrays: Any) -> Any:
-        """A kernel in double precision; rows with those of the routes.
+        """Values of a kernel in double precision; `rows` gives the rows of the routes too.
 
-        Parameters
-        ----------
-        kernel : str
-        *arrays : array
-            The kernel's arguments; they broadcast over leading axes.
-
-        Returns
-        -------
-        array or tuple of array
+        The kernel's arguments broadcast over leading axes.
         """
         found = self._declared.evaluate(kernel, *arrays)
         if kernel != "rows":
@@ -134,14 +121,7 @@ def _row(combination: Combination, declared: Sequence[Sequence[Any]]) -> list[An
 
 
 def unfolded(kernels: SystemKernels, routes: Iterable[Route]) -> SystemKernels:
-    """The same kernels with these routes listed, and no others.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    routes : iterable of Route
-        One that is there twice is listed once.
-    """
+    """The same kernels with exactly these routes listed; each is listed once."""
     declared = kernels.name, kernels.module, kernels.compiled
     wanted = tuple(dict.fromkeys(routes))
     return UnfoldedKernels(*declared, wanted) if wanted else SystemKernels(*declared)

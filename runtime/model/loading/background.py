@@ -52,25 +52,14 @@ _LOG = logging.getLogger(__name__)
 
 @dataclass
 class KernelLibrary:
-    """The compiled kernels of one derivation of a declaration, once they are there.
+    """The compiled kernels of one derivation of a declaration, as soon as they exist."""
 
-    Attributes
-    ----------
-    key : str
-        Hash of the declaration and of what derives it.
-    derivation : str or None
-        Hash of the kernels, which the compiled ones have to bear; None where it is not known
-        before they are made.
-    stem : str
-        Name of the system in identifiers.
-    many_points : bool
-        Whether they are those that solve orbits at many points.
-    """
-
-    key: str
+    key: str  # hash of the declaration and of the code that derives it
+    # hash of the kernels that the compiled ones have to have; None if it is not known before they
+    # are made
     derivation: str | None
-    stem: str
-    many_points: bool = False
+    stem: str  # name of the system in identifiers
+    many_points: bool = False  # whether they are those that solve orbits at many points
     _declared: tuple[Any, tuple[Any, ...]] | None = None
     _tried: bool = False
     _module: ModuleType | None = None
@@ -80,17 +69,11 @@ class KernelLibrary:
     _lock: Any = field(default_factory=RLock)
 
     def declare(self, system: Any, orbits: tuple[Any, ...]) -> None:
-        """Tell of what they are: without it, kernels are found and not made.
-
-        Parameters
-        ----------
-        system : System
-        orbits : tuple of Itinerary
-        """
+        """State the system and orbits of the kernels, so that missing kernels can be made."""
         self._declared = system, orbits
 
     def module(self) -> ModuleType | None:
-        """The compiled kernels, if they are there by now."""
+        """The compiled kernels, if they exist by now."""
         with self._lock:
             if self._building is not None and self._building.ended():
                 self._building, self._sought = None, False
@@ -99,19 +82,10 @@ class KernelLibrary:
             return self._module
 
     def wanted(self, seconds: float, *, at_once: bool = False) -> ModuleType | None:
-        """The compiled kernels for a work, made if it is worth that.
+        """The compiled kernels for some work, made now if that is worth while; None for NumPy.
 
-        Parameters
-        ----------
-        seconds : float
-            What NumPy takes for the work.
-        at_once : bool
-            Wait for them where they are made.
-
-        Returns
-        -------
-        module or None
-            None where the work is done by NumPy.
+        `seconds` is the time that NumPy takes for the work; the times of all calls add up. With
+        `at_once` it waits while they are made.
         """
         with self._lock:
             found = self.module()
@@ -141,7 +115,7 @@ class KernelLibrary:
 
 
 class _Pickler(pickle.Pickler):
-    """Writes declarations down; the mappings that nobody may change as what they are of."""
+    """Pickles declarations, with read-only mappings as copies of the dicts behind them."""
 
     dispatch_table = copyreg.dispatch_table | {
         MappingProxyType: lambda mapping: (_unchanging, (dict(mapping),))
@@ -161,7 +135,7 @@ class _Build:
     begun: float
 
     def ended(self) -> bool:
-        """Whether it has ended; then what it left is removed."""
+        """Whether the process has ended; if so, its folder is removed."""
         if self.process.poll() is None:
             if time.monotonic() - self.begun < _LONGEST_BUILD:
                 return False
@@ -172,7 +146,7 @@ class _Build:
         return True
 
     def wait(self, seconds: float) -> None:
-        """Wait so long for its end; whoever interrupts that stops it."""
+        """Wait for its end, at most so many seconds; an interrupt stops the process."""
         try:
             self.process.wait(seconds)
         except subprocess.TimeoutExpired:
@@ -183,7 +157,7 @@ class _Build:
             raise
 
     def _close(self) -> str:
-        """Remove what an ended process left, and give the last line that it told."""
+        """Remove the folder of an ended process and return the last line of its error output."""
         shutil.rmtree(self.work, ignore_errors=True)
         stream = self.process.stderr
         if stream is None or stream.closed:
@@ -192,14 +166,14 @@ class _Build:
             return stream.read().decode(errors="replace").strip().rpartition("\n")[2]
 
     def stop(self) -> None:
-        """End it, with the compiler that it runs."""
+        """Kill the process and the compiler that it runs."""
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(self.process.pid, signal.SIGKILL)
         self.process.wait()
 
 
 def _begin(key: str, declared: tuple[Any, tuple[Any, ...]], *, many_points: bool) -> _Build | None:
-    """Start to compile, if there is anything to do it with and a place to keep the result."""
+    """Start to compile; None if something is missing or there is nowhere to keep the result."""
     missing = lacking()
     if missing is not None:
         _LOG.info("kernels are not compiled and run on NumPy: %s", missing)
@@ -232,13 +206,7 @@ def _begin(key: str, declared: tuple[Any, tuple[Any, ...]], *, many_points: bool
 
 
 def lacking() -> str | None:
-    """What a compilation lacks.
-
-    Returns
-    -------
-    str or None
-        None if nothing is known to be missing.
-    """
+    """What is missing for a compilation, in words; None if nothing is known to be missing."""
     if os.name != "posix":
         return "they are compiled in the background on POSIX alone"
     command = compiler()
@@ -250,7 +218,7 @@ def lacking() -> str | None:
 
 
 def build() -> None:
-    """Derive, compile and keep what standard input tells: the work of the other process."""
+    """Derive, compile and store the kernels that standard input names, in the other process."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # what is open is closed
     key, folder, many_points, system, orbits = pickle.load(sys.stdin.buffer)
     try:

@@ -41,9 +41,9 @@ _ENTRY = re.compile(r"[0-9a-f]{16,}(\.py|-[0-9a-f]{32}\..+)")
 
 
 def cache_folder() -> Path | None:
-    """Where derived text is kept; None where it is not.
+    """The folder where derived text is kept; None if none may be used.
 
-    A folder that others could write to is not used, which is said once.
+    A folder that others could write to is not used; the user is warned of it once.
     """
     folder = _named()
     if folder is None:
@@ -74,7 +74,7 @@ def _named() -> Path | None:
 
 
 def _fault(folder: Path) -> str | None:
-    """Why a whole path, or what of it is there, may hold what others wrote; None if it cannot."""
+    """Why others may have written to a path, or to a folder above it; None if they cannot."""
     if not hasattr(os, "getuid"):  # access is not told by modes
         return None
     own, others = os.getuid(), stat.S_IWGRP | stat.S_IWOTH
@@ -94,15 +94,9 @@ def _fault(folder: Path) -> str | None:
 
 
 def cached(key: str, make: Callable[[], str]) -> str:
-    """Text of a key: the stored one if it is whole, else what `make` gives, which is stored.
+    """The text of a key: the stored one if it is whole, else that of `make`, which is stored.
 
-    A folder that cannot be read or written costs only the time to make the text again.
-
-    Parameters
-    ----------
-    key : str
-    make : callable
-        Takes nothing and gives the text.
+    A folder that cannot be read or written only costs the time to make the text again.
     """
     found = stored(key)
     if found is None:
@@ -112,7 +106,7 @@ def cached(key: str, make: Callable[[], str]) -> str:
 
 
 def stored(key: str) -> str | None:
-    """Text that is stored under a key; None where there is none, or it is damaged."""
+    """The text that is stored under a key; None if there is none or it is damaged."""
     folder = cache_folder()
     if folder is None:
         return None
@@ -130,7 +124,7 @@ def stored(key: str) -> str | None:
 
 
 def stored_library(key: str) -> Path | None:
-    """The compiled kernels that are stored under a key; None where there are none, or damaged."""
+    """The path of compiled kernels stored under a key; None if there are none or it is damaged."""
     folder = cache_folder()
     if folder is None:
         return None
@@ -145,21 +139,16 @@ def stored_library(key: str) -> Path | None:
 
 
 def store_library(key: str, name: str, content: bytes) -> None:
-    """Store compiled kernels under a key; their hash is part of the file's name.
+    """Store compiled kernels under a key, with their hash in the file's name.
 
-    Parameters
-    ----------
-    key : str
-    name : str
-        Of an extension: its endings say which Python loads it.
-    content : bytes
+    `name` is that of an extension: its suffixes say which Python loads it.
     """
     suffix = name[name.index(".") :]
     _write(f"{key}-{_digest(content)}{suffix}", content)
 
 
 def made_folder(folder: Path) -> bool:
-    """Make the cache folder, and those above it, for the user alone; whether it is there."""
+    """Make the cache folder and those above it, for the user alone; whether it exists then."""
     with suppress(OSError):
         for place in (*reversed(folder.parents), folder):
             if not place.exists():
@@ -192,7 +181,7 @@ def _content(path: Path) -> bytes:
 
 
 def _keep_bound(folder: Path) -> None:
-    """Remove what was not used for longest; another process may remove the same at this time."""
+    """Remove the files that were not used for longest; other processes may do so as well."""
     found, total = [], 0
     for name in os.listdir(folder):
         with suppress(OSError):
@@ -209,7 +198,7 @@ def _keep_bound(folder: Path) -> None:
 
 
 def _unfinished(path: Path) -> int:
-    """Bytes of what a process is writing; what a killed one left long ago is removed."""
+    """The size in bytes of a file that is being written; an old one of a killed process goes."""
     parts = [path, *path.rglob("*")]
     if time.time() - path.lstat().st_mtime <= _FORGOTTEN:
         return sum(part.lstat().st_size for part in parts)

@@ -37,32 +37,17 @@ setup(name="kernels", ext_modules=[kernels], packages=[], py_modules=[])
 
 
 def compiler() -> list[str]:
-    """The words that call the C compiler: CC of the environment, else the one of this Python."""
+    """The command of the C compiler, as words: CC of the environment, else that of this Python."""
     named = os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc"
     return shlex.split(str(named))
 
 
 def compile_files(files: Mapping[str, str], folder: Path | None = None) -> dict[str, bytes]:
-    """Name and content of the extension that C files and their headers give.
+    """Compile C files and their headers: the name of the extension, mapped to its content.
 
-    Parameters
-    ----------
-    files : mapping of file name to text
-        Others among them are left out of account.
-    folder : Path, optional
-        Where to work, in a folder that goes again; where the system keeps such by default.
-
-    Returns
-    -------
-    dict of str to bytes
-        One entry.
-
-    Raises
-    ------
-    InputError
-        If there is no C compiler, or it fails.
-    MissingExtra
-        On Windows, if setuptools is not installed, which knows the compiler there.
+    Files of other kinds are ignored. `folder` is where a temporary folder is made, the system's
+    default if None. Raises `InputError` if there is no C compiler or it fails, and
+    `MissingExtra` on Windows without setuptools, which knows the compiler there.
     """
     with TemporaryDirectory(dir=folder) as place:
         work = Path(place)
@@ -82,7 +67,7 @@ def compile_files(files: Mapping[str, str], folder: Path | None = None) -> dict[
 
 
 def _commands(sources: Sequence[str]) -> list[list[str]]:
-    """What compiles and links, in a folder of the sources."""
+    """The commands that compile and link, to be run in a folder with the sources."""
     if sys.platform == "win32":
         return [[sys.executable, "-c", _WINDOWS, "build_ext", "--inplace", np.get_include()]]
     own = shlex.split(str(sysconfig.get_config_var("CC") or "cc"))
@@ -97,7 +82,7 @@ def _commands(sources: Sequence[str]) -> list[list[str]]:
 
 
 def _failure(command: Sequence[str], work: Path) -> str | None:
-    """Why a command fails; None if it does not. What it writes beside goes with its folder."""
+    """Why a command fails; None if it succeeds. Its other output goes with the folder."""
     environment = os.environ | {"TMPDIR": str(work)}
     try:
         done = subprocess.run(

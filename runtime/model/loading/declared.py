@@ -29,39 +29,19 @@ class DeclaredSystem(Protocol):
         ...
 
     def fingerprint(self, orbits: Sequence[Any] = ()) -> str:
-        """Hash of the declaration, of the system and of orbits of it.
-
-        Parameters
-        ----------
-        orbits : sequence of Itinerary
-        """
+        """Hash of the declaration of the system and of some orbits of it."""
         ...
 
     def source(self, orbits: Sequence[Any] = ()) -> str:
-        """Tables and kernels as Python text.
-
-        Parameters
-        ----------
-        orbits : sequence of Itinerary
-        """
+        """Tables and kernels of the system and the orbits as Python text."""
         ...
 
     def library(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
-        """The same kernels as the files of an extension in C, with a Python module of them.
-
-        Parameters
-        ----------
-        orbits : sequence of Itinerary
-        """
+        """The same kernels as the files of an extension in C, with a Python module of them."""
         ...
 
     def many_points(self, orbits: Sequence[Any] = ()) -> dict[str, str]:
-        """The files of kernels that solve orbits at many points, in C and in Python.
-
-        Parameters
-        ----------
-        orbits : sequence of Itinerary
-        """
+        """The files of kernels that solve orbits at many points, in C and in Python."""
         ...
 
 
@@ -87,26 +67,17 @@ class DeclaredOrbit(Protocol):
 
 @dataclass(frozen=True)
 class Declared:
-    """What a file declares."""
+    """The system and the orbits that a file declares."""
 
     system: DeclaredSystem
     orbits: tuple[DeclaredOrbit, ...]
 
 
 def declaration_in(path: Path) -> Declared:
-    """Execute a file and take its `system`, and its `orbits` if it names any.
+    """Execute a Python file and take its `system`, and its `orbits` if it defines any.
 
-    While it runs, modules of its folder can be imported.
-
-    Parameters
-    ----------
-    path : Path
-        A Python file.
-
-    Raises
-    ------
-    InputError
-        If it cannot be read, fails (the line is told), or declares no system.
+    While it runs, modules of its folder can be imported. Raises `InputError` if the file cannot
+    be read, fails (the message gives the line) or declares no system.
     """
     try:
         return _declared(path, _executed(path))
@@ -117,7 +88,7 @@ def declaration_in(path: Path) -> Declared:
 
 
 def _declared(path: Path, module: ModuleType) -> Declared:
-    """Take the `system` and the `orbits` of a module, if they are what they should be."""
+    """The `system` and the `orbits` of a module; refused if they are of other types."""
     if not hasattr(module, "system"):
         raise InputError(f"{path} declares no system: call one `system`, such as system = System()")
     system, orbits = module.system, getattr(module, "orbits", ())
@@ -141,7 +112,7 @@ def _declared(path: Path, module: ModuleType) -> Declared:
 
 
 def _derivable(kind: str, found: object) -> bool:
-    """Whether an object is one of the derivation's, whatever it says of itself."""
+    """Whether an object is an instance of the derivation's class of this kind."""
     return any(
         each.__name__ == kind and each.__module__.startswith("nonsmooth.derive.")
         for each in type(found).__mro__
@@ -149,7 +120,7 @@ def _derivable(kind: str, found: object) -> bool:
 
 
 def _executed(path: Path) -> ModuleType:
-    """The module of a file, read anew, whatever was imported before; it prints on stderr."""
+    """The module of a file, read anew even if it was imported; its output goes to stderr."""
     name = f"nonsmooth_file_{hashlib.sha256(os.fsencode(path)).hexdigest()[:16]}"
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None:
@@ -169,7 +140,7 @@ def _executed(path: Path) -> ModuleType:
 
 @contextmanager
 def _importing_from(folder: Path, module: ModuleType) -> Iterator[None]:
-    """Let a module import from its folder, and forget what it imported from there."""
+    """In the block, let a module import from its folder; forget those imports afterwards."""
     before, place = set(sys.modules), str(folder)
     sys.modules[module.__name__] = module
     sys.path.insert(0, place)
@@ -188,12 +159,12 @@ def _importing_from(folder: Path, module: ModuleType) -> Iterator[None]:
 
 
 def _beside(file: Path, folder: Path) -> bool:
-    """Whether a module is one of a folder's own, not of an environment that lies in it."""
+    """Whether a module's file belongs to a folder itself, not to an environment inside it."""
     return folder in file.parents and "site-packages" not in file.relative_to(folder).parts
 
 
 def _failure(path: Path, problem: BaseException) -> InputError:
-    """One line: the file, the line of it that failed, and why."""
+    """An error of one line: the file, the line of it that failed, and why."""
     if isinstance(problem, SyntaxError) and problem.filename is not None:
         place = f"{problem.filename}, line {problem.lineno}"
         return InputError(f"{place}: {type(problem).__name__}: {problem.msg}")

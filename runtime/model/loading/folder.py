@@ -24,12 +24,9 @@ _LARGEST = 1 << 24  # bytes of it
 
 
 def check_own_folder(folder: Path) -> None:
-    """Refuse a folder that holds other things, before the work is done.
+    """Raise `InputError` unless the folder is new, empty or written by `nonsmooth generate`.
 
-    Raises
-    ------
-    InputError
-        Unless the folder is new, empty, or one that `nonsmooth generate` wrote.
+    This is asked before the work, so that a folder with other things in it is refused early.
     """
     check_folder(folder)
     if not folder.exists() or _recorded(folder) is not None:
@@ -47,23 +44,12 @@ def check_own_folder(folder: Path) -> None:
 def write_folder(
     folder: Path, files: Mapping[str, str], library: Mapping[str, bytes] | None = None
 ) -> list[Path]:
-    """Write files into their folder and give those that changed.
+    """Write files into their folder and return those that changed.
 
-    What an earlier run wrote and is no longer there goes, compiled kernels too. A new folder
-    appears whole; in another one the record of the files comes last, so that a cut run is
-    noticed.
-
-    Parameters
-    ----------
-    folder : Path
-    files : mapping of file name to text
-    library : mapping of file name to content, optional
-        Compiled kernels of these files.
-
-    Raises
-    ------
-    InputError
-        As for `check_own_folder`, or for a file of another origin that stands in the way.
+    Files of an earlier run that no longer belong to it are removed, compiled kernels too. A new
+    folder appears whole; in another one the record of the files is written last, so that an
+    interrupted run is noticed. `library` holds compiled kernels of these files. Raises
+    `InputError` as `check_own_folder` does, and for a file of another origin in the way.
     """
     check_own_folder(folder)
     before = set(_recorded(folder) or ()) if folder.is_dir() else set()

@@ -44,48 +44,35 @@ _KINDS = ("fields", "rows", "resets")
 
 @runtime_checkable
 class GrowingDeclaration(DeclaredSystem, Protocol):
-    """A declared system that hands out pieces: see `nonsmooth.derive.building.growing`."""
+    """A declared system that is derived in pieces: see `nonsmooth.derive.building.growing`."""
 
     @property
     def regimes(self) -> Sequence[tuple[str, tuple[str, ...]]]:
-        """Name of each part, and its regimes: a configuration is named by one of each."""
+        """Name and regimes of each part; the name of a configuration joins one regime of each."""
         ...
 
     def has(self, name: str) -> bool:
-        """Whether there is a configuration of a name."""
+        """Whether there is a configuration of this name."""
         ...
 
     def piece(self, name: str, boundaries: Collection[str] = ()) -> str:
-        """What follows the boundaries of a configuration, as Python text."""
+        """Python text of a configuration with what follows its boundaries.
+
+        With several boundaries it is what follows if these are reached at one instant.
+        """
         ...
 
     def composed(self, orbit: Any) -> dict[str, Any]:
-        """The table of an orbit that is composed of the system's own.
-
-        Parameters
-        ----------
-        orbit : Itinerary
-
-        Returns
-        -------
-        dict
-        """
+        """The table of an orbit that is composed from the system's own tables and kernels."""
         ...
 
 
 @dataclass(eq=False)
 class Growth:
-    """What was made of a declaration so far.
-
-    Attributes
-    ----------
-    declared : GrowingDeclaration
-    key : str
-        Hash of the declaration.
-    """
+    """All pieces of a declaration that were made so far, joined."""
 
     declared: GrowingDeclaration
-    key: str
+    key: str  # hash of the declaration
     _pieces: dict[Visit, tuple[str, ModuleType]] = field(default_factory=dict)
     _union: _Union = field(default_factory=lambda: _Union())
     _joined: tuple[str, ModuleType] | None = None
@@ -94,25 +81,11 @@ class Growth:
     def joined(
         self, visits: Iterable[Visit] = (), orbits: Sequence[Any] = ()
     ) -> tuple[str, ModuleType]:
-        """Make pieces that are not there yet, and join all.
+        """Make missing pieces and join all: the module, and the key under which it is stored.
 
-        Parameters
-        ----------
-        visits : iterable of Visit
-        orbits : sequence of Itinerary
-            Of the system; their phases are visited, and they stand in the tables.
-
-        Returns
-        -------
-        key : str
-            What the module is kept under.
-        module : module
-            The same one where nothing was added.
-
-        Raises
-        ------
-        InputError
-            If there is no such configuration, or no piece of it.
+        The phases of the orbits are visited too, and their tables are in the module. Without orbits
+        it is the same module as before if nothing was added. Raises `InputError` if there is no
+        such configuration, or no piece of it.
         """
         phases = [
             (str(p.configuration), tuple(sorted(str(p.boundary).split("+"))))
@@ -141,23 +114,16 @@ class Growth:
         return first
 
     def first_of(self, regimes: Sequence[Sequence[str]]) -> str | None:
-        """The first configuration of some regimes of each part.
+        """The first existing configuration with one of the given regimes of each part.
 
-        Parameters
-        ----------
-        regimes : for each part some of its regimes
-
-        Returns
-        -------
-        str or None
-            None where none go together, or too many would have to be tried.
+        None if no combination exists, or if too many would have to be tried.
         """
         names = islice(_names(regimes), _MOST_TRIED)
         return next((name for name in names if self.declared.has(name)), None)
 
     @property
     def _first(self) -> str:
-        """The configuration of every part's first regime that goes together."""
+        """The first existing configuration in the order of all regimes of each part."""
         if self._pieces:
             return next(iter(self._pieces))[0]
         found = self.first_of([names for _, names in self.declared.regimes])
@@ -200,40 +166,21 @@ _DECLARED: dict[str, Growth] = {}
 
 
 def growth_of(module: ModuleType) -> Growth | None:
-    """What a module was joined by; None for all other modules, also those that were stored.
-
-    Parameters
-    ----------
-    module : module
-        Tables and kernels.
-    """
+    """The growth that joined a module; None for all others, even if joined in another process."""
     return _GROWTHS.get(module)
 
 
 def growth_for(declared: GrowingDeclaration) -> Growth:
-    """What was made of a declaration, one for equal ones."""
+    """The growth of a declaration; equal declarations share one."""
     key = declared.fingerprint()
     return _DECLARED.setdefault(key, Growth(declared, key))
 
 
 def recalled(keys: Sequence[str], orbits: dict[str, Any]) -> dict[str, Any]:
-    """Contents of a module that another process joined, of stored pieces.
+    """Contents of a module that another process joined, from the stored pieces.
 
-    Parameters
-    ----------
-    keys : sequence of str
-        What the pieces are kept under.
-    orbits : dict
-        Tables of orbits.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    InputError
-        If a piece is no longer there.
+    `keys` are those of the pieces, `orbits` the tables of orbits. Raises `InputError` if a piece
+    is no longer stored.
     """
     union = _Union()
     for key in keys:
@@ -249,14 +196,14 @@ def _names(regimes: Sequence[Sequence[str]]) -> Iterable[str]:
 
 
 class _Places:
-    """Places of what pieces have, once each: those of a piece's own by their names."""
+    """Places of the rows or resets of all pieces; equal names share one place."""
 
     def __init__(self) -> None:
         self.origins: list[tuple[int, int]] = []
         self._known: dict[str, int] = {}
 
     def added(self, piece: int, names: Sequence[str]) -> list[int]:
-        """Places of a piece's own."""
+        """The places of a piece's rows or resets, by their names."""
         for own, name in enumerate(names):
             if name not in self._known:
                 self._known[name] = len(self.origins)
@@ -265,7 +212,7 @@ class _Places:
 
 
 class _Union:
-    """Tables and kernels of pieces, joined one after the other; what is there keeps its place."""
+    """Tables and kernels of pieces joined one after the other; earlier ones keep their places."""
 
     def __init__(self) -> None:
         self.pieces: list[ModuleType] = []
@@ -315,7 +262,7 @@ class _Union:
         self.parts.append({kind: _part(piece, kind) for kind in _KINDS})
 
     def contents(self, orbits: dict[str, Any]) -> dict[str, Any]:
-        """Contents of a module of all that was joined until now."""
+        """Contents of a module of all pieces joined so far."""
         first = self.pieces[0].SYSTEM
         size, points = len(first["states"]), len(first["parameters"])
         contacts = {
@@ -357,21 +304,11 @@ class _Union:
 
 @dataclass(frozen=True)
 class _Part:
-    """What a piece has of a matrix, entry by entry.
+    """The entries of a matrix that one piece defines."""
 
-    Attributes
-    ----------
-    numbers : array (n, 4) of object
-        Row, column, and the fraction p / q.
-    places : array (m, 2) of int
-        Row and column of what depends on parameters.
-    entries : callable
-        It gives these.
-    """
-
-    numbers: np.ndarray
-    places: np.ndarray
-    entries: Callable[..., Sequence[Any]]
+    numbers: np.ndarray  # (n, 4) of object: row, column, and the fraction p / q
+    places: np.ndarray  # (m, 2) of int: row and column of each entry that depends on parameters
+    entries: Callable[..., Sequence[Any]]  # gives the values of these entries
 
 
 def _part(piece: ModuleType, kind: str) -> _Part:
@@ -383,15 +320,11 @@ def _part(piece: ModuleType, kind: str) -> _Part:
 
 
 class JoinedKernel:
-    """A matrix of a joined system over any arithmetic; what no piece has is zero.
+    """A matrix of a joined system over any arithmetic; entries that no piece has are zero.
 
-    Parameters
-    ----------
-    parts : for each piece what it has of the matrix
-    counts : for each piece how many blocks of rows it has
-    origins : for each block of rows its piece, and its place there
-    height, width : int
-        Of a block.
+    The matrix consists of blocks of rows of one `height` and `width`. `parts` has the entries of
+    each piece and `counts` the number of its blocks; `origins` gives for each block of the
+    matrix its piece and its place there.
     """
 
     def __init__(
@@ -422,7 +355,7 @@ class JoinedKernel:
                 self._open.append((part.entries, np.flatnonzero(kept), places[kept]))
 
     def __call__(self, parameters: Sequence[Any], *, lib: Any) -> list[list[Any]]:
-        """The matrix, row after row."""
+        """The matrix as a list of rows, at one point in the arithmetic `lib`."""
         found: list[list[Any]] = [[0] * self._shape[1] for _ in range(self._shape[0])]
         for known in self._known:
             for row, column, p, q in known:
@@ -443,17 +376,7 @@ class JoinedKernel:
         return found
 
     def evaluated(self, parameters: Any, lib: Any) -> np.ndarray:
-        """The matrix at many points, in double precision.
-
-        Parameters
-        ----------
-        parameters : array (..., p)
-        lib : Floats
-
-        Returns
-        -------
-        array (..., rows, columns)
-        """
+        """The matrices (..., rows, columns) at points (..., p), in double precision."""
         points = np.asarray(parameters)
         points = points if np.iscomplexobj(points) else points.astype(float)
         shape = *points.shape[:-1], *self._shape

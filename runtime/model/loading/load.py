@@ -59,32 +59,15 @@ _REMEDY = "run `nonsmooth generate` again"
 
 @dataclass(frozen=True)
 class Loaded:
-    """A system as it was found.
+    """A system after loading."""
 
-    Attributes
-    ----------
-    name : str
-        What finds it again: a whole path, or ``NAME@HASH`` of a declaration.
-    module : module
-        Tables and kernels.
-    compiled : module or None
-        The same kernels, compiled beside them in a folder.
-    """
-
-    name: str
-    module: ModuleType
-    compiled: ModuleType | None = None
+    name: str  # what loads it again: a whole path, or ``NAME@HASH`` of a declaration
+    module: ModuleType  # tables and kernels
+    compiled: ModuleType | None = None  # the same kernels, compiled beside them in a folder
 
 
 def load_declared(system: DeclaredSystem, orbits: Sequence[Any] = ()) -> Loaded:
-    """Derive a declared system, or take what was derived of the same declaration before.
-
-    Parameters
-    ----------
-    system : System
-    orbits : sequence of Itinerary
-        Derived with it.
-    """
+    """Derive a declared system with some orbits, or reuse that of an equal declaration."""
     if isinstance(system, GrowingDeclaration):
         return _joined(system.name, growth_for(system), (), orbits)
     key = system.fingerprint(tuple(orbits))
@@ -105,23 +88,11 @@ def _joined(
 
 
 def load_grown(loaded: Loaded, visits: Iterable[Visit] = ()) -> Loaded:
-    """A system whose configurations are made when they are visited, with all made so far.
+    """A system whose configurations are made at their first visit, with the given visits added.
 
-    Parameters
-    ----------
-    loaded : Loaded
-    visits : iterable of Visit
-        Configurations, and boundaries that are reached together in them, to be added.
-
-    Returns
-    -------
-    Loaded
-        The same for all other systems, and for one that was loaded without its declaration.
-
-    Raises
-    ------
-    InputError
-        If there is no such configuration.
+    A visit is a configuration and the boundaries that are reached together in it. All other
+    systems, and one that was loaded without its declaration, stay the same. Raises `InputError`
+    if there is no such configuration.
     """
     growth = growth_of(loaded.module)
     if growth is None:
@@ -133,17 +104,9 @@ _MODULES = Modules(_MOST_MODULES)  # of declarations, by their hash
 
 
 def library_of(module: ModuleType) -> KernelLibrary | None:
-    """The compiled kernels of what was derived of a declaration; None for other modules.
+    """The compiled kernels of a module that was derived from a declaration.
 
-    Parameters
-    ----------
-    module : module
-        Tables and kernels.
-
-    Returns
-    -------
-    KernelLibrary or None
-        None too where no orbit has kernels.
+    None for other modules, and if no orbit has kernels.
     """
     return _LIBRARIES.get(module)
 
@@ -154,40 +117,20 @@ _HELD: dict[str, KernelLibrary] = {}  # those of many points that were found, by
 
 
 def many_points_key(module: ModuleType) -> str | None:
-    """What the compiled kernels that solve orbits at many points are kept under.
+    """The key under which the compiled kernels for solving at many points are stored.
 
-    Parameters
-    ----------
-    module : module
-        What was derived of a declaration for a first answer.
-
-    Returns
-    -------
-    str or None
-        None where no orbit of it has such kernels.
+    None if no orbit of the module has such kernels.
     """
     library = _MANY_POINTS.get(module)
     return None if library is None else library.key
 
 
 def load_many_points(loaded: Loaded, orbit: str, key: str | None = None) -> Loaded | None:
-    """Compiled kernels that solve an orbit at many points, though one orbit is composed.
+    """Compiled kernels that solve a composed orbit at many points.
 
-    Where they are not there yet it waits while they are derived and compiled.
-
-    Parameters
-    ----------
-    loaded : Loaded
-        What was derived of the declaration for a first answer, or data of that.
-    orbit : str
-        Name among its orbits.
-    key : str, optional
-        What they are kept under, for data: they are found and not made.
-
-    Returns
-    -------
-    Loaded or None
-        None where there are none, or nothing to make them with.
+    If they do not exist yet it waits while they are derived and compiled. `loaded` is the
+    derivation in which the orbit is composed, or data of that; for data, `key` is that of the
+    kernels, which are then loaded but not made. None if there are none and no way to make them.
     """
     library = _MANY_POINTS.get(loaded.module)
     if library is None and key is not None and _KEY.fullmatch(key):
@@ -211,7 +154,7 @@ def _stem(module: ModuleType) -> str:
 
 
 def _libraries(key: str, module: ModuleType) -> list[KernelLibrary]:
-    """What is compiled of a declaration: its kernels, and those of many points."""
+    """The compiled kernels of a declaration: of its orbits, and those for many points."""
     stem = _stem(module)
     if module not in _LIBRARIES and any(orbit["derived"] for orbit in module.ORBITS.values()):
         _LIBRARIES[module] = KernelLibrary(key, module.DERIVATION, stem)
@@ -223,27 +166,20 @@ def _libraries(key: str, module: ModuleType) -> list[KernelLibrary]:
 
 
 def remember(loaded: Loaded) -> Loaded:
-    """Keep a system that is known by ``NAME@HASH``, for as long as the process lives.
+    """Keep a system with a name ``NAME@HASH`` for as long as the process lives.
 
     Records hold that name alone, so none may be forgotten. A system that a file brings along
     costs some 30 kB with all that caches hold of it; the same one of many files costs it once.
-
-    Returns
-    -------
-    Loaded
-        With the module that was kept first under this hash.
+    The result has the module that was kept first under this hash.
     """
     _, _, key = loaded.name.rpartition("@")
     return Loaded(loaded.name, _MODULES.setdefault(key, loaded.module))
 
 
 def load_named(name: str) -> Loaded | None:
-    """What a name ``NAME@HASH`` stands for; None for a name of another form.
+    """The system with the name ``NAME@HASH``; None for a name of another form.
 
-    Raises
-    ------
-    InputError
-        If nothing is known of that declaration any more.
+    Raises `InputError` if that declaration is no longer known.
     """
     form = _ADDRESS.fullmatch(name)
     if form is None:
@@ -264,12 +200,9 @@ def load_named(name: str) -> Loaded | None:
 
 
 def located(name: str) -> Path | None:
-    """Whole path of a FILE.py, or of a folder; None for a name that is neither.
+    """Whole path of a FILE.py or of a folder; None for other names.
 
-    Raises
-    ------
-    InputError
-        For a FILE.py that does not exist.
+    Raises `InputError` for a FILE.py that does not exist.
     """
     path = Path(name)
     if name and (path.is_dir() or (path.suffix == ".py" and path.is_file())):
@@ -282,23 +215,10 @@ def located(name: str) -> Path | None:
 def load_path(path: Path, orbit: str | None = None, *, compiled: bool) -> Loaded | None:
     """Load a file that declares a system, or a folder that `nonsmooth generate` wrote.
 
-    Parameters
-    ----------
-    path : Path
-    orbit : str, optional
-        Of a file only the system is derived, and this orbit of it.
-    compiled : bool
-        Whether to take the compiled kernels of a folder, where they are of its derivation.
-
-    Returns
-    -------
-    Loaded or None
-        None if there is no orbit of that name.
-
-    Raises
-    ------
-    InputError
-        If the file fails or declares nothing, or the folder is cut, edited or foreign.
+    Of a file only the system is derived, with the orbit of the given name. With `compiled` the
+    compiled kernels of a folder are taken, if they are of its derivation. None if there is no
+    orbit of that name. Raises `InputError` if the file fails or declares nothing, or if the
+    folder is cut, edited or foreign.
     """
     if path.is_dir():
         library = extension_in(path) if compiled else None
@@ -313,13 +233,7 @@ def load_path(path: Path, orbit: str | None = None, *, compiled: bool) -> Loaded
 
 
 def orbits_of(path: Path) -> tuple[str, ...]:
-    """Names of the orbits of a file or folder.
-
-    Returns
-    -------
-    tuple of str
-        Empty for a folder that holds no kernels.
-    """
+    """Names of the orbits of a file or folder; none for a folder without kernels."""
     if path.is_dir():
         found = load_path(path, compiled=False)
         return () if found is None else tuple(found.module.ORBITS)
@@ -330,7 +244,7 @@ _Stamp = tuple[int, int, int]
 
 
 def _stamp(path: Path) -> _Stamp:
-    """What changes when a file is written again."""
+    """Properties of a file that change when it is written again."""
     try:
         found = path.stat()
     except OSError:
@@ -377,7 +291,7 @@ def _folder(
 
 
 def _recorded(folder: Path) -> tuple[str, dict[str, str]]:
-    """Name of a folder's system, and the hashes of its files."""
+    """Name of a folder's system, and the recorded hashes of its files."""
     try:
         record = parsed(read_file(folder / _PROVENANCE, _LARGEST, "record"))
         names = record["systems"]

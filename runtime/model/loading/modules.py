@@ -16,14 +16,7 @@ _PACKED: weakref.WeakKeyDictionary[ModuleType, bytes] = weakref.WeakKeyDictionar
 
 
 def module_of_text(text: str, file: str) -> ModuleType:
-    """Execute emitted text; tracebacks through it show its lines.
-
-    Parameters
-    ----------
-    text : str
-    file : str
-        What tracebacks call it.
-    """
+    """Execute emitted text as a module; tracebacks call it `file` and show its lines."""
     module = ModuleType("nonsmooth_emitted")
     module.__file__ = file
     _PACKED[module] = zlib.compress(text.encode())
@@ -35,21 +28,17 @@ def module_of_text(text: str, file: str) -> ModuleType:
 
 
 def _forget(file: str, lines: object) -> None:
-    """Drop the lines of a module that is gone, unless it was made again."""
+    """Drop the cached lines of a module that is gone, unless it was made again."""
     if linecache.cache.get(file) is lines:
         del linecache.cache[file]
 
 
 class Modules(MutableMapping[str, ModuleType]):
-    """Modules by their keys: the last that were asked for, and the packed text of the others.
+    """Modules by key: those that were last used as they are, the others as packed text.
 
-    None is forgotten, for a record may hold its key alone; a packed text takes a twentieth of
-    the module that it becomes again. What is made of no text is kept as it is.
-
-    Parameters
-    ----------
-    most : int
-        How many of a text are kept as they are.
+    None is forgotten, because a record may hold its key alone; a packed text takes a twentieth
+    of the module that it becomes again. At most `most` modules with a text are kept as they are;
+    a module without a text always is.
     """
 
     def __init__(self, most: int) -> None:
@@ -59,7 +48,7 @@ class Modules(MutableMapping[str, ModuleType]):
         self._others: dict[str, ModuleType] = {}
 
     def __getitem__(self, key: str) -> ModuleType:
-        """The module, made again where its text alone was kept."""
+        """The module of a key, executed again if only its text was kept."""
         with self._lock:
             if key in self._others:
                 return self._others[key]
@@ -71,7 +60,7 @@ class Modules(MutableMapping[str, ModuleType]):
             return self._ready[key]
 
     def __setitem__(self, key: str, module: ModuleType) -> None:
-        """Keep a module; the one that was not asked for longest is packed."""
+        """Keep a module; the one that was unused for longest is packed."""
         with self._lock:
             if module not in _PACKED:
                 self._others[key] = module
@@ -97,5 +86,5 @@ class Modules(MutableMapping[str, ModuleType]):
         return len(self._packed) + len(self._ready) + len(self._others)
 
     def __contains__(self, key: object) -> bool:
-        """Whether a module is known; nothing is made for the answer."""
+        """Whether a key is known; no module is executed for the answer."""
         return key in self._ready or key in self._packed or key in self._others
