@@ -107,7 +107,7 @@ def _candidates(branch: Branch, event: Event, opened: Mapping[str, Any]) -> Iter
 
 
 def _piece_of(curve: OrbitCurve, tile: BranchTile) -> Piece:
-    """The orbits of a tile that is proved."""
+    """The piece of a proved tile, with enclosures of its orbits."""
     from flint import arb
 
     coordinate = curve.parameter

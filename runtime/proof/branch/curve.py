@@ -78,7 +78,7 @@ class OrbitCurve:
         return replace(self, beside=tuple(map(change, self.beside)))
 
     def point(self, coordinate: int, value: Any, others: Sequence[Any]) -> list[Any]:
-        """All coordinates of a point, one for each of `names`, from one and the others."""
+        """All coordinates of a point, in the order of `names`, from one of them and the others."""
         return [*others[:coordinate], value, *others[coordinate:]]
 
     def others(self, coordinate: int, point: Sequence[Any]) -> list[Any]:

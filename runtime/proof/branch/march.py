@@ -61,9 +61,9 @@ def march(
 ) -> Iterator[BranchStep]:
     """Yield the tiles along a branch up to the end of the parameter's interval.
 
-    `refused` tells why a tile cannot be stated, "" if it can; otherwise a smaller one is tried.
-    The last tile ends at the interval's end or where a phase vanishes, or it has no piece:
-    nothing is proved behind it.
+    `refused` gives the reason why a tile cannot be stated, "" if it can; instead of a refused
+    tile a smaller one is tried. The last tile ends at the interval's end or where a phase
+    vanishes, or it has no piece: nothing is proved behind it.
     """
     low, high = curve.region.box[0]
     sizes = _sizes(curve, place.point)

@@ -144,7 +144,7 @@ def _candidate(
     uneven: np.ndarray,
     iterates: int,
 ) -> Horseshoe | None:
-    """The sets of a graph that grows, in the section's own units; None if it does not grow."""
+    """The sets of a graph with a spectral radius above 1, in the section's own units; else None."""
     edges = [(int(i), int(j)) for i, j in np.argwhere(covers)]
     bound, kept, _ = growth(len(centres), edges)
     if bound <= 1:

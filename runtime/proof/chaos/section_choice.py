@@ -40,8 +40,9 @@ class Sampled(NamedTuple):
 def sampled_sections(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
     """Yield sections that a long motion visits, the most promising ones first.
 
-    With a forcing these are phases at which nothing is close to a boundary, else transitions
-    with few coordinates. The motion gives the start, and the system in double precision.
+    With a forcing these are phases at which the motion is mostly in one configuration and far
+    from boundaries, else transitions with few coordinates that are often passed. `motion` gives
+    the start, and the system in double precision.
     """
     if system.structure.forcing:
         yield from _forced(system, motion)
