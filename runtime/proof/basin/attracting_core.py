@@ -36,37 +36,22 @@ _SKEW = 1e6  # condition of a frame, at most
 
 
 class AttractingCore(NamedTuple):
-    """A set, how often the map is applied, and by what it contracts: a fraction below 1.
-
-    And the transitions on the way, the same for all of it.
-    """
+    """A set that a power of the section's map is proved to contract."""
 
     h_set: HSet
-    iterates: int
-    contraction: Fraction
-    passages: tuple[PassedTransition, ...]
+    iterates: int  # the power of the map
+    contraction: Fraction  # factor of the contraction, below 1
+    passages: tuple[PassedTransition, ...]  # the transitions on the way, the same for the whole set
 
 
 def attracting_core(
     system: EnclosedSystem, section: MapSection, iterates: int, point: Floats, scale: float
 ) -> AttractingCore:
-    """The largest of some sets around a periodic point that is proved to be contracted.
+    """The largest set tried around a periodic point that is proved to be contracted.
 
-    Parameters
-    ----------
-    system : EnclosedSystem
-    section : MapSection
-    iterates : int
-        Returns to the section in one period of the orbit.
-    point : array (d,)
-        About where the orbit meets the section.
-    scale : float
-        A length in the section's coordinates: much larger sets are not tried.
-
-    Raises
-    ------
-    Undecided
-        If none is proved, and why.
+    `iterates` is the number of returns in one period of the orbit, `point` (d,) the approximate
+    place where it meets the section. Sets much larger than `scale`, a length in the section's
+    coordinates, are not tried. `Undecided` with the reason if no set is proved.
     """
     trouble = Undecided("no set around the orbit was tried")
     for power in _POWERS:
@@ -95,7 +80,7 @@ def attracting_core(
 
 
 def _about(mapped: SectionMap, point: Floats, scale: float) -> tuple[Floats, Floats]:
-    """The fixed point and the derivative there, in doubles."""
+    """The fixed point (d,) and the derivative (d, d) there, in doubles."""
     size = len(point)
     for _ in range(3):
         tiny = decimal_set("point", point.tolist(), np.eye(size) * scale * _TINY, 12)
@@ -117,7 +102,7 @@ def _image(mapped: SectionMap, h_set: HSet) -> tuple[AffineSet, Floats]:
 def _frame(slope: Floats) -> Floats:
     """Eigenvectors as columns; of two that are conjugate the real and the imaginary part.
 
-    So a rotation looks like one.
+    So a rotation looks like one. Nearly dependent eigenvectors give the identity.
     """
     values, vectors = np.linalg.eig(slope)
     columns = []
@@ -131,9 +116,10 @@ def _frame(slope: Floats) -> Floats:
 
 
 def _contraction(mapped: SectionMap, h_set: HSet) -> tuple[Fraction, tuple[PassedTransition, ...]]:
-    """By what the map contracts a set, into itself; Undecided if it is not shown to.
+    """The factor by which the map contracts a set into itself, and its transitions on the way.
 
     The set is convex: bounds of the derivative over parts of it bound how far two states part.
+    `Undecided` if no contraction is proved.
     """
     boxes: list[Box] = [((-1.0, 1.0),) * len(h_set.centre)]
     largest, looked = Fraction(0), 0
@@ -158,7 +144,7 @@ def _contraction(mapped: SectionMap, h_set: HSet) -> tuple[Fraction, tuple[Passe
 def _over(
     mapped: SectionMap, h_set: HSet, box: Box
 ) -> tuple[Fraction, tuple[PassedTransition, ...]]:
-    """A bound of the derivative over a part, which is mapped into the set, and its way."""
+    """A bound of the derivative over a part that is mapped into the set, and its transitions."""
     states, passages = mapped.image(piece(h_set, mapped.section, box, sloped=True))
     seen = coordinates(states, mapped.section.free).mapped(h_set.inward)
     if not all(abs(x) < 1 for x in seen.ranges):
@@ -172,6 +158,6 @@ def _over(
 
 
 def _above(ball: arb) -> Fraction:
-    """A fraction that is no less."""
+    """A fraction that is no less than a ball."""
     top = float(ball.upper())
     return Fraction(int(np.ceil(top * _UP)) + 1, _UP) if np.isfinite(top) else Fraction(2)

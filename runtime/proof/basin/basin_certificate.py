@@ -211,7 +211,7 @@ class BasinCertificate(Kept):
 def _bounds(
     grid: BoxGrid | None, chosen: NDArray[np.bool_], names: tuple[str, ...]
 ) -> dict[str, list[float]]:
-    """Least and largest coordinates of boxes."""
+    """Least and largest value of each coordinate over the chosen boxes, by name."""
     numbers = np.flatnonzero(chosen)
     if grid is None or not len(numbers):
         return {}

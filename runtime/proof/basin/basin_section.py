@@ -34,13 +34,7 @@ class MetSection(NamedTuple):
 def section_of(system: EnclosedSystem, motion: Trajectory, period: float) -> MetSection:
     """The section with the fewest coordinates, or the forcing's phase far from boundaries.
 
-    Parameters
-    ----------
-    system : EnclosedSystem
-    motion : Trajectory
-        Of the orbit, over one period at least.
-    period : float
-        Of the orbit.
+    The motion is of the orbit, over one period at least.
     """
     if system.structure.forcing:
         return _forced(system, motion, period)

@@ -206,14 +206,14 @@ class _BasinQuestion:
 
     @property
     def _box(self) -> dict[str, tuple[float, float]]:
-        """The box of starts, where there are tiles of it."""
+        """The bounds of each state in the box of starts; empty where there are no tiles."""
         if self.tiles is None:
             return {}
         ends = zip(self.system.structure.states, self.limits.tolist(), strict=True)
         return {name: (low, high) for name, (low, high) in ends}
 
     def _section_grid(self, met: MetSection, core: AttractingCore) -> BoxGrid:
-        """Boxes that are small against the core: those next to it have to lead into it."""
+        """Boxes of the section, small against the core so that those next to it lead into it."""
         free = list(met.section.free)
         low, high = (self.whole if met.section.phase is None else self.limits)[free].T
         centre, sides = core.h_set.near
@@ -224,7 +224,7 @@ class _BasinQuestion:
         return BoxGrid.around(np.maximum(low, centre - far), np.minimum(high, centre + far), side)
 
     def on_section(self, met: MetSection, core: AttractingCore) -> BasinCertificate:
-        """What is proved on the section."""
+        """The certificate of what is proved on the section; no tile is looked at yet."""
         grid = self._section_grid(met, core)
         if met.section.phase is not None and not self.wide_given:
             self.widest = _STRETCHED * float(grid.sides.max())
@@ -258,7 +258,7 @@ class _BasinQuestion:
         workers: int,
         keep: Callable[[BasinCertificate], object] | None,
     ) -> BasinCertificate:
-        """The same with so many tiles, those that are known among them."""
+        """The certificate with at most so many tiles looked at, those that are known among them."""
         tiles = known.tiles
         if tiles is None:
             return known
@@ -298,7 +298,7 @@ class _BasinQuestion:
         return state()
 
     def undecided(self, met: MetSection, reason: str) -> BasinCertificate:
-        """What is said where nothing is proved."""
+        """The certificate that nothing is proved, for a reason."""
         structure, section = self.system.structure, met.section
         names = structure.configurations
         none = np.zeros(0, dtype=bool)
@@ -347,7 +347,7 @@ class _BasinQuestion:
         check_same_question("basin", {name: {**asked, **own}[name] for name in names}, found)
 
     def _told(self, passages: Sequence[PassedTransition]) -> tuple[tuple[str, str, str], ...]:
-        """Transitions by names."""
+        """Transitions by names: source, boundaries and target of each."""
         structure = self.system.structure
         names = structure.configurations
         return tuple(
@@ -363,7 +363,7 @@ class _BasinQuestion:
 def _ranks(
     mapped: BranchingMap, core: HSet, grid: BoxGrid, progress: Callable[[float, int], object]
 ) -> NDArray[np.int_]:
-    """In how many steps boxes of the section are seen to lie in the core; -1 if they are not."""
+    """The number of steps in which each box of the section is proved to come to the core, or -1."""
     inward = Rounded.of(core.inward)
 
     def in_core(boxes: ManySets) -> NDArray[np.bool_]:

@@ -33,14 +33,7 @@ def branching_map(
 ) -> BranchingMap:
     """The map from sets of states to the section of a basin.
 
-    Parameters
-    ----------
-    system : EnclosedSystem
-    section : MapSection
-    widest : float
-        Wider sets are divided on the way.
-    most : int
-        Parts of one set.
+    Sets wider than `widest` are divided on the way, into at most `most` parts of one set.
     """
     scales = np.ones(len(system.structure.states))
     return BranchingMap(system, section, scales, widest, most, _LONGEST, 1.0)
@@ -49,12 +42,9 @@ def branching_map(
 def begin_tiles(
     question: ToldQuestion[BasinCertificate],
 ) -> Callable[[NDArray[np.int_]], NDArray[np.bool_]]:
-    """What says of tiles whether every motion from them comes to boxes that are known.
+    """A function that tells which tiles are proved to send every motion to boxes that are known.
 
-    Returns
-    -------
-    callable
-        From numbers of tiles (B,) to bools (B,).
+    It takes numbers of tiles (B,) and gives bools (B,).
     """
     known = question.known
     grid, tiles = known.grid, known.tiles
@@ -91,22 +81,12 @@ def _timed(boxes: ManySets) -> ManySets:
 def next_tiles(
     tiles: BoxGrid, looked: NDArray[np.bool_], attracted: NDArray[np.bool_], count: int
 ) -> NDArray[np.int_]:
-    """Which tiles to look at next: a few everywhere, then where most have been attracted so far.
+    """Numbers of at most `count` tiles to look at next.
 
-    Of blocks of tiles the share that is attracted is estimated from those of the block and of
-    the blocks around it. The order decides how soon much is proved, and nothing else.
-
-    Parameters
-    ----------
-    tiles : BoxGrid
-    looked, attracted : array of bool
-        Of each tile.
-    count : int
-        How many, at most.
-
-    Returns
-    -------
-    array of int
+    First they are a random sample, then tiles where most have been attracted so far. Of blocks of
+    tiles the share that is attracted is estimated from those of the block and of the blocks
+    around it. The order decides how soon much is proved, and nothing else. `looked` and
+    `attracted` have a bool for each tile.
     """
     from scipy.ndimage import uniform_filter
 

@@ -312,7 +312,7 @@ def _many(count: int, what: str) -> str:
 
 
 def _hull(found: Sequence[Stated]) -> Stated:
-    """What contains all of them: rounded once, not with each."""
+    """The least ball that contains all balls, rounded outward once and not with each ball."""
     from flint import arb
 
     ends = [(exact(x.texts[0]), exact(x.texts[1])) for x in found]
@@ -323,19 +323,7 @@ def _hull(found: Sequence[Stated]) -> Stated:
 
 
 def tile_json(tile: Tile, axes: Sequence[str]) -> dict[str, Any]:
-    """Give a tile as JSON.
-
-    Parameters
-    ----------
-    tile : Tile
-    axes : sequence of str
-        The parameters of its box.
-
-    Returns
-    -------
-    dict
-        Ready for `json.dumps`.
-    """
+    """A tile as a dict ready for `json.dumps`; `axes` names the parameters of its box."""
     return {
         "place": [list(step) for step in tile.place.steps],
         "claims": dict(tile.claims),

@@ -135,7 +135,7 @@ def certify_box(
 
 
 class _Work:
-    """Tiles that are done, and those that wait to be looked at, the largest first.
+    """The tiles that are done and those that wait to be looked at, the largest first.
 
     The orbit is handed on from tile to tile: from the point at which it is known to the tile
     that holds it, from a tile to its halves, and to tiles that touch it.
@@ -164,15 +164,16 @@ class _Work:
 
     @property
     def tiles(self) -> list[Tile]:
-        """Tiles that fill the box, also while one is being looked at."""
+        """Tiles that fill the box, also while a tile is being looked at."""
         done, waiting, stranded = self._settled
         return [*done, *(tile for *_, tile in sorted(waiting, key=_by_order)), *stranded]
 
     def stated(self, whole: bool = False) -> list[Tile]:
-        """The tiles as the checker proves them: it is asked of all that it was not, or of none.
+        """The tiles that fill the box, each with the claims that the checker proves.
 
-        Of two parameters those with verdicts have the same orbits where they meet; of two that
-        may have different ones the second is undecided.
+        The checker is asked about every tile with claims that it has not seen. A tile that was not
+        looked at gets no claim instead, unless `whole`. Over two parameters, tiles with verdicts
+        have the same orbit where they meet; where that is not proved the second one is undecided.
         """
         tiles = [self._stated(tile, whole) for tile in self.tiles]
         if len(self.region.names) != _PLANE:
@@ -190,7 +191,7 @@ class _Work:
         return tiles
 
     def _stated(self, tile: Tile, whole: bool) -> Tile:
-        """A tile with what the checker proves of it."""
+        """A tile with the claims that the checker proves."""
         nothing = "proved" not in tile.claims.values() and tile.event is None
         if nothing or tile.place in self.known or self.refusals.has_proved(tile):
             return tile
@@ -200,7 +201,7 @@ class _Work:
         return unproved(tile.place, reason, looked_at=tile.looked_at) if reason else tile
 
     def look(self) -> bool:
-        """Look at the largest tile that waits and is reached; tell whether there is one."""
+        """Look at the largest waiting tile that the orbit has reached; False if there is none."""
         found = self._look()
         self._settled = self._all()  # an interruption leaves the old ones, or the new ones
         return found
@@ -229,13 +230,13 @@ class _Work:
         return False
 
     def _take(self, tile: Tile) -> None:
-        """Keep a tile as far as the checker proves it, or go on with its halves."""
+        """Store a tile as far as the checker proves it, or go on with its halves."""
         final = tile.verdict != "undecided" or min(_levels(tile)) == _DEEPEST
         reason = self.refusals.of_tile(tile) if final else ""
         self._finish(unproved(tile.place, reason, looked_at=True) if reason else tile)
 
     def _proved(self, tile: Tile, anchor: Anchor) -> TileProof:
-        """What is proved on a tile: where a low order decides nothing, by a high one."""
+        """What is proved on a tile, at a high order where a low one decides nothing."""
         region, place = self.region, tile.place
         rough = "undecided" not in (tile.claims["existence"], tile.claims["stability"])
         proof = prove(region, place, anchor, rough=rough)
@@ -249,7 +250,7 @@ class _Work:
         return proof if sharp.tube is None else sharp
 
     def _anchor(self, tile: Tile) -> Anchor | None:
-        """Where the orbit is known on a tile, and about what it is there."""
+        """A point of a tile with the approximate orbit there; None if no orbit has reached it."""
         region, place = self.region, tile.place
         if tile.guess:
             return Anchor(place.middle(region.box), _balls(tile.guess))
@@ -265,7 +266,7 @@ class _Work:
         return None
 
     def _tube(self, tile: Tile) -> Tube | FoldTube | None:
-        """The orbit over a tile; where it was proved before, it is proved again."""
+        """The orbit's tube over a tile, proved again if it is not in memory; None if that fails."""
         if tile.place not in self.tubes:
             if not tile.guess:
                 return None
@@ -283,7 +284,10 @@ class _Work:
         return self.tubes[tile.place]
 
     def _finish(self, tile: Tile) -> None:
-        """Keep a tile, or halve it if it is not decided and not too small."""
+        """Store a tile, or halve it along its longest axis if it is undecided and not too small.
+
+        Stranded tiles that touch it wait again if it has an orbit.
+        """
         place = tile.place
         if tile.claims["existence"] == "proved" or tile.event is not None:
             self.reached[place] = tile
@@ -325,7 +329,7 @@ def _by_order(entry: tuple[Fraction, int, Tile]) -> tuple[Fraction, int]:
 
 
 def _judged(tile: Tile, proof: TileProof, region: Region) -> Tile:
-    """A tile that was looked at, with what was proved of it before where that is more."""
+    """A tile after its proof; a claim that was decided before stays so where the proof does not."""
     if proof.tube is None:
         reached = tile.claims["existence"] == "proved"
         return replace(tile, looked_at=True, reasons=tile.reasons if reached else proof.reasons)
@@ -351,7 +355,7 @@ def _judged(tile: Tile, proof: TileProof, region: Region) -> Tile:
 
 
 def _folded(tile: Tile, event: TileEvent, tube: FoldTube) -> Tile:
-    """A tile near which two orbits meet."""
+    """An undecided tile with a fold: two orbits meet in it or near it."""
     return Tile(
         place=tile.place,
         claims=dict.fromkeys(CLAIMS, "undecided"),

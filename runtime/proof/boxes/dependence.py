@@ -18,17 +18,10 @@ PERIOD = ""  # stands for the period among the names of parameters
 
 
 class Entries(NamedTuple):
-    """Numbers as rational functions.
+    """Numbers as rational functions of a box's parameters."""
 
-    Attributes
-    ----------
-    known : Irrationals
-        Irrational numbers; what they are made of follows the box's parameters in the functions.
-    entries : dict of str to fmpq or RationalFunction
-    """
-
-    known: Irrationals
-    entries: dict[str, Any]
+    known: Irrationals  # irrational numbers; their variables follow the parameters in the functions
+    entries: dict[str, Any]  # fmpq or RationalFunction by name
 
 
 def entries_over(
@@ -36,25 +29,11 @@ def entries_over(
     numbers: Callable[[Mapping[str, Value]], Mapping[str, Value]],
     texts: Sequence[str] = (),
 ) -> Entries:
-    """Numbers that are sums of multiples of a box's parameters: two points tell each slope.
+    """Each number as a rational function of a box's parameters, which have to enter it affinely.
 
-    Parameters
-    ----------
-    box : mapping of str to (Fraction, Fraction)
-    numbers : function
-        Gives all numbers by name at a point of the box.
-    texts : sequence of str, optional
-        Irrational numbers beside these.
-
-    Returns
-    -------
-    Entries
-        The irrational numbers, and each number as a function of the box's parameters.
-
-    Raises
-    ------
-    NotCovered
-        If an irrational number changes over the box.
+    `numbers` gives all numbers by name at a point of the box. Two points give each slope; that
+    nothing is bent between them is assumed. `texts` are further irrational numbers to include.
+    Refused with `NotCovered` if an irrational number changes over the box.
     """
 
     def at(point: Mapping[str, Fraction]) -> Mapping[str, Value]:

@@ -57,34 +57,16 @@ _LONG = 6  # phases of a cycle beyond which rounding errors grow too much for th
 
 @dataclass(frozen=True, eq=False)
 class Region:
-    """What is to be proved of an orbit for all parameters of a box: a point is one of none.
+    """What is to be proved of an orbit for all parameters of a box; a point is a box of none."""
 
-    Attributes
-    ----------
-    subject : Subject
-        The orbit at one point of the box.
-    names : tuple of str
-        Of the box's parameters.
-    box : tuple of (Fraction, Fraction)
-    tables : Tables
-        Irrational parameters follow the box's in the rational functions.
-    closing : ClosureConditions
-        Its period is a Value, a fmpq or a RationalFunction.
-    at : tuple of Fraction
-        The subject's point.
-    guess : list of arb
-        Unknowns of the equations there, about.
-    short : ShortPhase or None
-        The phase whose switching condition is divided by its dwell time, with exact columns.
-    """
-
-    subject: Subject
-    names: tuple[str, ...]
-    box: tuple[Interval, ...]
-    tables: Tables
-    closing: ClosureConditions
-    at: tuple[Fraction, ...]
-    guess: Sequence[arb]
+    subject: Subject  # the orbit at one point of the box
+    names: tuple[str, ...]  # of the box's parameters
+    box: tuple[Interval, ...]  # lower and upper end of each parameter
+    tables: Tables  # irrational parameters follow the box's in the rational functions
+    closing: ClosureConditions  # its period is a Value, a fmpq or a RationalFunction
+    at: tuple[Fraction, ...]  # the subject's point in the box
+    guess: Sequence[arb]  # approximate unknowns of the equations there
+    # phase whose switching condition is divided by its dwell time, with exact columns
     short: ShortPhase | None = None
 
     @property
@@ -99,7 +81,7 @@ class Region:
 
     @cached_property
     def invariants(self) -> CycleInvariants | None:
-        """What is exactly true along the orbit; None where the tables are not exact."""
+        """The relations that hold exactly along the orbit; None where the tables are not exact."""
         if not self.tables.exact:
             return None
         closing = self.closing
@@ -107,56 +89,30 @@ class Region:
 
     @cached_property
     def plans(self) -> tuple[Plan, ...]:
-        """What makes it admissible, for each phase; none where the tables are not exact."""
+        """The conditions for each phase to be admissible; empty where the tables are not exact."""
         found = self.invariants
         return () if found is None else plan_of(self.tables, self.cycle, found)
 
     def phases(self, number: Number) -> tuple[Phase, ...]:
-        """The cycle's fields, rows and resets in numbers.
+        """The cycle's phases in numbers: matrices (N + 1, N + 1) and rows (1, N + 1).
 
-        Parameters
-        ----------
-        number : callable
-            Maps exact entries to numbers: balls or Taylor models.
-
-        Returns
-        -------
-        tuple of Phase
-            With matrices (N + 1, N + 1) and rows (1, N + 1).
+        `number` maps exact entries to balls or Taylor models.
         """
         return phases_of(self.tables, self.cycle, number, self.closing.translations)
 
     def equations(self, number: Number) -> Equations:
-        """The orbit's equations in numbers.
+        """The orbit's equations in its unknowns: start, forcing time and dwell times.
 
-        Parameters
-        ----------
-        number : callable
-            Maps exact entries to numbers: balls or Taylor models.
-
-        Returns
-        -------
-        Equations
-            Of the unknowns: start, forcing time and dwell times.
+        `number` maps exact entries to balls or Taylor models.
         """
         period = None if self.closing.period is None else number(self.closing.period)
         short = None if self.short is None else self.short.at(number)
         return equations_in(self.phases(number), self.closing, number, period, short)
 
     def statement(self, orbit: Orbit) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Declaration and closing as a file states them.
+        """Declaration and closing of an orbit as a file states them, each ready for JSON.
 
-        Over the box's parameters and those that were given for the orbit.
-
-        Parameters
-        ----------
-        orbit : Orbit
-            The orbit in floating point.
-
-        Returns
-        -------
-        tuple of (dict, dict)
-            Declaration and closing, ready for JSON.
+        Both are over the box's parameters and those that were given for the orbit.
         """
         subject, given = self.subject, given_of(orbit)
         names = (*self.names, *(name for name in given if name not in self.names))
@@ -176,41 +132,15 @@ class Region:
 
 
 def given_of(orbit: Orbit) -> dict[str, Value]:
-    """All that was given for an orbit.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        The orbit in floating point.
-
-    Returns
-    -------
-    dict of str to Value
-        The given parameters, and those that it leaves open.
-    """
+    """All parameters given for an orbit, and those that it leaves open."""
     return {**orbit.given, **orbit.opened}
 
 
 def checked_box(orbit: Orbit, box: Mapping[str, tuple[object, object]]) -> dict[str, Interval]:
-    """The box with exact ends.
+    """The box with exact lower and upper ends.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        The orbit in floating point.
-    box : dict of str to (lower, upper)
-        Ends of the parameters, in any form that a Value has.
-
-    Returns
-    -------
-    dict of str to (Fraction, Fraction)
-        Lower and upper end of each parameter.
-
-    Raises
-    ------
-    InputError
-        For an orbit that has not converged, names that were not given for it, ends that are
-        not rational or in the wrong order, or a box without the orbit's own parameters.
+    `InputError` for an orbit that has not converged, names that were not given for it, ends that
+    are not rational or in the wrong order, or a box without the orbit's own parameters.
     """
     check_converged(orbit, "certified")
     given = given_of(orbit)
@@ -238,29 +168,11 @@ def checked_box(orbit: Orbit, box: Mapping[str, tuple[object, object]]) -> dict[
 
 
 def with_open_ones(orbit: Orbit, box: Mapping[str, Interval]) -> tuple[Orbit, tuple[str, ...]]:
-    """The orbit with values of parameters that it leaves open, large enough for all of a box.
+    """The orbit with open parameters chosen large enough for a whole box, and their names.
 
-    Bounds are those at the orbit and, where it is found there, in the corners: nothing is
-    proved of that. All values are checked in all corners.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        The orbit in floating point.
-    box : dict of str to (Fraction, Fraction)
-        Lower and upper end of each parameter.
-
-    Returns
-    -------
-    tuple of (Orbit, tuple of str)
-        The orbit, and the names of the parameters that were chosen.
-
-    Raises
-    ------
-    InputError
-        If values in a corner are not in their domains.
-    NotCovered
-        As for `subject_near`.
+    The bounds come from the orbit and from the corners of the box where it converges; nothing is
+    proved of them. All values are checked in all corners: `InputError` if one is outside its
+    domain there. `NotCovered` as from `subject_near`.
     """
     corners = [dict(zip(box, point, strict=True)) for point in product(*box.values())]
     chosen = chosen_parameters(orbit)
@@ -283,24 +195,10 @@ def with_open_ones(orbit: Orbit, box: Mapping[str, Interval]) -> tuple[Orbit, tu
 
 
 def region_of(orbit: Orbit, box: Mapping[str, Interval]) -> Region:
-    """The region of an orbit and a box that holds its parameters.
+    """The region of an orbit over a box that holds its parameters.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        The orbit in floating point.
-    box : dict of str to (Fraction, Fraction)
-        Lower and upper end of each parameter.
-
-    Returns
-    -------
-    Region
-        With tables over the box's parameters.
-
-    Raises
-    ------
-    NotCovered
-        If a declaration takes roots, or what `subject_near` and `closing_of` say.
+    `NotCovered` if a declaration takes roots or sines of the parameters, or as from
+    `subject_near` and `closing_of`.
     """
     subject = subject_near(orbit)
     numbers, at = _numbers(orbit, subject, tuple(box))
@@ -324,21 +222,8 @@ def region_of(orbit: Orbit, box: Mapping[str, Interval]) -> Region:
 def region_at(subject: Subject, bits: int) -> Region:
     """The region of an orbit at its own parameter point: a box of no parameters.
 
-    Parameters
-    ----------
-    subject : Subject
-    bits : int
-        Of the tables, where the declaration takes a root or a sine.
-
-    Returns
-    -------
-    Region
-        Of no parameters.
-
-    Raises
-    ------
-    NotCovered
-        As for `closing_of`.
+    `bits` is the precision of the tables where the declaration takes a root or a sine.
+    `NotCovered` as from `closing_of`.
     """
     tables = exact_tables(subject.kernels, tuple(subject.values.values()), bits)
     return _region(subject, {}, tables, ())
@@ -358,7 +243,7 @@ def _region(
 def _numbers(
     orbit: Orbit, subject: Subject, names: Sequence[str]
 ) -> tuple[Callable[[Mapping[str, Value]], dict[str, Value]], list[Fraction]]:
-    """Parameters of the system and the period at a point, and the orbit's own point."""
+    """A function from a point to the system's parameters and period, and the orbit's own point."""
     given, problem = given_of(orbit), orbit.problem
     fixed = {**given, **chosen_parameters(orbit)}
 

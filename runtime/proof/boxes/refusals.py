@@ -16,7 +16,7 @@ __all__ = ["BoxRefusals", "unproved", "whole_map"]
 
 
 class BoxRefusals:
-    """Why the checker does not prove what is stated of tiles; "" where it does."""
+    """The reasons why the checker does not prove what is stated of tiles; "" where it does."""
 
     box: CheckedBox
 
@@ -32,15 +32,15 @@ class BoxRefusals:
         self._checked: dict[Place, tuple[Tile, MapTile]] = {}
 
     def has_proved(self, tile: Tile) -> bool:
-        """Whether the checker was asked about a tile, and proved what is stated of it."""
+        """Whether the checker was asked about a tile and proved what is stated of it."""
         return tile.place in self._checked and self._checked[tile.place][0] is tile
 
     def of_tile(self, tile: Tile) -> str:
-        """Of a tile by itself."""
+        """Why a tile by itself is refused; "" if it is proved."""
         return refusal(lambda: self._proved(tile))
 
     def of_joint(self, tile: Tile, other: Tile) -> str:
-        """Of the edge that two tiles of two parameters have in common."""
+        """Why the common edge of two tiles over two parameters is refused; "" if it is proved."""
         return refusal(lambda: self.box.check_joint(self._proved(tile), self._proved(other)))
 
     def _proved(self, tile: Tile) -> MapTile:
@@ -53,17 +53,9 @@ class BoxRefusals:
 
 
 def whole_map(found: BoxCertificate) -> BoxCertificate:
-    """A map of tiles that are proved, if all that is said of the whole follows from them.
+    """A map of proved tiles, if everything stated about the whole follows from them.
 
-    Parameters
-    ----------
-    found : BoxCertificate
-        With tiles of which the checker proves what is stated.
-
-    Returns
-    -------
-    BoxCertificate
-        The same, or one undecided tile with the reason of the checker.
+    Otherwise it becomes one undecided tile with the checker's reason.
     """
 
     def without(found: BoxCertificate, left: Mapping[str, str]) -> BoxCertificate:
@@ -74,15 +66,7 @@ def whole_map(found: BoxCertificate) -> BoxCertificate:
 
 
 def unproved(place: Place, reason: str, *, looked_at: bool) -> Tile:
-    """A tile of which nothing is proved.
-
-    Parameters
-    ----------
-    place : Place
-    reason : str
-    looked_at : bool
-        Whether it was tried.
-    """
+    """A tile of which nothing is proved."""
     return Tile(
         place=place,
         claims=dict.fromkeys(CLAIMS, "undecided"),

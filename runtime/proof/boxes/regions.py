@@ -31,80 +31,40 @@ Cell = tuple[int, str]
 
 @dataclass(frozen=True, kw_only=True)
 class ProvedRegion:
-    """A connected part of a box with one verdict.
+    """A connected part of a box with one verdict."""
 
-    Attributes
-    ----------
-    verdict : {"stable", "neutral", "unstable", "not admissible", "beyond a fold"}
-    share : float
-        Of the box's area, about.
-    cells : tuple of (int, str)
-        Numbers of its tiles, and "below" or "above" of those that a curve divides.
-    """
-
-    verdict: str
-    share: float
+    verdict: str  # "stable", "neutral", "unstable", "not admissible" or "beyond a fold"
+    share: float  # of the box's area, approximate
+    # numbers of its tiles, with the side "below" or "above" of divided ones
     cells: tuple[Cell, ...] = field(repr=False)
 
 
 @dataclass(frozen=True, kw_only=True)
 class EventCurve:
-    """A curve of one event, as a chain of tiles.
+    """A curve of one event, as a chain of tiles."""
 
-    Attributes
-    ----------
-    event : TileEvent
-        Of its first tile.
-    tiles : tuple of int
-        Their numbers, in the order of the curve.
-    width : float
-        Of its widest band, as a share of the box.
-    ends : tuple of str
-        Where it begins and where it ends: "border" of the box, "open" where nothing is decided
-        beyond it, else "corner"; none if it is closed.
-    points : tuple of (float, float)
-        Values of the parameters along it, about.
-    """
-
-    event: TileEvent
-    tiles: tuple[int, ...]
-    width: float
+    event: TileEvent  # of its first tile
+    tiles: tuple[int, ...]  # their numbers, in the order of the curve
+    width: float  # of its widest band, as a share of the box
+    # "border" of the box, "open" at undecided tiles or "corner"; none if closed
     ends: tuple[str, ...]
+    # approximate values of the parameters along it
     points: tuple[tuple[float, float], ...] = field(repr=False)
 
 
 @dataclass(frozen=True, kw_only=True)
 class OpenBox:
-    """Undecided tiles that touch each other.
+    """Undecided tiles that touch each other."""
 
-    Attributes
-    ----------
-    where : dict of str to (Fraction, Fraction)
-        The least box that holds them.
-    share : Fraction
-        Of the box's area.
-    tiles : int
-    events : tuple of str
-        What happens on the curves that end there.
-    reason : str
-        Why its largest tile is undecided.
-    """
-
-    where: dict[str, Interval]
-    share: Fraction
-    tiles: int
-    events: tuple[str, ...]
-    reason: str
+    where: dict[str, Interval]  # the least box that holds them
+    share: Fraction  # of the box's area
+    tiles: int  # their number
+    events: tuple[str, ...]  # names of the events whose curves touch these tiles
+    reason: str  # why its largest tile is undecided
 
 
 def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
-    """The regions of a map, the largest first.
-
-    Parameters
-    ----------
-    found : BoxCertificate
-        Of two parameters.
-    """
+    """The regions of a map of two parameters, the largest first."""
     tiles = found.tiles
     verdicts: dict[Cell, str] = {
         (k, side): v
@@ -128,13 +88,7 @@ def regions_of(found: BoxCertificate) -> tuple[ProvedRegion, ...]:
 
 
 def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
-    """The curves of events of a map, the longest chain first.
-
-    Parameters
-    ----------
-    found : BoxCertificate
-        Of two parameters.
-    """
+    """The curves of events of a map of two parameters, the longest chain first."""
     events = {
         k: tile.event
         for k, tile in enumerate(found.tiles)
@@ -159,13 +113,7 @@ def curves_of(found: BoxCertificate) -> tuple[EventCurve, ...]:
 
 
 def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
-    """Where a map decides nothing, the largest part first.
-
-    Parameters
-    ----------
-    found : BoxCertificate
-        Of any number of parameters.
-    """
+    """The undecided parts of a map of any number of parameters, the largest first."""
     undecided = [k for k, verdict in enumerate(found.verdicts) if verdict == "undecided"]
     groups = Groups(undecided)
     for place, k in enumerate(undecided):
@@ -205,12 +153,9 @@ def open_boxes_of(found: BoxCertificate) -> tuple[OpenBox, ...]:
 
 
 def map_json(found: BoxCertificate) -> dict[str, Any]:
-    """What follows from the tiles of a map, as JSON: statement, regions, curves, open boxes.
+    """Statement, regions, curves and open boxes of a map as a dict ready for `json.dumps`.
 
-    Returns
-    -------
-    dict
-        Ready for `json.dumps`; phases are counted from 1.
+    Phases are counted from 1.
     """
     return {
         "statement": found.statement,
@@ -247,18 +192,9 @@ def map_json(found: BoxCertificate) -> dict[str, Any]:
 
 
 def sheets_json(found: BoxCertificate, event: TileEvent) -> dict[str, str]:
-    """Verdicts on the map's own orbit and on the other one, on that side of a fold where they are.
+    """The verdicts on the map's own orbit and on the other orbit that meets it in a fold.
 
-    Parameters
-    ----------
-    found : BoxCertificate
-    event : TileEvent
-        A fold.
-
-    Returns
-    -------
-    dict of str to str
-        Ready for `json.dumps`.
+    Both hold on the side of the fold where the orbits exist.
     """
     assert event.fold is not None
     own = event.below if event.above == BEYOND else event.above
@@ -279,7 +215,7 @@ def _samples(edge: Edge) -> list[Point]:
 
 
 def _verdicts(tile: Tile, verdict: str) -> Iterator[tuple[str, str]]:
-    """The sides of a tile that are not empty, and their verdicts; "" stands for all of it."""
+    """Pairs of a side of a tile that is not empty and its verdict; "" stands for the whole tile."""
     event = tile.event
     if event is None:
         if verdict != "undecided":
@@ -294,14 +230,14 @@ def _verdicts(tile: Tile, verdict: str) -> Iterator[tuple[str, str]]:
 
 
 def _side(tile: Tile, point: Point) -> str:
-    """The side of a point of a tile; "" of one that no curve divides, "band" on the curve."""
+    """The side of a tile that holds a point: "" if no curve divides it, "band" on the curve."""
     if tile.event is None:
         return ""
     return side_of(tile.event.band, tile.place.inside(point)) or "band"
 
 
 def _passes(band: Band) -> bool:
-    """Whether a band has points of its tile: else all of that is on one side of it."""
+    """Whether a band has points in its tile; otherwise the tile is all on one side of it."""
     ends = [Fraction(-1), Fraction(1)]
     along = [Fraction(k, 4) for k in range(-4, 5)]
     points = product(ends, along) if band.axis == 0 else product(along, ends)
@@ -309,7 +245,7 @@ def _passes(band: Band) -> bool:
 
 
 def _share(tile: Tile, side: str) -> float:
-    """The area of a side, about."""
+    """The approximate area of a side of a tile, as a share of the box."""
     whole = float(tile.place.share)
     if tile.event is None:
         return whole
@@ -406,7 +342,7 @@ def _clipped(one: tuple[float, float], other: tuple[float, float]) -> list[tuple
 
 
 def _end(found: BoxCertificate, point: tuple[float, float]) -> str:
-    """What is where a curve ends."""
+    """What a curve ends at: "border" of the box, "open" at undecided tiles, else "corner"."""
     if any(abs(x - end) < _ON for x in point for end in (0, 1)):
         return "border"
     for tile, verdict in zip(found.tiles, found.verdicts, strict=True):

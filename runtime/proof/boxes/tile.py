@@ -37,7 +37,7 @@ _SEEN = 30  # bits to which the check, whose tube is wider, tells the ends of an
 
 
 class Anchor(NamedTuple):
-    """A point of the box, and about the orbit there: whatever is found has to be that."""
+    """A point of the box and the approximate orbit there, which the proof on a tile has to meet."""
 
     point: tuple[Fraction, ...]
     numbers: Sequence[arb]
@@ -45,65 +45,29 @@ class Anchor(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Tube:
-    """The orbit over a tile, between polynomials of the parameters.
-
-    Attributes
-    ----------
-    place : Place
-    box : tuple of (Fraction, Fraction)
-        Of all tiles.
-    unknowns : sequence of TaylorModel
-    centre : sequence of TaylorModel
-        Polynomials.
-    radii : sequence of arb
-        As near to these there is no other orbit.
-    """
+    """The orbit over a tile, between polynomials of the parameters."""
 
     place: Place
-    box: tuple[Interval, ...]
+    box: tuple[Interval, ...]  # ends of each parameter over the whole box
     unknowns: Sequence[TaylorModel]
-    centre: Sequence[TaylorModel]
-    radii: Sequence[arb]
+    centre: Sequence[TaylorModel]  # polynomials, one for each unknown
+    radii: Sequence[arb]  # within these distances of the polynomials there is no other orbit
 
     def at(self, point: Sequence[Fraction]) -> list[arb]:
-        """Balls around the unknowns at a point of the tile.
-
-        Parameters
-        ----------
-        point : sequence of Fraction
-            Values of the box's parameters.
-
-        Returns
-        -------
-        list of arb
-            One ball for each unknown, in the system's units.
-        """
+        """Balls around the unknowns at a point, given by the values of the box's parameters."""
         with flint_precision(BITS):
             inside = self._inside(point)
             return [x.at(inside) for x in self.unknowns]
 
     def holds(self, point: Sequence[Fraction], found: Sequence[arb]) -> bool:
-        """Whether an orbit at a point of the tile is the tube's.
-
-        Parameters
-        ----------
-        point : sequence of Fraction
-            Values of the box's parameters.
-        found : sequence of arb
-            An enclosure of its unknowns.
-
-        Returns
-        -------
-        bool
-            True if that is proved.
-        """
+        """Whether an orbit, enclosed by `found` at a point, is proved to be the tube's."""
         with flint_precision(BITS):
             inside = self._inside(point)
             sides = zip(found, self.centre, self.radii, strict=True)
             return all(abs(x - c.at(inside)) < r for x, c, r in sides)
 
     def _inside(self, point: Sequence[Fraction]) -> list[arb]:
-        """The parameters from -1 to 1 over the tile."""
+        """The parameters at a point, scaled to run from -1 to 1 over the tile."""
         from flint import arb
 
         places = ((x, *self.place.interval(axis, self.box)) for axis, x in enumerate(point))
@@ -112,32 +76,20 @@ class Tube:
 
 @dataclass(frozen=True, eq=False)
 class TileProof:
-    """What is proved on a tile.
-
-    Attributes
-    ----------
-    existence, admissibility, stability : {"proved", "refuted", "undecided"}
-    reasons : dict of str to str
-        Why a claim is not proved.
-    enclosures : dict of str to arb
-        Trace, period, dwell times and start, for all parameters of the tile.
-    tube : Tube or None
-        Where existence is proved.
-    event : TileEvent or None
-        A curve on the two sides of which verdicts are proved.
-    """
+    """What is proved on a tile; each claim is "proved", "refuted" or "undecided"."""
 
     existence: str
     admissibility: str
     stability: str
-    reasons: dict[str, str]
+    reasons: dict[str, str]  # why a claim is not proved
+    # trace, period, dwell times and start, for all parameters of the tile
     enclosures: dict[str, arb]
-    tube: Tube | None
-    event: TileEvent | None = None
+    tube: Tube | None  # None unless existence is proved
+    event: TileEvent | None = None  # a curve on the two sides of which verdicts are proved
 
     @property
     def decided(self) -> bool:
-        """Whether one verdict is proved of all of it."""
+        """Whether one verdict is proved for the whole tile."""
         if self.admissibility == "refuted":
             return True
         return self.admissibility == "proved" and self.stability != "undecided"
@@ -146,24 +98,11 @@ class TileProof:
 def prove(
     region: Region, place: Place, anchor: Anchor, *, rough: bool = False, sharp: bool = False
 ) -> TileProof:
-    """Prove what can be proved on a tile.
+    """Prove what can be proved on a tile; the result names the reasons for the rest.
 
-    Parameters
-    ----------
-    region : Region
-    place : Place
-    anchor : Anchor
-        In the tile.
-    rough : bool, default False
-        Whether a low order will do, since only admissibility is left to be decided.
-    sharp : bool, default False
-        Whether a high order is wanted, and the curve of one event if there is one; of two
-        parameters.
-
-    Returns
-    -------
-    TileProof
-        What is proved on the tile, and why the rest is not.
+    The anchor has to be in the tile. `rough` takes a low order, enough where only admissibility
+    is left to be decided. `sharp` takes a high order and looks for the curve of one event; it
+    needs two parameters.
     """
     count = len(region.names)
     order = _LOWEST if rough else _ORDERS.get(count, _LOWEST)
@@ -202,7 +141,7 @@ def _prove(region: Region, place: Place, anchor: Anchor, space: Space, sharp: bo
 
 
 def _joined(region: Region, anchor: Anchor, found: Sequence[arb]) -> bool:
-    """Whether what was found is the anchor's orbit."""
+    """Whether the tube's orbit, enclosed at the anchor's point, is the anchor's orbit."""
     from flint import arb
 
     number = region.tables.number_at([arb(rational_of(x)) for x in anchor.point])
@@ -210,7 +149,7 @@ def _joined(region: Region, anchor: Anchor, found: Sequence[arb]) -> bool:
 
 
 def _wider(number: Any) -> arb:
-    """All values, with twice what is not known of the polynomial: the check finds its own."""
+    """A ball around all values, a little wider: the check's own enclosures may be wider too."""
     from flint import arb
 
     ball = range_of(number)
@@ -223,7 +162,7 @@ def _undecided(reason: str) -> TileProof:
 
 
 def _variables(region: Region, place: Place, space: Space) -> list[TaylorModel]:
-    """The parameters on a tile."""
+    """The parameters on a tile as Taylor models."""
     from flint import arb
 
     found = []

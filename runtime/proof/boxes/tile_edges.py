@@ -19,28 +19,15 @@ _SHARES = tuple(Fraction(k, 32) for k in (16, 8, 24, 4, 28, 1, 31, 0, 32))  # of
 
 
 class Edge(NamedTuple):
-    """What two tiles have in common.
+    """The common edge of two tiles; along its axis the second tile follows the first."""
 
-    Attributes
-    ----------
-    first, second : int
-        Numbers of the tiles; along the axis the second one follows the first.
-    ends : tuple of (Fraction, Fraction)
-        Two points, in shares of the box from 0 to 1.
-    """
-
-    first: int
-    second: int
-    ends: tuple[Point, Point]
+    first: int  # number of a tile
+    second: int  # number of a tile
+    ends: tuple[Point, Point]  # two points, in shares of the box from 0 to 1
 
 
 def edges_of(places: Sequence[Place]) -> list[Edge]:
-    """What tiles of a box of two parameters have in common, where that is longer than a point.
-
-    Parameters
-    ----------
-    places : sequence of Place
-    """
+    """The common edges of tiles of a box of two parameters, where they are longer than a point."""
     found = []
     for axis in (0, 1):
         sides: dict[Fraction, tuple[list[Any], list[Any]]] = defaultdict(lambda: ([], []))
@@ -56,33 +43,17 @@ def edges_of(places: Sequence[Place]) -> list[Edge]:
 
 
 def joined_edges(found: BoxCertificate) -> Iterator[Edge]:
-    """Edges between tiles with verdicts: their orbits are the same there.
-
-    Parameters
-    ----------
-    found : BoxCertificate
-        Of two parameters.
-    """
+    """Edges between tiles with verdicts, where their orbits are the same; of two parameters."""
     decided = [verdict != "undecided" for verdict in found.verdicts]
     edges = edges_of([tile.place for tile in found.tiles])
     return (edge for edge in edges if decided[edge.first] and decided[edge.second])
 
 
 def meeting_point(one: Tile, other: Tile, box: Sequence[Interval]) -> tuple[Fraction, ...] | None:
-    """A point that two tiles have in common, at which orbits of both are claimed.
+    """A common point of two tiles that touch, at which orbits of both are claimed.
 
-    Parameters
-    ----------
-    one, other : Tile
-        They touch each other.
-    box : sequence of (Fraction, Fraction)
-        Lower and upper end of each parameter.
-
-    Returns
-    -------
-    tuple of Fraction or None
-        The middle, unless one of them has a fold that is not clearly beside it: then another
-        point, or None where there is none.
+    It is the middle of what they share, unless a fold of a tile is not clearly beside it: then
+    another point, or None if there is none. `box` has the ends of each parameter.
     """
     for share in _SHARES:
         point = one.place.shared(other.place, box, share)
@@ -102,20 +73,10 @@ def _has_orbits(tile: Tile, point: Sequence[Fraction], box: Sequence[Interval]) 
 
 
 def beyond_folds(tiles: Sequence[Tile]) -> frozenset[int]:
-    """Undecided tiles to which folds do not let the orbits lead.
+    """Numbers of the undecided tiles that no orbit of the map can reach, because of folds.
 
-    Such tiles are joined by their edges, and have edges in common only with each other, and with
-    tiles on whose side beyond a fold the whole edge is.
-
-    Parameters
-    ----------
-    tiles : sequence of Tile
-        Of two parameters; they fill their box.
-
-    Returns
-    -------
-    frozenset of int
-        Their numbers.
+    The tiles fill a box of two parameters. A group of such tiles, joined by edges, has other
+    edges only with tiles on whose side beyond a fold the whole edge lies.
     """
     undecided = {k for k, tile in enumerate(tiles) if tile.verdict == "undecided"}
     groups = Groups(undecided)
@@ -133,7 +94,7 @@ def beyond_folds(tiles: Sequence[Tile]) -> frozenset[int]:
 
 
 def _all_beyond(tile: Tile, edge: Edge) -> bool:
-    """Whether an edge of a tile is all on its side beyond a fold."""
+    """Whether an edge of a tile is entirely on its side beyond a fold."""
     event = tile.event
     if event is None or event.fold is None:
         return False
@@ -154,16 +115,11 @@ class Groups:
         return thing
 
     def unite(self, one: Hashable, other: Hashable) -> None:
-        """Put two things, and all that is with them, together."""
+        """Unite the groups of two things."""
         self.parents[self._first(one)] = self._first(other)
 
     def all(self) -> list[list[Any]]:
-        """All groups.
-
-        Returns
-        -------
-        list of list
-        """
+        """All groups, each as a list of its things."""
         found: dict[Any, list[Any]] = defaultdict(list)
         for thing in self.parents:
             found[self._first(thing)].append(thing)

@@ -61,33 +61,14 @@ class Band:
     """A curve over one parameter of a tile, and how far from it the event may be.
 
     Both parameters are counted from -1 to 1 over the tile.
-
-    Attributes
-    ----------
-    axis : int
-        Number of the parameter by which the curve is crossed; it is a graph over the other one.
-    centre : tuple of float
-        Coefficients of a polynomial of the other parameter.
-    radius : float
     """
 
-    axis: int
-    centre: tuple[float, ...]
+    axis: int  # number of the parameter across; the curve is a graph over the other one
+    centre: tuple[float, ...]  # coefficients of a polynomial of the other parameter
     radius: float
 
     def at(self, place: Fraction) -> Fraction:
-        """The curve where the other parameter has a place.
-
-        Parameters
-        ----------
-        place : Fraction
-            From -1 to 1.
-
-        Returns
-        -------
-        Fraction
-            Exactly.
-        """
+        """The curve's exact value where the other parameter is `place`, from -1 to 1."""
         total = Fraction(0)
         for coefficient in reversed(self.centre):
             total = total * place + Fraction(coefficient)
@@ -96,14 +77,7 @@ class Band:
     def side_of_edge(self, one: Sequence[Fraction], other: Sequence[Fraction]) -> Side | None:
         """The side on which all points between two are; None if they may be in the band.
 
-        Parameters
-        ----------
-        one, other : sequence of Fraction
-            Both parameters, from -1 to 1; one of them is the same.
-
-        Returns
-        -------
-        {"below", "above"} or None
+        Both points are given by both parameters from -1 to 1, of which one is equal for the two.
         """
         places = one[1 - self.axis], other[1 - self.axis]
         if self._monotonic or places[0] == places[1]:
@@ -119,7 +93,7 @@ class Band:
 
     @property
     def _monotonic(self) -> bool:
-        """Whether the curve surely rises, or falls."""
+        """Whether the curve surely rises, or surely falls."""
         slope, *bends = (k * abs(Fraction(c)) for k, c in enumerate(self.centre) if k)
         return slope > sum(bends, Fraction(0))
 
@@ -127,8 +101,8 @@ class Band:
     def connected(self) -> bool:
         """Whether both sides are surely connected, or empty.
 
-        They are where the curve rises or falls; where a side is on all lines along the axis, or
-        on none.
+        They are where the curve rises or falls, and where each side is met by all lines along the
+        axis or by none.
         """
         middle, *rest = map(Fraction, self.centre)
         if self._monotonic:
@@ -143,85 +117,54 @@ class Band:
 class Fold:
     """Two sheets of orbits that meet along a curve: a tube around both.
 
-    In the tube one unknown is as near to a polynomial of the parameter along the curve as the
-    half tells, and the other unknowns, with the parameter across, to functions of these two.
-
-    Attributes
-    ----------
-    coordinate : str
-        The unknown of the orbit's equations that tells the orbits from each other.
-    centre : tuple of float
-        Coefficients of the polynomial: about where the orbits meet.
-    half : float
-        Half of the tube's width in that unknown.
-    sheet : {"below", "above"}
-        Which of the two sheets, by that unknown, is the map's own.
-    other : {"proved", "unstable", "not admissible"}
-        The verdict on the other one.
+    In the tube one unknown is within `half` of a polynomial of the parameter along the curve.
+    The other unknowns, and the parameter across, are near functions of these two.
     """
 
-    coordinate: str
+    coordinate: str  # the unknown of the orbit's equations that distinguishes the orbits
+    # coefficients of the polynomial: where the orbits meet, approximately
     centre: tuple[float, ...]
-    half: float
-    sheet: str
-    other: str
+    half: float  # half of the tube's width in that unknown
+    sheet: str  # "below" or "above": the map's own sheet, by that unknown
+    other: str  # verdict on the other sheet: "proved", "unstable" or "not admissible"
 
 
 @dataclass(frozen=True)
 class TileEvent:
     """A curve of one event that divides a tile.
 
-    Attributes
-    ----------
-    kind : str
-        "flip", "neimark-sacker" or "fold"; "grazing", "tangent", "entry", "simultaneous" or
-        "vanishing-phase".
-    phase : int or None
-        Counted from 0, in files from 1.
-    configuration, boundary : str
-    instant : {"", "start", "inside", "end"}
-    window : tuple of Fraction
-        Of a grazing, be it one of `also`: between these times of its phase the boundary
-        function is concave.
-    also : tuple of (str, int, str, str)
-        Kind, phase, boundary and instant of what happens in the same band.
-    band : Band
-    below, above : {"proved", "unstable", "not admissible", "beyond a fold"}
-        Verdicts for all parameters below the band and above it, along its axis.
-    fold : Fold or None
-        The orbits that meet, of a fold: on the side that is beyond it none is in their tube.
+    Verdicts are "proved", "unstable", "not admissible" or "beyond a fold". They hold for all
+    parameters below the band and above it, along its axis.
     """
 
+    # "flip", "neimark-sacker", "fold", or a border: "grazing", "tangent", "entry", "simultaneous",
+    # "vanishing-phase"
     kind: str
-    phase: int | None
+    phase: int | None  # counted from 0, in files from 1
     configuration: str
     boundary: str
-    instant: str
+    instant: str  # "", "start", "inside" or "end"
+    # times in the phase of a grazing (perhaps in `also`) between which the boundary function is
+    # concave
     window: tuple[Fraction, ...]
+    # kind, phase, boundary and instant of further events in the same band
     also: tuple[tuple[str, int, str, str], ...]
     band: Band
-    below: str
-    above: str
+    below: str  # verdict below the band
+    above: str  # verdict above the band
+    # the orbits that meet; on the side beyond the fold none is in their tube
     fold: Fold | None = None
 
     @property
     def name(self) -> tuple[str, int | None, str, str]:
-        """What tells it from other events of the orbit."""
+        """Kind, phase, boundary and instant, which distinguish the orbit's events."""
         return self.kind, self.phase, self.boundary, self.instant
 
 
 def side_of(band: Band, point: Sequence[Fraction]) -> Side | None:
     """The side of a band on which a point of its tile is; None in the band.
 
-    Parameters
-    ----------
-    band : Band
-    point : sequence of Fraction
-        Both parameters, from -1 to 1 over the tile.
-
-    Returns
-    -------
-    {"below", "above"} or None
+    The point has both parameters, from -1 to 1 over the tile.
     """
     away = point[band.axis] - band.at(point[1 - band.axis])
     if abs(away) <= Fraction(band.radius):
@@ -234,19 +177,8 @@ def event_on(
 ) -> TileEvent | None:
     """Prove that one event divides a tile of two parameters, and the verdicts on both sides.
 
-    Parameters
-    ----------
-    region : Region
-        Of two parameters.
-    place : Place
-        The tile.
-    unknowns, parameters : sequence of TaylorModel
-        The orbit over the tile.
-
-    Returns
-    -------
-    TileEvent or None
-        None where that is not proved.
+    `unknowns` and `parameters` are Taylor models of the orbit over the tile. None where it is
+    not proved.
     """
     point = [*unknowns, *parameters]
     passage = CyclePassage(region, point)
@@ -342,7 +274,7 @@ def _rises(number: Any) -> int:
 
 
 def _band(place: Place, numbers: Sequence[TaylorModel]) -> Band | None:
-    """A band outside of which numbers have one sign on each side."""
+    """A band on each side of which every number has one sign; None if there is no narrow one."""
     first = numbers[0]
     rates = [abs(_coefficient(first, axis)) for axis in (0, 1)]
     axis = int(rates[1] > rates[0])
@@ -356,23 +288,11 @@ def _band(place: Place, numbers: Sequence[TaylorModel]) -> Band | None:
 
 
 def band_about(place: Place, axis: int, centre: tuple[float, ...], away: float) -> Band | None:
-    """A band about a curve, wide enough for the check, whose enclosures are its own.
+    """A band about a curve, wide enough for the checker, which computes its own enclosures.
 
-    Parameters
-    ----------
-    place : Place
-        The tile.
-    axis : int
-        Number of the parameter by which the curve is crossed.
-    centre : tuple of float
-        Coefficients of a polynomial of the other parameter.
-    away : float
-        How far from it the event may be, from -1 to 1 over the tile.
-
-    Returns
-    -------
-    Band or None
-        None if it is too wide, or a side of it may not be connected.
+    `axis` is the number of the parameter across, `centre` the curve's polynomial in the other
+    one, and `away` how far the event may be from it; all run from -1 to 1 over the tile. None if
+    the band is too wide, or if a side of it may not be connected.
     """
     parts = 2.0 ** (place.steps[axis][1] + 1)  # halves of the tile are in the box
     band = Band(axis, centre, _SPARE * away + _FINEST * parts)
@@ -386,7 +306,7 @@ def _coefficient(number: TaylorModel, axis: int) -> float:
 
 
 def _curve(number: TaylorModel, axis: int) -> tuple[float, ...] | None:
-    """About where a number is zero, as a polynomial of the other parameter."""
+    """Approximate zeros of a number, as a polynomial of the other parameter; None if far away."""
     order = number.space.order
     table = np.zeros((order + 1, order + 1))  # by powers along the axis, and of the other
     for part, exponents in zip(number.parts, number.space.exponents, strict=True):
@@ -406,7 +326,7 @@ def _curve(number: TaylorModel, axis: int) -> tuple[float, ...] | None:
 
 
 def _away(number: TaylorModel, axis: int, centre: Sequence[float]) -> arb | None:
-    """How far zeros of a number are from a curve, at most; beyond that its sign is that side's.
+    """How far zeros of a number are at most from a curve; beyond that its sign is that side's.
 
     The number is P + rho with a polynomial P and a bound R of |rho|. Where p is farther from
     c(q) than (R + |P(c(q), q)|) / min |dP/dp|, |P(p, q)| > R.
@@ -442,8 +362,9 @@ def _away(number: TaylorModel, axis: int, centre: Sequence[float]) -> arb | None
 def _verdict_beside(region: Region, point: Sequence[Any], band: Band, side: str) -> str | None:
     """The verdict on multipliers on one side of a band, from a point that is clearly there.
 
-    It is "" on an empty side: where no corner of the tile is there nothing is, as the curve rises
-    or falls, or stays inside. None where it is not known.
+    It is "" if no point of a 5 x 5 grid on the tile, its corners included, is on that side: as
+    the curve rises or falls, or stays inside, that side is then empty. None where nothing is
+    known.
     """
     places = [Fraction(k, 2) for k in range(-2, 3)]
     beside = [at for at in product(places, repeat=2) if side_of(band, at) == side]

@@ -57,48 +57,24 @@ _CLEAR = 0.75  # of the tube's half: there a sheet is clearly one of the two
 class FoldTube:
     """Two sheets of orbits over a tile, as a graph over one unknown and one parameter.
 
-    Attributes
-    ----------
-    region : Region
-    place : Place
-    axis : int
-        Number of the parameter that is a function of the unknown and the other parameter.
-    fold : Fold
-    point : list of TaylorModel
-        Unknowns of the orbit's equations, and that parameter: of e, which runs from -1 to 1 over
-        the tube, and of the other parameter, from -1 to 1 over the tile.
-    centre : sequence of TaylorModel
-        Polynomials for all of these but the unknown.
-    radii : sequence of arb
-        As near to these there are no other orbits.
-    bend : arb
-        Second derivative of the parameter by the unknown: of one sign.
-    slope : TaylorModel
-        Its first derivative.
+    Over the tube the unknown is counted by e, from -1 to 1, and the other parameter from -1 to 1
+    over the tile.
     """
 
     region: Region
     place: Place
-    axis: int
+    axis: int  # number of the parameter that is a function of the unknown and the other parameter
     fold: Fold
-    point: list[Any]
-    centre: Sequence[Any]
-    radii: Sequence[arb]
-    slope: Any
-    bend: arb
+    point: list[Any]  # Taylor models of all unknowns of the orbit's equations and of that parameter
+    centre: Sequence[Any]  # polynomials for all of these but the unknown
+    radii: Sequence[arb]  # within these distances of the polynomials there are no other orbits
+    slope: Any  # Taylor model: first derivative of the parameter by the unknown
+    bend: arb  # second derivative of the parameter by the unknown: of one sign
 
     def at(self, point: Sequence[Fraction]) -> list[arb] | None:
-        """The map's own orbit at a point of the tile.
+        """An enclosure of the map's own orbit at a point of the tile, by values of the parameters.
 
-        Parameters
-        ----------
-        point : sequence of Fraction
-            Values of the box's parameters.
-
-        Returns
-        -------
-        list of arb or None
-            An enclosure of the unknowns; None where no orbit is proved to be on the sheet.
+        None where no orbit is proved to be on the sheet.
         """
         with flint_precision(BITS):
             guess = self._near(point)
@@ -112,20 +88,7 @@ class FoldTube:
         return own if own is not None and self.holds(point, own) else None
 
     def holds(self, point: Sequence[Fraction], found: Sequence[arb]) -> bool:
-        """Whether an orbit at a point of the tile is the map's own.
-
-        Parameters
-        ----------
-        point : sequence of Fraction
-            Values of the box's parameters.
-        found : sequence of arb
-            An enclosure of its unknowns.
-
-        Returns
-        -------
-        bool
-            True if that is proved.
-        """
+        """Whether an orbit, enclosed by `found` at a point, is proved to be the map's own."""
         from flint import arb
 
         with flint_precision(BITS):
@@ -146,7 +109,7 @@ class FoldTube:
 
     @property
     def coordinate(self) -> int:
-        """The number of the unknown."""
+        """The index of the unknown over which the sheets are a graph."""
         return OrbitCurve(self.region, self.axis).names.index(self.fold.coordinate)
 
     @property
@@ -156,19 +119,19 @@ class FoldTube:
 
     @property
     def meeting(self) -> arb:
-        """How far from e = 0 the two sheets meet, at most: there the slope is zero."""
+        """An upper bound of |e| where the two sheets meet: the slope is zero there."""
         missed = abs(range_of(_on_curve(self.slope)))
         found: arb = (missed / abs(self.bend) / self.fold.half).upper()
         return found
 
     def _other(self, point: Sequence[Fraction]) -> arb:
-        """The other parameter, from -1 to 1 over the tile."""
+        """The other parameter at a point, from -1 to 1 over the tile."""
         other = 1 - self.axis
         low, high = self.place.interval(other, self.region.box)
         return _ball((2 * point[other] - low - high) / (high - low))
 
     def _near(self, point: Sequence[Fraction]) -> list[arb] | None:
-        """About the unknowns of the map's own orbit at a point."""
+        """Approximate unknowns of the map's own orbit at a point, by bisection in e."""
         from flint import arb
 
         other, sign = self._other(point), -1 if self.fold.sheet == "below" else 1
@@ -187,7 +150,7 @@ class FoldTube:
 
 
 class _FoldPoint(NamedTuple):
-    """A point at which two orbits meet, in balls that are not proved."""
+    """A point at which two orbits meet, in numbers that are not proved."""
 
     point: list[Any]
     bend: float
@@ -198,21 +161,8 @@ def fold_on(
 ) -> tuple[FoldTube, TileEvent] | None:
     """Prove that a fold curve divides a tile, or passes near it, and the verdicts beside it.
 
-    Parameters
-    ----------
-    region : Region
-        Of two parameters.
-    place : Place
-        The tile.
-    point : sequence of Fraction
-        A point of it.
-    numbers : sequence of arb
-        The map's own orbit there.
-
-    Returns
-    -------
-    tuple of (FoldTube, TileEvent) or None
-        None where that is not proved.
+    The tile is of two parameters; `numbers` are the map's own orbit at a point of it. None where
+    it is not proved.
     """
     with flint_precision(BITS):
         start = [x.mid() for x in numbers]
@@ -254,24 +204,11 @@ def fold_on(
 def fold_tube(
     region: Region, place: Place, axis: int, fold: Fold, guess: Sequence[arb]
 ) -> FoldTube | None:
-    """Prove that orbits are a graph over an unknown and a parameter, and bent in one direction.
+    """Prove that orbits are a graph over an unknown and a parameter, bent in one direction.
 
-    Parameters
-    ----------
-    region : Region
-        Of two parameters.
-    place : Place
-        The tile.
-    axis : int
-        Number of the parameter across.
-    fold : Fold
-    guess : sequence of arb
-        The other unknowns, and last the parameter across, in the middle of the tube, about.
-
-    Returns
-    -------
-    FoldTube or None
-        None where that is not proved.
+    The tile is of two parameters, and `axis` is the number of the one across. `guess` has the
+    other unknowns and last the parameter across, approximately, in the middle of the tube. None
+    where it is not proved.
     """
     from flint import arb
 
@@ -324,14 +261,14 @@ def _coordinates(
 
 
 def _rate(number: Any) -> Any:
-    """The derivative in a jet, about."""
+    """The approximate derivative in a jet."""
     return range_of(part_of(number, 1)).mid()
 
 
 def _straightest(
     region: Region, axis: int, coordinate: int, other: Fraction, at: _FoldPoint
 ) -> int:
-    """The unknown by which the parameter is most nearly a parabola: its cubic term is least.
+    """The unknown in which the parameter is most nearly a parabola: its cubic term is least.
 
     With p = c2 e^2 + c3 e^3 and an unknown a1 e + a2 e^2, that is c3 - 2 c2 a2 / a1 in its units.
     """
@@ -351,7 +288,7 @@ def _straightest(
 def _meetings(
     region: Region, place: Place, axis: int, coordinate: int, first: _FoldPoint
 ) -> list[_FoldPoint] | None:
-    """Where orbits meet, at Chebyshev's places of the other parameter over the tile."""
+    """Points where orbits meet, at the other parameter's Chebyshev nodes over the tile."""
     low, high = place.interval(1 - axis, region.box)
     nodes = [Fraction(x) for x in _nodes(_NODES)]
     middle = len(nodes) // 2
@@ -370,7 +307,7 @@ def _meetings(
 def _meeting(
     region: Region, place: Place, axis: int, coordinate: int, other: Fraction, near: Sequence[arb]
 ) -> _FoldPoint | None:
-    """Where P_s is zero, by Newton's method in s; nothing is proved of it."""
+    """A point where P_s is zero, by Newton's method in s; nothing is proved of it."""
     curve = OrbitCurve(region, axis, (_ball(other),))
     low, high = (float(x) for x in place.interval(axis, region.box))
     point = [x.mid() for x in near]
@@ -426,18 +363,18 @@ def _tried(
 
 
 def _nodes(count: int) -> list[float]:
-    """Chebyshev's, between -1 and 1."""
+    """Chebyshev nodes between -1 and 1."""
     return [float(x) for x in np.cos(np.pi * (np.arange(count) + 0.5) / count)]
 
 
 def _fitted(values: Sequence[float]) -> tuple[float, ...]:
-    """Coefficients of the polynomial through values at as many nodes."""
+    """Coefficients of the polynomial through values at as many Chebyshev nodes."""
     powers = np.vander(_nodes(len(values)), len(values), increasing=True)
     return tuple(float(x) for x in np.linalg.solve(powers, values))
 
 
 def _leaves(tube: FoldTube) -> bool:
-    """Whether both sheets leave the tile on its side of the orbits before the tube ends."""
+    """Whether both sheets leave the tile, on the side that has orbits, before the tube ends."""
     from flint import arb
 
     sign = 1 if tube.bend > 0 else -1
@@ -452,7 +389,7 @@ def _leaves(tube: FoldTube) -> bool:
 
 
 def _judged(tube: FoldTube) -> TileEvent | None:
-    """The fold's band, and the verdicts on both sheets."""
+    """The fold as an event, with its band and the verdicts on both sheets; None if undecided."""
     band = _band(tube)
     if band is None:
         return None
@@ -494,7 +431,7 @@ def _verdict_at(tube: FoldTube, end: float) -> str | None:
 
 
 def _arranged(tube: FoldTube, point: Sequence[Any]) -> list[Any]:
-    """Unknowns and both parameters."""
+    """The unknowns and both parameters, in the order of the region's axes."""
     other = 1 - tube.axis
     low, high = (rational_of(x) for x in tube.place.interval(other, tube.region.box))
     from flint import arb
@@ -507,7 +444,7 @@ def _arranged(tube: FoldTube, point: Sequence[Any]) -> list[Any]:
 
 
 def _band(tube: FoldTube) -> Band | None:
-    """A band that holds the curve: P on e = 0 is above its least value by P_s^2/(2 P_ss)."""
+    """A band that holds the curve: P on e = 0 exceeds its minimum by at most P_s^2/(2 P_ss)."""
     from flint import arb
 
     low, high = (rational_of(x) for x in tube.place.interval(tube.axis, tube.region.box))
@@ -523,7 +460,7 @@ def _band(tube: FoldTube) -> Band | None:
 
 
 def _least(tube: FoldTube, other: float) -> float:
-    """About the value of the parameter across at which orbits meet."""
+    """The approximate value of the parameter across at which orbits meet."""
     row = np.polynomial.Polynomial(_row_of(tube.point[-1], other))
     slopes, bends, place = row.deriv(), row.deriv(2), 0.0
     for _ in range(_STEPS):
@@ -544,14 +481,14 @@ def _with_sheet(tube: FoldTube, sheet: str) -> FoldTube:
 
 
 def _on_curve(model: Any) -> Any:
-    """A model where e is zero, as one of the other parameter."""
+    """A model restricted to e = 0, as a model of the other parameter."""
     from flint import arb
 
     return model.at([arb(0), space_of(1, _ORDER).variable(0, arb(0), arb(1))])
 
 
 def _row_of(model: TaylorModel, other: float) -> Any:
-    """Coefficients of a model in e, about."""
+    """Approximate coefficients of a model in e, at a value of the other parameter."""
     row = np.zeros(model.space.order + 1)
     for part, (power, beside) in zip(model.parts, model.space.exponents, strict=True):
         if part is not None:

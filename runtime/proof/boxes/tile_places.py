@@ -13,25 +13,12 @@ Point = tuple[Fraction, Fraction]  # of a plane
 
 
 class Place(NamedTuple):
-    """Where a tile is: along each axis the k-th of 2^level equal parts of the box."""
+    """The place of a tile: along each axis, the k-th of 2^level equal parts of the box."""
 
-    steps: tuple[tuple[int, int], ...]
+    steps: tuple[tuple[int, int], ...]  # k and level of each axis
 
     def interval(self, axis: int, box: Sequence[Interval]) -> Interval:
-        """The tile along one axis.
-
-        Parameters
-        ----------
-        axis : int
-            Number of the parameter.
-        box : sequence of (Fraction, Fraction)
-            Lower and upper end of each parameter.
-
-        Returns
-        -------
-        tuple of (Fraction, Fraction)
-            Lower and upper end.
-        """
+        """Lower and upper end of the tile along one axis; `box` has the ends of each parameter."""
         step, level = self.steps[axis]
         lower, upper = box[axis]
         width = (upper - lower) / 2**level
@@ -39,78 +26,32 @@ class Place(NamedTuple):
 
     @property
     def share(self) -> Fraction:
-        """Of the box's area."""
+        """The tile's share of the box's area."""
         return Fraction(1, 2 ** sum(level for _, level in self.steps))
 
     @property
     def shares(self) -> tuple[Interval, ...]:
-        """The tile in shares of the box, from 0 to 1."""
+        """The tile's ends along each axis, in shares of the box from 0 to 1."""
         return tuple((Fraction(k, 2**level), Fraction(k + 1, 2**level)) for k, level in self.steps)
 
     def inside(self, point: Point) -> Point:
-        """A point of a plane as the tile has it.
-
-        Parameters
-        ----------
-        point : tuple of (Fraction, Fraction)
-            In shares of the box.
-
-        Returns
-        -------
-        tuple of (Fraction, Fraction)
-            From -1 to 1 over the tile.
-        """
+        """A point of a plane, given in shares of the box, counted from -1 to 1 over the tile."""
         sides = zip(point, self.shares, strict=True)
         x, y = ((2 * at - low - high) / (high - low) for at, (low, high) in sides)
         return x, y
 
     def middle(self, box: Sequence[Interval]) -> tuple[Fraction, ...]:
-        """The point in the middle of the tile.
-
-        Parameters
-        ----------
-        box : sequence of (Fraction, Fraction)
-            Lower and upper end of each parameter.
-
-        Returns
-        -------
-        tuple of Fraction
-            A value of each parameter.
-        """
+        """The value of each parameter in the middle of the tile; `box` has their ends."""
         ends = (self.interval(axis, box) for axis in range(len(self.steps)))
         return tuple((low + high) / 2 for low, high in ends)
 
     def holds(self, point: Sequence[Fraction], box: Sequence[Interval]) -> bool:
-        """Whether the tile, with its edges, contains a point.
-
-        Parameters
-        ----------
-        point : sequence of Fraction
-            A value of each parameter.
-        box : sequence of (Fraction, Fraction)
-            Lower and upper end of each parameter.
-
-        Returns
-        -------
-        bool
-            True on the edges too.
-        """
+        """Whether the tile, with its edges, contains a point given by a value of each parameter."""
         ends = (self.interval(axis, box) for axis in range(len(self.steps)))
         return all(low <= x <= high for x, (low, high) in zip(point, ends, strict=True))
 
     def touches(self, other: Place) -> bool:
-        """Whether two tiles have a point in common, edges included.
-
-        Parameters
-        ----------
-        other : Place
-            A tile of the same box.
-
-        Returns
-        -------
-        bool
-            True for a common edge or corner too.
-        """
+        """Whether two tiles of a box have a point in common, be it an edge or a corner."""
         for (step, level), (its_step, its_level) in zip(self.steps, other.steps, strict=True):
             finest = max(level, its_level)
             low, its_low = step << (finest - level), its_step << (finest - its_level)
@@ -122,21 +63,9 @@ class Place(NamedTuple):
     def shared(
         self, other: Place, box: Sequence[Interval], share: Fraction = Fraction(1, 2)
     ) -> tuple[Fraction, ...]:
-        """A point of what two tiles that touch have in common, the middle if not told.
+        """A common point of two tiles that touch, as a value of each parameter.
 
-        Parameters
-        ----------
-        other : Place
-            A tile of the same box that touches this one.
-        box : sequence of (Fraction, Fraction)
-            Lower and upper end of each parameter.
-        share : Fraction, optional
-            How far it is from the lower ends to the upper ones.
-
-        Returns
-        -------
-        tuple of Fraction
-            A value of each parameter.
+        `share` is how far it is from the lower ends of what they share to the upper ones.
         """
         point = []
         for axis in range(len(self.steps)):
@@ -146,18 +75,7 @@ class Place(NamedTuple):
         return tuple(point)
 
     def halves(self, axis: int) -> tuple[Place, Place]:
-        """The two halves along an axis.
-
-        Parameters
-        ----------
-        axis : int
-            Number of the parameter.
-
-        Returns
-        -------
-        tuple of (Place, Place)
-            The lower and the upper half.
-        """
+        """The lower and the upper half of the tile along an axis."""
         step, level = self.steps[axis]
 
         def half(number: int) -> Place:

@@ -58,21 +58,10 @@ _SHORT = 0.1  # of the period: what may vanish
 def with_beyond(
     curve: OrbitCurve, tile: BranchTile, branch: Branch, opened: Mapping[str, Any]
 ) -> BranchTile:
-    """A tile with what begins at its event.
+    """A tile with the proved orbits of other itineraries that begin at its event.
 
-    Parameters
-    ----------
-    curve : OrbitCurve
-    tile : BranchTile
-    branch : Branch
-        The same branch in floating point.
-    opened : mapping of str to Value
-        Parameters that the orbit leaves open.
-
-    Returns
-    -------
-    BranchTile
-        The same if its event is no border, or nothing is proved.
+    `branch` is the same branch in floating point, `opened` has the parameters that the orbit
+    leaves open. The tile comes back unchanged if its event is no border, or nothing is proved.
     """
     event = tile.event
     if event is None or event.kind in MULTIPLIERS or event.beyond:
@@ -97,7 +86,7 @@ def with_beyond(
 
 
 def _in_floating_point(branch: Branch, kind: str, phase: int | None, value: float) -> Event | None:
-    """The event of a kind that is near a value."""
+    """The border collision near a value, of this kind and phase if there is one; else None."""
     width = float(np.ptp(branch.parameter_values)) or 1.0
     near = [
         event
@@ -118,7 +107,7 @@ def _candidates(branch: Branch, event: Event, opened: Mapping[str, Any]) -> Iter
 
 
 def _piece_of(curve: OrbitCurve, tile: BranchTile) -> Piece:
-    """The orbits of a tile that is proved."""
+    """The piece of a proved tile, with enclosures of its orbits."""
     from flint import arb
 
     coordinate = curve.parameter
@@ -151,7 +140,7 @@ def _met(curve: OrbitCurve, tile: BranchTile, tube: BranchTube) -> MetBorder:
 
 
 def _side(curve: OrbitCurve, tile: BranchTile, piece: Piece) -> str:
-    """On which side of its event's parameter the orbits of a tile are motions; "" if unknown."""
+    """The side of its event's parameter on which a tile's orbits are motions; "" if unknown."""
     begins = tile.before == NOT_ADMISSIBLE
     if tile.before == tile.after or not (begins or tile.after == NOT_ADMISSIBLE):
         return ""
@@ -205,7 +194,10 @@ def _proved(orbit: Orbit, own: OrbitCurve, met: MetBorder, value: float) -> Orbi
 
 
 def _tried(curve: OrbitCurve, value: float) -> Iterator[tuple[int | None, int, Fraction, Fraction]]:
-    """Tiles about a border, smaller and smaller: by the parameter, and by dwell times."""
+    """Ever smaller tiles about a border, each over the parameter or over a short dwell time.
+
+    Each is the divided phase or None, the number of the coordinate, and its lower and upper end.
+    """
     region = curve.region
     low, high = map(float, region.box[0])
     away = max(abs(float(region.at[0]) - value), _WIDE * (high - low))
@@ -229,7 +221,7 @@ def _decimal(value: float, unit: Fraction) -> Fraction:
 
 
 def _guess(curve: OrbitCurve, coordinate: int, middle: Fraction, value: float) -> list[arb]:
-    """The orbit in the middle of a tile, about."""
+    """Approximate coordinates of the orbit in the middle of a tile."""
     from flint import arb
 
     found = [x.mid() for x in curve.region.guess]

@@ -183,7 +183,7 @@ class BranchInterval:
 
 
 class DrawnOverParameter(Kept):
-    """A result that is drawn over a parameter; `_drawn_by` names the function that does it."""
+    """A result that is drawn over a parameter; `_drawn_by` names the function that draws it."""
 
     _drawn_by: ClassVar[str]
 
@@ -378,7 +378,7 @@ class CertifiedBranch(DrawnOverParameter):
 
 
 def _told_beyond(found: OrbitBeyond) -> str:
-    """In words: which orbits begin at an event, on which side, and how far they are proved."""
+    """A phrase: which orbits begin at an event, on which side, and how far they are proved."""
     alone = len({configuration for configuration, _ in found.itinerary}) == 1
     way = " -> ".join(f"{c} ({b})" if alone else c for c, b in found.itinerary)
     return (
@@ -388,13 +388,7 @@ def _told_beyond(found: OrbitBeyond) -> str:
 
 
 def event_json(event: BranchEvent) -> dict[str, Any]:
-    """An event as JSON.
-
-    Returns
-    -------
-    dict
-        Phases are counted from 1.
-    """
+    """An event as JSON; phases are counted from 1."""
     return {
         "kind": event.kind,
         "phase": None if event.phase is None else event.phase + 1,
@@ -422,13 +416,7 @@ def _beyond_json(found: OrbitBeyond) -> dict[str, Any]:
 
 
 def told_json(found: CertifiedBranch) -> dict[str, Any]:
-    """What follows from the tiles of a branch, as JSON: statement, intervals and events.
-
-    Returns
-    -------
-    dict
-        Ready for `json.dumps`.
-    """
+    """Statement, intervals and events of a branch as a dict ready for `json.dumps`."""
     return {
         "statement": found.statement,
         "intervals": [{**asdict(part), "width": part.width} for part in found.intervals],
@@ -437,13 +425,7 @@ def told_json(found: CertifiedBranch) -> dict[str, Any]:
 
 
 def tile_json(tile: BranchTile) -> dict[str, Any]:
-    """Give a tile as JSON.
-
-    Returns
-    -------
-    dict
-        Phases are counted from 1.
-    """
+    """A tile as JSON; phases are counted from 1."""
     return {
         "coordinate": tile.coordinate,
         "lower": str(tile.lower),

@@ -151,7 +151,7 @@ def certify_branch(
 
 
 class _Following:
-    """Both ways along a branch, tile after tile."""
+    """The state of a branch that is followed both ways, tile after tile."""
 
     def __init__(
         self, curve: OrbitCurve, begin: list[arb], state: CertifiedBranch, branch: Branch,
@@ -163,7 +163,7 @@ class _Following:
         self.pieces = [0, 0]  # between two points of the branch, on each side: where it has come
 
     def steps(self) -> Any:
-        """Tiles to both ends: first to the beginning, then to the end."""
+        """Yield the tiles as they are proved: first towards the beginning, then towards the end."""
         for side in (0, 1):
             if self.state.ends[side]:
                 continue
@@ -180,7 +180,7 @@ class _Following:
                 yield step
 
     def go_beyond(self, opened: Mapping[str, Value]) -> None:
-        """Prove what begins at the borders."""
+        """Prove which orbits of other itineraries begin at the borders."""
         for place, tile in enumerate(self.state.tiles):
             found = with_beyond(self.curve, tile, self.branch, opened)
             if found is not tile:
@@ -189,7 +189,7 @@ class _Following:
             self.state = replace(self.state, tiles=(*before, found, *behind))
 
     def _place(self, side: int) -> MarchPlace:
-        """Where the march goes on."""
+        """The point at which the march goes on, on one side of the branch."""
         curve, state = self.curve, self.state
         mine = state.tiles[: state.start] if side == 0 else state.tiles[state.start :]
         if not mine:
@@ -213,14 +213,14 @@ class _Following:
         return MarchPlace(coordinate, value, forwards, point, slopes)
 
     def _tile(self, side: int, step: BranchStep) -> BranchTile | None:
-        """What is stated of a step; None where nothing is proved."""
+        """The tile that states a step; None where nothing is proved."""
         if step.piece is None:
             return None
         forwards = step.forwards == (side == 1)
         return stated_tile(self.curve, step.piece.tube, step.found, step.divided, forwards=forwards)
 
     def _refused(self, side: int, step: BranchStep) -> str:
-        """Why the checker does not prove a step behind those that were taken."""
+        """Why the checker refuses a step behind those that were taken; "" if it does not."""
         tile, tiles = self._tile(side, step), self.state.tiles
         assert tile is not None
         before = tiles[-1] if side == 1 and tiles else None
@@ -252,7 +252,7 @@ class _Following:
         self._tell(side, step)
 
     def _settle(self) -> None:
-        """State ends as the checker proves them: where it refuses both, it is asked of each."""
+        """State the ends as the checker proves them; it is asked of each where it refuses both."""
         reached, ends = {FINISHED, VANISHED}, self.state.ends
         if not reached & {*ends} or not self.refusals.of_ends(self.state):
             return
@@ -269,7 +269,7 @@ class _Following:
         self.state = replace(self.state, ends=(ends[0], ends[1]))
 
     def _tell(self, side: int, step: BranchStep) -> None:
-        """About how much of the branch is done, by the points that were computed of it."""
+        """Update the share of the branch that is done, by the branch in floating point."""
         values, own = self.branch.parameter_values, self.branch.start
         mine = values[own::-1] if side == 0 else values[own:]
         at, lengths = float(step.place.point[-1].mid()), abs(mine[1:] - mine[:-1])
@@ -286,12 +286,9 @@ class _Following:
 
 
 def _begin(curve: OrbitCurve) -> list[arb]:
-    """The orbit from which the branch is followed.
+    """An enclosure of the orbit from which the branch is followed, at `JOINT` bits.
 
-    Raises
-    ------
-    NotCovered
-        If it is not proved to be there.
+    `NotCovered` if it is not proved to be there.
     """
     from flint import arb
 

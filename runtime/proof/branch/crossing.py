@@ -29,36 +29,22 @@ Which = OpenInequality | str
 
 
 class EventCrossing(NamedTuple):
-    """Where a number changes its sign.
+    """A place where the number of an event changes its sign."""
 
-    Attributes
-    ----------
-    which : OpenInequality or str
-        The inequality, or "flip", "fold" (the branch turns), "neimark-sacker".
-    lower, upper : Fraction
-        Between these values of the coordinate.
-    rises : bool
-        Whether it is negative below and positive above.
-    enclosures : list of arb
-        All coordinates of the orbit there.
-    window : tuple of (arb, arb) or None
-        Of a grazing, be it one of `also`: between these times the boundary function is concave.
-    also : tuple of OpenInequality
-        Inequalities that cease to hold between these values too; "fold" where the branch turns.
-    """
-
-    which: Which
-    lower: Fraction
-    upper: Fraction
-    rises: bool
-    enclosures: list[arb]
+    which: Which  # the inequality, or "flip", "fold" (the branch turns) or "neimark-sacker"
+    lower: Fraction  # lower bound of the coordinate at the event
+    upper: Fraction  # upper bound of the coordinate at the event
+    rises: bool  # negative below and positive above
+    enclosures: list[arb]  # all coordinates of the orbit there
+    # times between which the boundary function of a grazing (perhaps in `also`) is concave
     window: tuple[Any, Any] | None = None
+    # inequalities that cease to hold between the bounds too; "fold" where the branch turns
     also: tuple[OpenInequality, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
 class _Number:
-    """The number of an event along a piece."""
+    """The number of an event along a piece: its zero is the event."""
 
     curve: OrbitCurve
     piece: Piece
@@ -66,7 +52,7 @@ class _Number:
     window: tuple[Any, Any] | None = None
 
     def at(self, point: Sequence[Any], order: int) -> Any | None:
-        """Its jet of an order, 0 or 1, at enclosed points; None where it is not known."""
+        """The number at enclosed points, with its derivative if the order is 1; None if unknown."""
         curve, coordinate = self.curve, self.piece.tube.coordinate
         if self.which == "fold":
             found = directions(curve, coordinate, point, 1 + order)
@@ -99,20 +85,8 @@ def crossing_of(
     """Prove that a number passes zero exactly once in a piece of a branch, and where.
 
     Its derivative along the branch is nowhere zero, by jets in Taylor models; at two points
-    that are near each other it has opposite signs.
-
-    Parameters
-    ----------
-    curve : OrbitCurve
-    piece : Piece
-    which : OpenInequality or str
-    window : tuple of (arb, arb), optional
-        Of a grazing: the times between which the boundary function is concave.
-
-    Returns
-    -------
-    EventCrossing or None
-        None where that is not proved.
+    that are near each other it has opposite signs. The window of a grazing is the pair of times
+    between which the boundary function is concave. None where it is not proved.
     """
     from flint import arb
 
@@ -158,7 +132,7 @@ def crossing_of(
 
 
 def _root(at: Callable[[arb], Any], lower: Fraction, upper: Fraction, rate: arb) -> Any:
-    """A point near the root, by secants; nothing is proved of it."""
+    """A point near the root, by the secant method; nothing is proved of it."""
     from flint import arb
 
     low, high = arb(rational_of(lower)), arb(rational_of(upper))
@@ -184,7 +158,7 @@ def _root(at: Callable[[arb], Any], lower: Fraction, upper: Fraction, rate: arb)
 
 
 def _around(place: arb, width: Fraction) -> tuple[Fraction, Fraction]:
-    """Decimals that hold a place, near to each other."""
+    """Two decimals near to each other, with a place between them."""
     digits = 33
     while width * 10**digits < 10**33:
         digits += 1

@@ -36,20 +36,11 @@ __all__ = [
 
 @dataclass(frozen=True, eq=False)
 class OrbitCurve:
-    """Points (u, p) of the equations F(u, p) = 0 of a cycle over one parameter.
-
-    Attributes
-    ----------
-    region : Region
-    axis : int
-        Number of the parameter.
-    beside : tuple of arb or TaylorModel
-        Values of the region's other parameters.
-    """
+    """Points (u, p) of the equations F(u, p) = 0 of a cycle over one parameter."""
 
     region: Region
-    axis: int = 0
-    beside: tuple[Any, ...] = ()
+    axis: int = 0  # number of the parameter
+    beside: tuple[Any, ...] = ()  # values of the region's other parameters: arb or TaylorModel
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -59,134 +50,64 @@ class OrbitCurve:
 
     @cached_property
     def divided(self) -> dict[int, OrbitCurve]:
-        """The same curve where the condition of a phase that may vanish is divided by its time."""
+        """The same curve for each phase that may vanish, its condition divided by its time."""
         return {place: OrbitCurve(found) for place, found in divided_regions(self.region).items()}
 
     @property
     def parameter(self) -> int:
-        """The coordinate that is the parameter: the last one."""
+        """The number of the coordinate that is the parameter: the last one."""
         return len(self.names) - 1
 
     @cached_property
     def first_time(self) -> int:
-        """The coordinate that is the first dwell time."""
+        """The number of the coordinate that is the first dwell time."""
         return self.parameter - len(self.region.cycle.configurations)
 
     def equations(self, coordinate: int, value: Any) -> Equations | AlongUnknown:
-        """Equations of the other coordinates where one has a value.
-
-        Parameters
-        ----------
-        coordinate : int
-        value : arb or TaylorModel
-        """
+        """Equations of the other coordinates where one has a value: an arb or a Taylor model."""
         if coordinate == self.parameter:
             return self.region.equations(self.region.tables.number_at(self.parameters(value)))
         return AlongUnknown(self, coordinate, value)
 
     def parameters(self, value: Any) -> list[Any]:
-        """All parameters of the region where its own has a value.
-
-        Parameters
-        ----------
-        value : arb, TaylorModel or Jet
-
-        Returns
-        -------
-        list of numbers
-        """
+        """All parameters of the region where the curve's own one has a value."""
         return [*self.beside[: self.axis], value, *self.beside[self.axis :]]
 
     def mapped(self, change: Callable[[Any], Any]) -> OrbitCurve:
-        """The same curve, where the other parameters are other numbers.
-
-        Parameters
-        ----------
-        change : callable
-            From a number to the other numbers.
-        """
+        """The same curve with the other parameters changed by a function of a number."""
         return replace(self, beside=tuple(map(change, self.beside)))
 
     def point(self, coordinate: int, value: Any, others: Sequence[Any]) -> list[Any]:
-        """All coordinates of a point.
-
-        Parameters
-        ----------
-        coordinate : int
-        value : arb, TaylorModel or Jet
-            Of that coordinate.
-        others : sequence of numbers
-            The other ones.
-
-        Returns
-        -------
-        list of numbers
-            One for each of `names`.
-        """
+        """All coordinates of a point, in the order of `names`, from one of them and the others."""
         return [*others[:coordinate], value, *others[coordinate:]]
 
     def others(self, coordinate: int, point: Sequence[Any]) -> list[Any]:
-        """All coordinates of a point but one.
-
-        Parameters
-        ----------
-        coordinate : int
-        point : sequence of numbers
-
-        Returns
-        -------
-        list of numbers
-        """
+        """All coordinates of a point but one."""
         return [*point[:coordinate], *point[coordinate + 1 :]]
 
 
 class AlongUnknown:
     """Equations of a cycle where one of its unknowns is given and the parameter is unknown.
 
-    Unknowns are the other ones of the orbit's equations, and last the parameter.
-
-    Parameters
-    ----------
-    curve : OrbitCurve
-    coordinate : int
-        The unknown that is given.
-    value : arb or TaylorModel
+    Their unknowns are the other ones of the orbit's equations, and last the parameter.
+    `coordinate` is the number of the given unknown, `value` an arb or a Taylor model.
     """
 
     def __init__(self, curve: OrbitCurve, coordinate: int, value: Any) -> None:
         self.curve, self.coordinate, self.value = curve, coordinate, value
 
     def mapped(self, change: Callable[[Any], Any]) -> AlongUnknown:
-        """The same equations in other numbers.
-
-        Parameters
-        ----------
-        change : callable
-            From a number to the other numbers.
-        """
+        """The same equations with every number changed by a function."""
         return AlongUnknown(self.curve.mapped(change), self.coordinate, change(self.value))
 
     def near(self, point: Sequence[Any]) -> None:
-        """Nothing is kept for points near others: the fields depend on them.
-
-        Parameters
-        ----------
-        point : sequence of arb or TaylorModel
-        """
+        """None: nothing is reused at nearby points, since the fields depend on the parameter."""
 
     def linearised(self, unknowns: Sequence[Any], flows: None = None) -> Linearised:
-        """Pass once through the cycle, with derivatives by the unknowns.
+        """One passage through the cycle, with derivatives by the unknowns.
 
-        Parameters
-        ----------
-        unknowns : sequence of arb or TaylorModel
-        flows : None
-            As `near` gives it.
-
-        Returns
-        -------
-        Linearised
-            Residual (n, 1), Jacobian (n, n), and the passage in jets by the parameter.
+        It has the residual (n, 1), the Jacobian (n, n), and the passage in jets by the parameter.
+        `flows` is what `near` gives.
         """
         *others, parameter = unknowns
         place = self.coordinate
@@ -201,19 +122,9 @@ class AlongUnknown:
 
 
 def linearised_by_parameter(curve: OrbitCurve, own: Sequence[Any], parameter: Any) -> Linearised:
-    """The orbit's equations in jets: values, and derivatives by the parameter.
+    """The orbit's equations in jets of first order: values, and derivatives by the parameter.
 
-    Parameters
-    ----------
-    curve : OrbitCurve
-    own : sequence of arb or TaylorModel
-        Unknowns of the orbit's equations.
-    parameter : arb or TaylorModel
-
-    Returns
-    -------
-    Linearised
-        In jets of the first order.
+    `own` are the unknowns of the orbit's equations.
     """
     from flint import arb
 
@@ -221,20 +132,9 @@ def linearised_by_parameter(curve: OrbitCurve, own: Sequence[Any], parameter: An
 
 
 def linearised_in_jets(region: Region, own: Sequence[Any], parameters: Sequence[Any]) -> Linearised:
-    """The orbit's equations where a parameter, and perhaps the unknowns, are jets.
+    """The orbit's equations in jets, where a parameter, and perhaps the unknowns, are jets.
 
-    Parameters
-    ----------
-    region : Region
-    own : sequence of arb, TaylorModel or Jet
-        Unknowns of the orbit's equations.
-    parameters : sequence of arb, TaylorModel or Jet
-        The region's parameters.
-
-    Returns
-    -------
-    Linearised
-        In jets of the parameter's order.
+    `own` are the unknowns of the orbit's equations. The result has the parameter's order.
     """
     equations = region.equations(region.tables.number_at(list(parameters)))
     fields = [phase.field for phase in equations.phases]
@@ -247,22 +147,8 @@ def directions(
     """The coordinates of the curve as jets by one of them, at enclosed points of it.
 
     Implicit differentiation: the derivatives solve linear systems with the matrix that
-    Krawczyk's test shows to be regular.
-
-    Parameters
-    ----------
-    curve : OrbitCurve
-    coordinate : int
-        By which they are differentiated.
-    point : sequence of arb or TaylorModel
-        Enclosures of all coordinates.
-    order : int
-        1, or 2 for second derivatives, which are halved in a jet.
-
-    Returns
-    -------
-    list of Jet or None
-        One for each coordinate; None where the matrix may be singular.
+    Krawczyk's test shows to be regular. The k-th derivative, up to the order, is divided by k!.
+    None where the matrix may be singular.
     """
     from flint import arb
 
@@ -298,18 +184,8 @@ def directions(
 def along_parameter(region: Region, point: Sequence[Any], axis: int) -> list[Any] | None:
     """An orbit's unknowns and parameters as jets by one of the parameters; the others stay.
 
-    Parameters
-    ----------
-    region : Region
-    point : sequence of arb or TaylorModel
-        Enclosures of the unknowns of the orbit's equations, and the region's parameters.
-    axis : int
-        Number of the parameter.
-
-    Returns
-    -------
-    list of Jet, arb or TaylorModel or None
-        One for each of them; None where the equations may be singular.
+    `point` encloses the unknowns of the orbit's equations and the region's parameters; `axis` is
+    the number of the parameter. None where the equations may be singular.
     """
     from flint import arb
 
@@ -329,35 +205,15 @@ def along_parameter(region: Region, point: Sequence[Any], axis: int) -> list[Any
 
 
 def largest_of(numbers: Sequence[arb]) -> arb:
-    """A bound of all numbers, by exact comparisons; no number if one of them is none.
-
-    Parameters
-    ----------
-    numbers : sequence of arb
-
-    Returns
-    -------
-    arb
-        Exact, not below any of their values.
-    """
+    """An exact upper bound of all numbers, by exact comparisons; it is nan if one of them is."""
     return reduce(lambda left, right: left.max(right), numbers).upper()
 
 
 def solution(slopes: Any, inverse: Any, right: Any) -> list[Any] | None:
     """Enclosures of the solution of a linear system, for all values of the variables.
 
-    Parameters
-    ----------
-    slopes : matrix (n, n)
-        Of balls or Taylor models.
-    inverse : matrix (n, n)
-        About its inverse, exact.
-    right : matrix (n, 1)
-
-    Returns
-    -------
-    list of arb or TaylorModel, or None
-        None where the matrix may be singular.
+    `slopes` (n, n) and `right` (n, 1) are of balls or Taylor models, `inverse` (n, n) is an exact
+    approximation of the inverse. None where the matrix may be singular.
     """
     from flint import arb, arb_mat
 

@@ -27,21 +27,12 @@ _TURNS = "the branch may turn"
 
 
 class Look(NamedTuple):
-    """What is proved on a tile.
+    """What is proved on a tile."""
 
-    Attributes
-    ----------
-    below, above : str
-        The verdict at its lower and upper end: the same without an event.
-    reason : str
-        Why it is undecided.
-    event : EventCrossing or None
-        The one place in it where the verdict changes, or the branch turns.
-    """
-
-    below: str
-    above: str
-    reason: str
+    below: str  # verdict at its lower end
+    above: str  # verdict at its upper end; the same as below without an event
+    reason: str  # why it is undecided
+    # the one place in it where the verdict changes, or the branch turns
     event: EventCrossing | None = None
 
     @property
@@ -51,7 +42,7 @@ class Look(NamedTuple):
 
     @property
     def decided(self) -> bool:
-        """Whether there is a verdict at all of its points, but that of an event."""
+        """Whether every point of the tile has a verdict, but for the event itself."""
         return UNDECIDED not in (self.below, self.above)
 
 
@@ -83,13 +74,13 @@ def _undecided(reason: str) -> Look:
 
 
 def _told(curve: OrbitCurve, verdict: str) -> str:
-    """The verdict of a claim on multipliers in words."""
+    """The verdict of a claim on multipliers, in the words of a branch."""
     words = {"proved": curve.region.closing.stability, "refuted": "unstable"}
     return words.get(verdict, UNDECIDED)
 
 
 def _turns(curve: OrbitCurve, piece: Piece) -> bool | None:
-    """True where the parameter changes all along a tile, None where it may turn."""
+    """True if the parameter changes all along a tile, None if it may turn, False if unknown."""
     coordinate = piece.tube.coordinate
     if coordinate == curve.parameter:
         return True
@@ -101,7 +92,7 @@ def _turns(curve: OrbitCurve, piece: Piece) -> bool | None:
 
 
 def _turned(curve: OrbitCurve, piece: Piece, passage: CyclePassage, judgement: Judgement) -> Look:
-    """A tile in which the branch may turn."""
+    """Judge a tile in which the branch may turn."""
     ends = [NOT_ADMISSIBLE] * 2
     if judgement.verdict == "undecided":
         return _undecided(judgement.reason)
@@ -113,7 +104,7 @@ def _turned(curve: OrbitCurve, piece: Piece, passage: CyclePassage, judgement: J
 
 
 def _multipliers(curve: OrbitCurve, piece: Piece, passage: CyclePassage) -> Look:
-    """A tile in which a multiplier may pass the unit circle."""
+    """Judge a tile in which a multiplier may pass the unit circle."""
     reason = passage.stability.reason
     kind = passed_by(passage)
     if not kind:
@@ -142,7 +133,7 @@ def _event(
     ends: Sequence[str],
     reason: str,
 ) -> Look:
-    """One event of a tile, with the verdicts below and above it."""
+    """Judge a tile with one event, from the verdicts below and above it."""
     if UNDECIDED in ends:
         return _undecided(reason)
     found = crossing_of(curve, piece, which)
@@ -166,7 +157,7 @@ def _border(
     *,
     turns: bool,
 ) -> Look:
-    """A tile in which the orbit may meet a border beyond which it is no motion.
+    """Judge a tile in which the orbit may meet a border beyond which it is no motion.
 
     Where a phase vanishes that begins and ends on one boundary the branch turns too, if the
     condition is divided: to leading order the parameter is even in the dwell time.

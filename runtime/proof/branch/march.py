@@ -33,73 +33,37 @@ _SHORT = 0.05  # of the mean dwell time: those by which the equations are divide
 
 @dataclass(frozen=True, eq=False)
 class MarchPlace:
-    """How far a march has come.
+    """A point that a march along a branch has reached."""
 
-    Attributes
-    ----------
-    coordinate : int
-    value : Fraction
-        Of it.
-    forwards : bool
-        Whether it increases along the march.
-    point : list of arb
-        All coordinates.
-    slopes : list of float
-        Their derivatives by that coordinate, about.
-    """
-
-    coordinate: int
-    value: Fraction
-    forwards: bool
-    point: list[arb]
-    slopes: list[float]
+    coordinate: int  # number of the coordinate over which the branch is followed
+    value: Fraction  # of that coordinate
+    forwards: bool  # it increases along the march
+    point: list[arb]  # all coordinates
+    slopes: list[float]  # approximate derivatives of all coordinates by that one
 
 
 @dataclass(frozen=True, eq=False)
 class BranchStep:
-    """One tile of a march.
+    """One tile of a march."""
 
-    Attributes
-    ----------
-    coordinate : int
-    lower, upper : Fraction
-    forwards : bool
-    piece : Piece or None
-        Where existence is proved.
-    found : Look
-    place : MarchPlace
-        Behind it.
-    divided : int or None
-        The phase by whose dwell time its condition is divided, counted from 0.
-    """
-
-    coordinate: int
+    coordinate: int  # number of the coordinate over which the tile is
     lower: Fraction
     upper: Fraction
-    forwards: bool
-    piece: Piece | None
+    forwards: bool  # the coordinate increases along the march
+    piece: Piece | None  # None unless existence is proved
     found: Look
-    place: MarchPlace
-    divided: int | None = None
+    place: MarchPlace  # the point behind the tile
+    divided: int | None = None  # phase, from 0, by whose dwell time its condition is divided
 
 
 def march(
     curve: OrbitCurve, place: MarchPlace, refused: Callable[[BranchStep], str]
 ) -> Iterator[BranchStep]:
-    """Tiles along a branch up to the end of the parameter's interval.
+    """Yield the tiles along a branch up to the end of the parameter's interval.
 
-    Parameters
-    ----------
-    curve : OrbitCurve
-    place : MarchPlace
-        Where it begins.
-    refused : function of a BranchStep
-        Why a tile cannot be stated, "" if it can: then a smaller one is tried.
-
-    Yields
-    ------
-    BranchStep
-        The last one ends at the interval's end, or has no piece: nothing is proved behind it.
+    `refused` gives the reason why a tile cannot be stated, "" if it can; instead of a refused
+    tile a smaller one is tried. The last tile ends at the interval's end or where a phase
+    vanishes, or it has no piece: nothing is proved behind it.
     """
     low, high = curve.region.box[0]
     sizes = _sizes(curve, place.point)
@@ -148,7 +112,7 @@ def march(
 
 
 def rational(number: float) -> Fraction:
-    """A number near, with few digits."""
+    """A nearby rational number with three digits."""
     return Fraction(f"{number:.3g}")
 
 
@@ -163,7 +127,7 @@ def _gap(
 
 
 def _sizes(curve: OrbitCurve, point: Sequence[arb]) -> list[Fraction]:
-    """Units of the coordinates."""
+    """Typical sizes of the coordinates, as units of steps and rates."""
     low, high = curve.region.box[0]
     about = [abs(float(x.mid())) for x in point[:-1]]
     largest = max(about)
@@ -171,7 +135,7 @@ def _sizes(curve: OrbitCurve, point: Sequence[arb]) -> list[Fraction]:
 
 
 def _turned(curve: OrbitCurve, place: MarchPlace, sizes: Sequence[Fraction]) -> MarchPlace:
-    """The same place by the coordinate that leads on best."""
+    """The same place over the coordinate that leads on best."""
     rates = [abs(slope) / float(size) for slope, size in zip(place.slopes, sizes, strict=True)]
     largest = max(rates[:-1])
     bound = _STEEP if place.coordinate == curve.parameter else _FLAT
@@ -212,7 +176,7 @@ def _tried(
     step: Fraction,
     ends: tuple[Fraction, Fraction],
 ) -> BranchStep | str:
-    """A tile of this width, or why its orbits are not proved."""
+    """A tile of this width, or the reason why its orbits are not proved."""
     from flint import arb
 
     coordinate, sign = turned.coordinate, 1 if turned.forwards else -1
@@ -263,7 +227,10 @@ def _tried(
 
 
 def _equations_for(curve: OrbitCurve, point: Sequence[arb]) -> tuple[OrbitCurve, int | None]:
-    """The curve by equations that are regular where a short phase vanishes, and that phase."""
+    """The curve with equations that are regular where a short phase vanishes, and that phase.
+
+    The phase is None where no phase is short.
+    """
     times = point[curve.first_time : -1]
     mean = sum(abs(float(time.mid())) for time in times) / len(times)
     for place, divided in curve.divided.items():
@@ -275,7 +242,7 @@ def _equations_for(curve: OrbitCurve, point: Sequence[arb]) -> tuple[OrbitCurve,
 
 
 def _leads_on(curve: OrbitCurve, place: MarchPlace, turned: MarchPlace) -> bool:
-    """Whether another coordinate goes its way where the branch goes on."""
+    """Whether the new coordinate is proved to go in its direction where the branch goes on."""
     with flint_precision(JOINT):
         found = directions(curve, place.coordinate, place.point, 1)
         if found is None:

@@ -38,11 +38,8 @@ MULTIPLIERS = ("flip", "fold", "neimark-sacker")
 class CyclePassage:
     """The cycle of an orbit whose unknowns and parameters are enclosed.
 
-    Parameters
-    ----------
-    region : Region
-    point : sequence of arb, TaylorModel or Jet
-        The unknowns of the orbit's equations, and the region's parameters.
+    `point` has the unknowns of the orbit's equations and the region's parameters: balls, Taylor
+    models or jets.
     """
 
     def __init__(self, region: Region, point: Sequence[Any]) -> None:
@@ -78,31 +75,19 @@ class CyclePassage:
 
     @cached_property
     def stability(self) -> MapClaim:
-        """What is proved of the multipliers."""
+        """The claim that is proved of the multipliers."""
         return claim_of_map(self.region, self.number, self.equations, self.shooting)
 
     def unstable_if_reached(self, place: int) -> bool:
-        """Whether it is unstable if the boundary that ends a phase is reached with a speed.
+        """Whether the orbit is proved unstable if it ends a phase with a nonzero speed.
 
-        Parameters
-        ----------
-        place : int
-            The phase, counted from 0.
-
-        Returns
-        -------
-        bool
-            True if that is proved, however low the speed is.
+        It is unstable however low the speed is with which the boundary is reached that ends the
+        phase, counted from 0.
         """
         return unstable_if_reached(self.region, self.number, self.equations, self.shooting, place)
 
     def judged(self, assumed: Sequence[OpenInequality] = ()) -> Judgement:
-        """Whether it is a motion of the system, if these inequalities hold.
-
-        Parameters
-        ----------
-        assumed : sequence of OpenInequality, optional
-        """
+        """The judgement whether it is a motion of the system, if the assumed inequalities hold."""
         return judged(
             self.region, self.number, self.equations.phases, self.shooting, self.dwell, assumed
         )
@@ -111,15 +96,7 @@ class CyclePassage:
 def multiplier(passage: CyclePassage, kind: str) -> Any:
     """A number that is zero where multipliers are at the unit circle.
 
-    Parameters
-    ----------
-    passage : CyclePassage
-    kind : {"flip", "fold", "neimark-sacker"}
-        A multiplier is -1, or 1, or two have the product 1.
-
-    Returns
-    -------
-    arb, TaylorModel or Jet
+    The kind is "flip" (a multiplier is -1), "fold" (1) or "neimark-sacker" (two have product 1).
     """
     found = passage.section
     if kind == "neimark-sacker":
@@ -130,17 +107,10 @@ def multiplier(passage: CyclePassage, kind: str) -> Any:
 
 
 def passed_by(passage: CyclePassage) -> str:
-    """The one number of multipliers that may be zero: there they pass the unit circle.
+    """The one kind of passing the unit circle that is not excluded, "flip" or "neimark-sacker".
 
-    Parameters
-    ----------
-    passage : CyclePassage
-        Of orbits whose multipliers cannot be told from the unit circle.
-
-    Returns
-    -------
-    {"flip", "neimark-sacker", ""}
-        Empty where several may be, or a fold, or where the map has a corner.
+    It is asked for orbits whose multipliers cannot be separated from the unit circle. It is
+    empty where several kinds are possible, or a fold, or where the map has a corner.
     """
     region = passage.region
     if passage.section is None or region.cycle.one_sided:
@@ -155,7 +125,7 @@ def passed_by(passage: CyclePassage) -> str:
 
 
 def others_at_circle(passage: CyclePassage, but: str) -> list[str]:
-    """Which numbers of multipliers may be zero, but for one: all passings of the circle."""
+    """The kinds of passing the unit circle that are not excluded, except one."""
     size = passage.section.nrows()
     kinds = [kind for kind in ("flip", "fold", "neimark-sacker") if kind != but]
     if size < 2:
@@ -171,16 +141,7 @@ def others_at_circle(passage: CyclePassage, but: str) -> list[str]:
 def border(passage: CyclePassage, which: OpenInequality, time: Any = None) -> Any:
     """A number that is negative where an inequality holds, and positive where it does not.
 
-    Parameters
-    ----------
-    passage : CyclePassage
-    which : OpenInequality
-    time : arb or TaylorModel, optional
-        Of a grazing: when in its phase, as `time_of_touch` gives it.
-
-    Returns
-    -------
-    arb, TaylorModel or Jet
+    A grazing needs its time in the phase, from `time_of_touch`.
     """
     place = which.phase
     if which.kind == "vanishing-phase":
@@ -214,24 +175,11 @@ def _condition(plan: Plan, which: OpenInequality, state: Sequence[Any]) -> Any:
 def time_of_touch(
     passage: CyclePassage, which: OpenInequality, window: tuple[Any, Any]
 ) -> Any | None:
-    """When a boundary function has its maximum in a window of time in which it is concave.
+    """The time at which a boundary function has its maximum in a window in which it is concave.
 
     It has to lie inside the phase too, whose end the window may pass where that moves. It is
-    enclosed by an interval Newton step around an approximation.
-
-    Parameters
-    ----------
-    passage : CyclePassage
-        In balls or Taylor models.
-    which : OpenInequality
-        A grazing.
-    window : tuple of (arb, arb)
-        Its beginning and end.
-
-    Returns
-    -------
-    arb, TaylorModel or None
-        An enclosure; None where the step fails.
+    enclosed by an interval Newton step around an approximation, for balls or Taylor models.
+    None where the step fails.
     """
     from flint import arb, ctx
 

@@ -24,7 +24,7 @@ __all__ = ["Refusals"]
 
 
 class Refusals:
-    """Why the checker does not prove what is stated of a branch; "" where it does."""
+    """The reasons why the checker does not prove what is stated of a branch; "" where it does."""
 
     curve: CheckedCurve
 
@@ -41,7 +41,7 @@ class Refusals:
             raise NotCovered(reason)
 
     def of_tile(self, tile: BranchTile, before: BranchTile | None, after: BranchTile | None) -> str:
-        """Of a tile between its neighbours, of which there may be none."""
+        """Why a tile between its neighbours is refused; None stands for a missing neighbour."""
 
         def check() -> None:
             with flint_precision(BITS):
@@ -56,7 +56,7 @@ class Refusals:
         return refusal(check)
 
     def of_ends(self, branch: CertifiedBranch) -> str:
-        """Of the ends of a branch that has tiles."""
+        """Why the ends of a branch that has tiles are refused."""
 
         def check() -> None:
             with flint_precision(BITS):
@@ -66,7 +66,7 @@ class Refusals:
         return refusal(check)
 
     def without_refused(self, tile: BranchTile) -> BranchTile:
-        """The tile with what begins at its event, as far as the checker proves that."""
+        """The tile with those orbits beyond its event that the checker proves."""
         if tile.event is None or not tile.event.beyond:
             return tile
         found: list[CheckedTile] = []

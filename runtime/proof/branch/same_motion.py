@@ -34,50 +34,37 @@ _TURNS = range(-2, 3)  # of the forcing, between the starts of two cycles
 
 @dataclass(frozen=True, eq=False)
 class MetBorder:
-    """An event of a branch at which its orbit meets a border.
-
-    Attributes
-    ----------
-    region : Region
-    tube : BranchTube
-        Of the event's tile.
-    borders : tuple of OpenInequality
-        The event, and what happens within the same bounds.
-    window : tuple of arb
-        Of a grazing.
-    point : list of arb
-        Enclosures of the orbit's unknowns and the parameter.
-    """
+    """An event of a branch at which its orbit meets a border."""
 
     region: Region
-    tube: BranchTube
-    borders: tuple[OpenInequality, ...]
-    window: tuple[arb, ...]
-    point: list[arb]
+    tube: BranchTube  # of the event's tile
+    borders: tuple[OpenInequality, ...]  # the event, and what happens within the same bounds
+    window: tuple[arb, ...]  # of a grazing
+    point: list[arb]  # enclosures of the orbit's unknowns and the parameter
 
     @cached_property
     def passage(self) -> CyclePassage:
-        """The orbit."""
+        """The passage through the orbit's cycle."""
         return CyclePassage(self.region, self.point)
 
     @property
     def count(self) -> int:
-        """How many phases it has."""
+        """The number of phases."""
         return len(self.region.cycle.configurations)
 
     @property
     def free(self) -> bool:
-        """Whether it reaches no boundary."""
+        """Whether the orbit reaches no boundary."""
         return self.region.cycle.itinerary[0][1] == FORCING_PHASE
 
     @property
     def gone(self) -> set[int]:
-        """Phases that last no time."""
+        """The phases whose dwell time is zero."""
         return {border.phase for border in self.borders if border.kind == "vanishing-phase"}
 
     @property
     def lasting(self) -> list[int]:
-        """All other phases."""
+        """The phases whose dwell time is not zero."""
         return [k for k in range(self.count) if k not in self.gone]
 
     def name(self, place: int) -> str:
@@ -97,7 +84,7 @@ class MetBorder:
         return self.region.tables.resets[self.region.cycle.transitions[place].reset]
 
     def behind(self, place: int) -> list[int]:
-        """A phase, and those behind it that last no time."""
+        """A phase, and those directly behind it whose dwell time is zero."""
         count, found = self.count, [place]
         while (found[-1] + 1) % count in self.gone and len(found) < count:
             found.append((found[-1] + 1) % count)
@@ -105,7 +92,7 @@ class MetBorder:
 
 
 class _Junction:
-    """What happens at one state: where a phase ends that lasts, and those that last no time."""
+    """The state where a lasting phase ends, and the phases behind it that last no time."""
 
     def __init__(self, met: MetBorder, place: int) -> None:
         self.met, self.place, self.chain = met, place, met.behind(place)
@@ -121,7 +108,7 @@ class _Junction:
             self.map = _times(met.reset(k), self.map)
 
     def row_of(self, border: OpenInequality) -> Row | None:
-        """What is zero at a border, by the state at the junction; None for what is elsewhere."""
+        """The row on the junction's state that is zero at a border; None if that is elsewhere."""
         met, k = self.met, border.phase
         count = len(met.region.cycle.configurations)
         plan = met.region.plans[k]
@@ -141,7 +128,10 @@ class _Junction:
         return product(watched.ends if border.kind == "simultaneous" else watched.speed, at)
 
     def facts(self) -> Invariants | None:
-        """All that is exactly zero; None if it may depend at this parameter, or contradicts."""
+        """Relations that hold exactly at the junction.
+
+        None if the rows may be dependent at this parameter, or contradict each other.
+        """
         met, rows = self.met, list(self.rows)
         known = met.region.invariants
         if known is not None:
@@ -162,7 +152,7 @@ class _Junction:
         return found if found.consistent and (regular > 0 or regular < 0) else None
 
     def meets(self, facts: Invariants, borders: Sequence[OpenInequality]) -> bool:
-        """Whether these borders are met exactly where facts are true."""
+        """Whether these borders are met exactly where the facts are true."""
         for border in borders:
             if border.kind == "vanishing-phase":
                 continue
@@ -194,31 +184,17 @@ class _Junction:
 
 
 class _Match(NamedTuple):
-    """Phases of one itinerary with those of another that last as long.
+    """Pairs of phases of two itineraries that last as long as each other."""
 
-    Attributes
-    ----------
-    pairs : tuple of (int, tuple of int)
-        A phase of the shorter itinerary, and one or two of the longer one.
-    """
-
+    # a phase of the shorter itinerary, and one or two of the longer one
     pairs: tuple[tuple[int, tuple[int, ...]], ...]
 
 
 def is_same_motion(longer: MetBorder, shorter: MetBorder) -> bool:
-    """Prove that two events are one motion, at the working precision.
+    """Whether two events are proved to be one motion, at the working precision.
 
-    Parameters
-    ----------
-    longer : MetBorder
-        That with more phases, or which reaches a boundary where the other one reaches none.
-    shorter : MetBorder
-        Of the same system, over the same parameter.
-
-    Returns
-    -------
-    bool
-        True if that is proved.
+    `longer` has more phases, or reaches a boundary where the other one reaches none. Both are of
+    one system, over the same parameter.
     """
     if max(len(longer.gone), len(shorter.gone)) > 1 or not (longer.lasting and shorter.lasting):
         return False
@@ -231,7 +207,7 @@ def is_same_motion(longer: MetBorder, shorter: MetBorder) -> bool:
 
 
 def _rotated(longer: MetBorder, shorter: MetBorder) -> Iterator[_Match]:
-    """Both have the same phases that last."""
+    """Matches in which both itineraries have the same lasting phases, from any phase on."""
     xs, ys = longer.lasting, shorter.lasting
     if len(xs) != len(ys) or shorter.borders[0].kind == "grazing":
         return
@@ -240,7 +216,10 @@ def _rotated(longer: MetBorder, shorter: MetBorder) -> Iterator[_Match]:
 
 
 def _split(longer: MetBorder, shorter: MetBorder) -> Iterator[_Match]:
-    """A phase that grazes is two of the other one, with one between them that lasts no time."""
+    """Matches in which a phase that grazes is two phases of the longer itinerary.
+
+    Between the two there is one phase whose dwell time is zero.
+    """
     xs, ys, border = longer.lasting, shorter.lasting, shorter.borders[0]
     if len(xs) != len(ys) + 1 or border.kind != "grazing" or len(shorter.borders) > 1:
         return
@@ -261,7 +240,10 @@ def _holds(longer: MetBorder, shorter: MetBorder, match: _Match) -> bool:
 
 
 def _exactly(longer: MetBorder, shorter: MetBorder, match: _Match) -> bool:
-    """Whether it is an orbit of the shorter one's equations, at its border, and all borders."""
+    """Whether the motion solves the shorter one's equations exactly, at its border.
+
+    All borders of both events are met there.
+    """
     special = []
     for y, parts in match.pairs:
         for x in parts:
@@ -341,7 +323,7 @@ def _grazes_freely(longer: MetBorder, shorter: MetBorder) -> bool:
 
 
 def _points(longer: MetBorder, shorter: MetBorder, match: _Match) -> Iterator[list[arb]]:
-    """The longer one's motion by the shorter one's unknowns."""
+    """The longer one's motion as unknowns of the shorter one, for each shift of the forcing."""
     from flint import arb
 
     now, pairs = longer.passage, dict(match.pairs)
@@ -366,7 +348,7 @@ def _points(longer: MetBorder, shorter: MetBorder, match: _Match) -> Iterator[li
 
 
 def _in_tile(met: MetBorder, point: list[arb]) -> bool:
-    """Whether an orbit is one of a tile."""
+    """Whether an orbit is proved to be the one of a tile."""
     from flint import arb
 
     tube = met.tube
@@ -377,7 +359,7 @@ def _in_tile(met: MetBorder, point: list[arb]) -> bool:
 
 
 def _closes_alike(one: ClosureConditions, other: ClosureConditions) -> bool:
-    """Whether two cycles close in one way, that leaves no condition out."""
+    """Whether two cycles close by the same conditions, of which none is dropped."""
     single = len(one.pairs) <= 1  # times a turn apart are the same
     told = [(each.kind, each.turns, each.pairs, each.dropped) for each in (one, other)]
     covered = one.kind in ("state", "forcing") and one.form is None and other.form is None
@@ -403,5 +385,5 @@ def _equal(left: _Map, right: _Map) -> bool:
 
 
 def _alike(facts: Invariants, left: _Map, right: _Map) -> bool:
-    """Whether two maps are the same where facts are true."""
+    """Whether two maps agree where the facts are true."""
     return facts.agree(left, right)

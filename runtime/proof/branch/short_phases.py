@@ -31,10 +31,7 @@ __all__ = ["divided_regions"]
 def divided_regions(region: Region) -> dict[int, Region]:
     """The same orbit by equations that are regular where one of its phases vanishes.
 
-    Returns
-    -------
-    dict of int to Region
-        By the place of the phase, counted from 0; empty where no phase allows it.
+    They are given by the number of that phase, from 0; empty where no phase allows it.
     """
     closing = region.closing
     if not region.tables.exact or closing.translations:
@@ -48,7 +45,7 @@ def divided_regions(region: Region) -> dict[int, Region]:
 
 
 def _sticking(region: Region, columns: Sequence[Row | None]) -> Iterator[tuple[int, ShortPhase]]:
-    """Phases in which all lasts that is known where they begin, behind a jump with a column."""
+    """Phases in which all relations known at their start persist, behind a jump with a column."""
     known = region.invariants
     if known is None or len(columns) < 2:
         return
@@ -61,7 +58,7 @@ def _sticking(region: Region, columns: Sequence[Row | None]) -> Iterator[tuple[i
 
 
 def _places(region: Region) -> Iterator[int]:
-    """Phases that begin where the boundary function is zero that ends them."""
+    """Phases that begin where the boundary function that ends them is zero."""
     cycle, tables = region.cycle, region.tables
     rows = [tables.rows[row] for row in cycle.rows]
     resets = [tables.resets[taken.reset] for taken in cycle.transitions]

@@ -32,19 +32,10 @@ STATED = 112  # bits of the numbers at an event
 def stated_tile(
     curve: OrbitCurve, tube: BranchTube, found: Look, divided: int | None, *, forwards: bool
 ) -> BranchTile:
-    """A tile of a branch.
+    """The tile that states what is proved of orbits in a tube.
 
-    Parameters
-    ----------
-    curve : OrbitCurve
-    tube : BranchTube
-        In which its orbits are.
-    found : Look
-        What is proved of them.
-    divided : int or None
-        The phase that may vanish, counted from 0.
-    forwards : bool
-        Whether the coordinate increases along the branch.
+    `divided` is the phase that may vanish, counted from 0, or None. `forwards` is True if the
+    coordinate increases along the branch.
     """
     before, after = (found.below, found.above) if forwards else (found.above, found.below)
     return BranchTile(
@@ -100,15 +91,8 @@ def stated_branch(
 ) -> CertifiedBranch:
     """A branch of which nothing is proved yet.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    box : dict of str to (Fraction, Fraction)
-        Ends of its one parameter.
-    chosen : tuple of str
-        Parameters that the orbit leaves open and that were chosen.
-    curve : OrbitCurve or None
-        None where its orbits are not covered.
+    `box` has the ends of its one parameter, `chosen` the parameters that were chosen because the
+    orbit leaves them open. `curve` is None where the branch's orbits are not covered.
     """
     ((parameter, interval),) = box.items()
     region = None if curve is None else curve.region

@@ -28,84 +28,44 @@ class BranchTube:
     """Polynomials of one coordinate of a branch, and how far the orbit is from them.
 
     For each value of the coordinate between its ends there is exactly one orbit whose other
-    coordinates are as near to the polynomials as the radii tell.
-
-    Attributes
-    ----------
-    coordinate : int
-    lower, upper : Fraction
-        Ends of the coordinate.
-    centre : tuple of tuple of float
-        Coefficients of each other coordinate in e, which runs from -1 to 1.
-    radii : tuple of float
+    coordinates are within the radii of the polynomials.
     """
 
-    coordinate: int
-    lower: Fraction
-    upper: Fraction
+    coordinate: int  # its number
+    lower: Fraction  # lower end of the coordinate
+    upper: Fraction  # upper end of the coordinate
+    # coefficients of each other coordinate in e, which runs from -1 to 1
     centre: tuple[tuple[float, ...], ...]
     radii: tuple[float, ...]
 
     def value(self, space: Space) -> TaylorModel:
-        """The coordinate over the tube, at the working precision.
-
-        Parameters
-        ----------
-        space : Space
-            Of one variable.
-        """
+        """The coordinate over the tube as a model of one variable, at the working precision."""
         from flint import arb
 
         middle, half = (self.lower + self.upper) / 2, (self.upper - self.lower) / 2
         return space.variable(0, arb(rational_of(middle)), arb(rational_of(half)))
 
     def models(self, space: Space) -> list[TaylorModel]:
-        """The polynomials.
+        """The polynomials as Taylor models, one for each other coordinate.
 
-        Parameters
-        ----------
-        space : Space
-            Of one variable and the polynomials' order.
-
-        Returns
-        -------
-        list of TaylorModel
-            One for each other coordinate.
+        The space has one variable and the polynomials' order.
         """
         from flint import arb
 
         return [TaylorModel(space, tuple(map(arb, row))) for row in self.centre]
 
     def holds(self, value: arb, others: Sequence[arb]) -> bool:
-        """Whether an orbit is the one of the tube, at the working precision.
+        """Whether an orbit is proved to be the one of the tube, at the working precision.
 
-        Parameters
-        ----------
-        value : arb
-            Its coordinate, between the ends.
-        others : sequence of arb
-            Enclosures of the other ones.
-
-        Returns
-        -------
-        bool
-            True if that is proved.
+        `value` is its coordinate, between the ends, and `others` enclose the other ones.
         """
         away = zip(others, self.at(value), self.radii, strict=True)
         return all(abs(x - middle) < radius for x, middle, radius in away)
 
     def at(self, value: arb) -> list[arb]:
-        """The polynomials where the coordinate has a value, at the working precision.
+        """The polynomials at a value of the coordinate between the ends, at the working precision.
 
-        Parameters
-        ----------
-        value : arb
-            Between the ends.
-
-        Returns
-        -------
-        list of arb
-            One ball for each other coordinate.
+        There is one ball for each other coordinate.
         """
         from flint import arb
 
@@ -120,12 +80,9 @@ class BranchTube:
         return found
 
     def slopes(self, end: float) -> list[float]:
-        """Derivatives of the polynomials by the coordinate, about.
+        """Approximate derivatives of the polynomials by the coordinate, at e = `end`.
 
-        Parameters
-        ----------
-        end : float
-            -1 at the lower end, 1 at the upper one.
+        -1 is the lower end, 1 the upper one.
         """
         half = float(self.upper - self.lower) / 2
         return [
@@ -136,17 +93,10 @@ class BranchTube:
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A piece of a branch, proved to be in its tube.
-
-    Attributes
-    ----------
-    tube : BranchTube
-    point : list of TaylorModel
-        Enclosures of all coordinates.
-    """
+    """A piece of a branch, proved to be in its tube."""
 
     tube: BranchTube
-    point: list[Any]
+    point: list[Any]  # enclosures of all coordinates: Taylor models
 
 
 def proved_piece(
@@ -158,22 +108,9 @@ def proved_piece(
 ) -> Piece | str:
     """Prove that there is one orbit near polynomials for each value of a coordinate.
 
-    Parameters
-    ----------
-    curve : OrbitCurve
-    coordinate : int
-    ends : tuple of (Fraction, Fraction)
-        Of the coordinate.
-    guess : sequence of arb
-        The other coordinates in the middle, about.
-    known : tuple of (arb, sequence of arb), optional
-        A value of the coordinate, and enclosures of the other ones there: what is found has to
-        be that orbit.
-
-    Returns
-    -------
-    Piece or str
-        Why nothing is proved.
+    `guess` has the other coordinates in the middle, approximately. `known` is a value of the
+    coordinate with enclosures of the other ones there: the piece has to contain that orbit.
+    A text says why nothing is proved.
     """
     space = space_of(1, ORDER)
     lower, upper = ends
@@ -206,21 +143,10 @@ def proved_piece(
 
 
 def orbit_at(curve: OrbitCurve, tube: BranchTube, value: arb, bits: int) -> list[arb] | None:
-    """The orbit of a tube at a value of its coordinate, sharply, at the working precision.
+    """A sharp enclosure of the orbit of a tube at a value of its coordinate, in all coordinates.
 
-    Parameters
-    ----------
-    curve : OrbitCurve
-    tube : BranchTube
-    value : arb
-        A point, or a ball: then for all of its values.
-    bits : int
-        Working precision.
-
-    Returns
-    -------
-    list of arb or None
-        Enclosures of all coordinates; None if none is proved to be in the tube.
+    A ball as value stands for all its values. `bits` is the working precision. None if no orbit
+    is proved to be in the tube.
     """
     found = orbit_near(curve, tube.coordinate, value, tube.at(value), bits)
     if found is None or not tube.holds(value, curve.others(tube.coordinate, found)):
@@ -231,23 +157,11 @@ def orbit_at(curve: OrbitCurve, tube: BranchTube, value: arb, bits: int) -> list
 def orbit_near(
     curve: OrbitCurve, coordinate: int, value: arb, guess: Sequence[arb], bits: int
 ) -> list[arb] | None:
-    """An orbit where a coordinate has a value, by Newton's method and Krawczyk's test.
+    """Enclosures of all coordinates of an orbit where one coordinate has a value.
 
-    Parameters
-    ----------
-    curve : OrbitCurve
-    coordinate : int
-    value : arb
-        A point, or a ball: then for all of its values.
-    guess : sequence of arb
-        The other coordinates, about.
-    bits : int
-        Working precision.
-
-    Returns
-    -------
-    list of arb or None
-        Enclosures of all coordinates; None if no orbit is proved to be there.
+    It comes from Newton's method and Krawczyk's test. A ball as value stands for all its values.
+    `guess` has the other coordinates, approximately; `bits` is the working precision. None if no
+    orbit is proved to be there.
     """
     from flint import arb
 

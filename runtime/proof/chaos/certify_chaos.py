@@ -152,7 +152,7 @@ class _ChaosQuestion:
     images: int = 0
 
     def candidates(self, motion: Any) -> Iterator[tuple[MapSection, Horseshoe]]:
-        """Sections of a motion, and what seems to be a horseshoe on them."""
+        """Yield sections of a motion, each with sets on it that seem to be a horseshoe."""
         values = {name: float(value) for name, value in self.system.values.items()}
         visited = False
         for section, points, ranges in sampled_sections(self.system, motion):
@@ -178,7 +178,7 @@ class _ChaosQuestion:
             self.tried.append("the motion comes to no section often enough")
 
     def prove(self, section: MapSection, candidate: Horseshoe) -> ChaosCertificate | None:
-        """Prove what a candidate promises; None, and why not, if that fails."""
+        """The certificate of a candidate; None, with the reason in `tried`, if the proof fails."""
         sets, edges = candidate.h_sets, list(candidate.edges)
         told = f"{_told(self.system, section)}: {len(sets)} sets, {candidate.iterates} iterates"
         if not all(apart(a, b) for k, a in enumerate(sets) for b in sets[:k]):
@@ -210,7 +210,10 @@ class _ChaosQuestion:
     def _with_cones(
         self, proved: ChaosCertificate, mapped: SectionMap, edges: Sequence[tuple[int, int]]
     ) -> ChaosCertificate:
-        """The certificate with a cone condition; without, and why not, where none is proved."""
+        """The certificate with a cone condition, or without one where none is proved.
+
+        The reason goes to `tried` then.
+        """
         most, before = _CONE_PARTS * self.parts, self.images
         try:
             cones = cone_condition(mapped, proved.h_sets, edges, most, self._tick)
@@ -280,7 +283,7 @@ class _ChaosQuestion:
         )
 
     def undecided(self) -> ChaosCertificate:
-        """What is said where no attempt succeeds."""
+        """The certificate that nothing is proved, after all attempts have failed."""
         return ChaosCertificate(
             system=self.system.structure.name,
             parameters=self.system.values,
@@ -307,7 +310,7 @@ class _ChaosQuestion:
 
 
 def _refused(found: ChaosCertificate) -> str:
-    """Why the checker does not prove a certificate; "" where it does, or no file can state it."""
+    """Why the checker refuses a certificate; "" where it proves it, or no file can state it."""
     if not found.declaration:
         return ""
     told = {**found.to_json(), "tables": None, "declaration": dict(found.declaration)}

@@ -53,38 +53,31 @@ _DIGITS = 10**4
 class ConeCondition:
     """Quadratic forms of h-sets, and how derivatives change them.
 
-    Attributes
-    ----------
-    forms : dict of str to tuple of str
-        Of each h-set a and the b of the stable coordinates, positive fractions: Q = a u^2 - sum
-        of b_i s_i^2.
-    strips : tuple of (str, str, tuple of (str, str))
-        For each covering of one set by another the box in the first, in its coordinates, that
-        holds every state whose image is in the second.
-    expansion : str
-        m > 1: where Q is not negative, it grows by more than m under P^k.
-    contraction : str
-        l < 1: where Q is negative behind P^k, its size becomes less than l of what it was.
-        "0" where no coordinate is stable.
-    exponent : str
-        No Lyapunov exponent that is the largest of a motion through the graph is less, for one
-        iterate of P: log(m) / (2 k), rounded down.
+    The form of a set is Q = a u^2 - sum of b_i s_i^2. For each covering of one set by another
+    there is a strip: the box in the first one, in its coordinates, that holds every state whose
+    image is in the second.
     """
 
+    # of each h-set a and the b of the stable coordinates: positive fractions
     forms: Mapping[str, tuple[Exact, ...]]
+    # covering set, covered set, and lower and upper end of each coordinate
     strips: tuple[tuple[str, str, tuple[tuple[Exact, Exact], ...]], ...]
-    expansion: Exact
+    expansion: Exact  # m > 1: where Q is not negative, it grows by more than m under P^k
+    # l < 1: where Q is negative behind P^k, its size becomes less than l of what it was; "0" where
+    # no coordinate is stable
     contraction: Exact
+    # lower bound, for one iterate of P, of the largest Lyapunov exponent of every motion through
+    # the graph: log(m) / (2 k), rounded down
     exponent: Exact
 
 
 class _DividedPart(NamedTuple):
-    """A part of an h-set: by target whether its image may be in it, and the derivative there."""
+    """A part of an h-set and its image; None where the image is not known."""
 
     box: Box
     image: AffineSet | None
-    meets: Mapping[int, bool]
-    slopes: Mapping[int, arb_mat]
+    meets: Mapping[int, bool]  # by target: its image may be in the target
+    slopes: Mapping[int, arb_mat]  # by target: the derivative there
 
 
 def cone_condition(
@@ -96,21 +89,9 @@ def cone_condition(
 ) -> ConeCondition:
     """Prove a cone condition along coverings, at the working precision.
 
-    Parameters
-    ----------
-    mapped : SectionMap
-    sets : sequence of HSet
-    edges : sequence of (int, int)
-        Which one covers which: strongly connected.
-    most : int
-        Images of one set that may be computed.
-    progress : callable
-        Called for each image.
-
-    Raises
-    ------
-    Undecided
-        If none is proved, and why.
+    `edges` tell which set covers which and are strongly connected. At most `most` images of one
+    set are computed, and `progress` is called for each. `Undecided` with the reason if no
+    condition is proved.
     """
     work = [
         _Derivatives(mapped, sets, k, [j for i, j in edges if i == k], most, progress)
@@ -194,7 +175,7 @@ class _Derivatives:
             self.parts = kept
 
     def _longest(self, part: _DividedPart) -> int:
-        """The coordinate that is longest at the start and behind the map together."""
+        """The coordinate that is longest before and behind the map together."""
         own = self.sets[self.number]
         if part.image is None:
             return most_stretched(own, part.box, None)
@@ -206,7 +187,7 @@ class _Derivatives:
         return max(range(len(sizes)), key=sizes.__getitem__)
 
     def hull(self, target: int) -> arb_mat:
-        """Balls that hold the derivative at every state of the strip to a target."""
+        """Balls (d, d) that hold the derivative at every state of the strip to a target."""
         from flint import arb_mat
 
         strip = self.strip(target)
@@ -227,7 +208,7 @@ def _overlap(box: Box, strip: Box) -> bool:
 
 
 def _spread(part: _DividedPart, target: int) -> float:
-    """Radii of a derivative, against what stretches."""
+    """The radii of a derivative, relative to its stretching entry; inf where it is not known."""
     if target not in part.slopes:
         return inf
     matrix = part.slopes[target]
@@ -236,7 +217,7 @@ def _spread(part: _DividedPart, target: int) -> float:
 
 
 def _condition(work: Sequence[_Derivatives], sets: Sequence[HSet], iterates: int) -> ConeCondition:
-    """Forms and rates, from the derivatives as they are known."""
+    """The cone condition that follows from the derivatives as they are known."""
     hulls = {(own.number, j): own.hull(j) for own in work for j in own.targets}
     strips = tuple(
         (
@@ -269,8 +250,8 @@ def _rates(
 ) -> tuple[Fraction, Fraction, list[tuple[Fraction, ...]]] | None:
     """Expansion, contraction and scaled forms, for one shape of the cones; None if there is none.
 
-    How far an edge stretches is found first; then sets are scaled so that the edges of the walk
-    that stretches least do so evenly.
+    How far an edge stretches is computed first; then sets are scaled so that the edges of the
+    walk that stretches least do so evenly.
     """
     between = {edge: _interval(matrix, form) for edge, matrix in hulls.items()}
     if any(found is None for found in between.values()):
@@ -301,7 +282,7 @@ def _rates(
 
 
 def _interval(matrix: arb_mat, form: tuple[Fraction, ...]) -> tuple[float, float] | None:
-    """The rates between which the condition holds, from inside; None if there are none."""
+    """Two rates between which the condition holds, by bisection from inside; None if unknown."""
 
     def holds(power: float) -> bool:
         return positive(matrix, form, form, Fraction(2.0**power))
@@ -356,14 +337,8 @@ def positive(
 ) -> bool:
     """Whether V^T Q_M V - m Q_N is proved to be positive definite for all V in balls.
 
-    Parameters
-    ----------
-    matrix : arb_mat (d, d)
-        V: from N to M.
-    behind, before : sequence of Fraction, length d
-        a and the b of Q_M and of Q_N.
-    rate : Fraction
-        m.
+    `matrix` (d, d) is V, from N to M; `behind` and `before` are a and the b of Q_M and of Q_N,
+    of length d; `rate` is m.
     """
     from flint import arb, arb_mat
 

@@ -24,24 +24,14 @@ __all__ = ["Coverings", "coverings"]
 
 
 class Coverings(NamedTuple):
-    """What is proved of the image of one h-set.
+    """The h-sets that are proved to be covered by the image of one h-set."""
 
-    Attributes
-    ----------
-    targets : tuple of int
-        Those that it covers.
-    passages : tuple of PassedTransition
-        The transitions on the way, the same for all its states.
-    parts : tuple of tuple of tuple of float
-        Of the image, for each part the corners of what contains it.
-    reason : str
-        Why others are not proved to be covered.
-    """
-
-    targets: tuple[int, ...]
+    targets: tuple[int, ...]  # numbers of the sets that it covers
+    # the transitions on the way, the same for all its states
     passages: tuple[PassedTransition, ...]
+    # corners of what contains the image of each part
     parts: tuple[tuple[tuple[float, ...], ...], ...]
-    reason: str
+    reason: str  # why other sets are not proved to be covered
 
 
 def coverings(
@@ -52,19 +42,9 @@ def coverings(
     most: int,
     progress: Callable[[], object] = lambda: None,
 ) -> Coverings:
-    """Prove which of some h-sets another one covers, at the working precision.
+    """Prove which of the wanted h-sets another one covers, at the working precision.
 
-    Parameters
-    ----------
-    mapped : SectionMap
-    h_set : HSet
-    others : sequence of HSet
-    wanted : sequence of int
-        Which of them to try.
-    most : int
-        Images that may be computed.
-    progress : callable
-        Called for each image.
+    At most `most` images are computed, and `progress` is called for each.
     """
     size = len(h_set.centre)
     whole: Box = ((-1.0, 1.0),) * size
@@ -118,7 +98,10 @@ class _SetImages:
         return coordinates(found.states, self.mapped.section.free)
 
     def beyond(self, boxes: list[Box], wanted: set[int], left: dict[int, str]) -> dict[int, int]:
-        """On which side of each h-set the images of all boxes lie; why not is put in `left`."""
+        """The side, 1 or -1, of each h-set beyond which the images of all boxes lie.
+
+        For a set without such a side the reason is put in `left`.
+        """
         signs: dict[int, int] = {}
         while boxes:
             box = boxes.pop()
@@ -139,7 +122,10 @@ class _SetImages:
         return signs
 
     def between(self, boxes: list[Box], wanted: set[int], left: dict[int, str]) -> None:
-        """That no stable side is met by the images of all boxes; why not is put in `left`."""
+        """Prove that the images of all boxes meet no stable side of the wanted h-sets.
+
+        For a set of which that is not proved the reason is put in `left`.
+        """
         while boxes and wanted - left.keys():
             box = boxes.pop()
             image = self.image(box)

@@ -30,22 +30,10 @@ _DIGITS = 6  # of a logarithm
 def growth(
     size: int, edges: Iterable[tuple[int, int]]
 ) -> tuple[Fraction, tuple[int, ...], tuple[int, ...]]:
-    """A lower bound of the spectral radius of a graph, and what shows it.
+    """A lower bound of the spectral radius of a graph, with vertices and weights that prove it.
 
-    Parameters
-    ----------
-    size : int
-        Vertices.
-    edges : iterable of (int, int)
-
-    Returns
-    -------
-    bound : Fraction
-        0 where there is no cycle.
-    vertices : tuple of int
-        Of one strongly connected part of the graph.
-    weights : tuple of int
-        Positive: those of the vertices.
+    The vertices are of one strongly connected part, and their weights are positive. The bound is
+    0 where there is no cycle.
 
     Examples
     --------
@@ -67,14 +55,7 @@ def growth(
 
 
 def logarithm_below(bound: Fraction, iterates: int) -> str:
-    """The logarithm of a growth for each iterate, rounded down, as a decimal text.
-
-    Parameters
-    ----------
-    bound : Fraction
-        More than 1.
-    iterates : int
-    """
+    """The logarithm of a growth above 1, for each iterate, rounded down, as a decimal text."""
     from flint import arb, fmpq
 
     exact: arb = arb(fmpq(bound.numerator, bound.denominator)).log() / iterates
@@ -85,10 +66,7 @@ def logarithm_below(bound: Fraction, iterates: int) -> str:
 def strong_components(matrix: np.ndarray) -> list[list[int]]:
     """The strongly connected parts of a graph, each in order.
 
-    Parameters
-    ----------
-    matrix : array (n, n)
-        Not zero where there is an edge.
+    The matrix (n, n) is not zero where there is an edge.
     """
     size = len(matrix)
     reach = (matrix != 0) | np.eye(size, dtype=bool)
@@ -99,7 +77,7 @@ def strong_components(matrix: np.ndarray) -> list[list[int]]:
 
 
 def _bound(block: np.ndarray) -> tuple[Fraction, tuple[int, ...]]:
-    """Of an irreducible matrix: Collatz and Wielandt's, for a vector near Perron's."""
+    """The bound of Collatz and Wielandt for an irreducible matrix, and its vector near Perron's."""
     vector = np.ones(len(block))
     for _ in range(_ROUNDS):
         vector = (block + np.eye(len(block))) @ vector

@@ -24,23 +24,17 @@ _STEP = 1e-6  # of a derivative, in units of the coordinates' ranges
 
 
 class Mapped(NamedTuple):
-    """Images (n, d) of coordinates; the way that was taken as a number, -1 where there is none."""
+    """Images of coordinates under the map of a section, in double precision."""
 
-    points: np.ndarray
-    ways: np.ndarray
+    points: np.ndarray  # (n, d)
+    ways: np.ndarray  # (n,): numbers of the sequences of transitions, -1 where there is no image
 
 
 class FloatSection:
-    """The map from a section to itself.
+    """The map from a section to itself, in double precision.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    parameters : mapping of str to float
-        All of them, in their order.
-    section : MapSection
-    period : float
-        Of the forcing; NaN for a transition.
+    `parameters` are all of the system, in their order. `period` is that of the forcing, and not
+    used for a section at a transition.
     """
 
     def __init__(
@@ -59,30 +53,11 @@ class FloatSection:
         self._rows = rows[[shape.row for shape in shapes]]
 
     def states(self, points: np.ndarray) -> np.ndarray:
-        """States (n, N) of coordinates (n, d).
-
-        Parameters
-        ----------
-        points : array (n, d)
-
-        Returns
-        -------
-        array (n, N)
-        """
+        """States (n, N) of coordinates (n, d)."""
         return np.asarray(points @ self._lift.T + self._shift)
 
     def map(self, points: np.ndarray) -> Mapped:
-        """Images of coordinates.
-
-        Parameters
-        ----------
-        points : array (n, d)
-
-        Returns
-        -------
-        Mapped
-            NaN and -1 where a motion does not come back to the section.
-        """
+        """Images of coordinates (n, d); NaN and -1 where a motion does not return."""
         section, free = self.section, list(self.section.free)
         images = np.full(points.shape, np.nan)
         ways = np.full(len(points), -1, dtype=np.int64)
@@ -116,15 +91,7 @@ class FloatSection:
     def jacobians(self, points: np.ndarray, sizes: np.ndarray) -> tuple[Mapped, np.ndarray]:
         """Images of coordinates (n, d), and derivatives (n, d, d) by central differences.
 
-        Parameters
-        ----------
-        points : array (n, d)
-        sizes : array (d,)
-            Ranges of the coordinates.
-
-        Returns
-        -------
-        tuple of (Mapped, array)
+        `sizes` (d,) are the ranges of the coordinates.
         """
         count, size = points.shape
         steps = np.eye(size) * (_STEP * sizes)
@@ -141,7 +108,7 @@ class FloatSection:
 
 
 def _ways(ends: Trajectories, last: np.ndarray | None = None) -> np.ndarray:
-    """Numbers that tell sequences of transitions apart, up to an entry of those that are kept."""
+    """Numbers that distinguish sequences of transitions, up to a last one of those kept."""
     kept = ends.last_configurations.shape[1]
     counted = ends.last_configurations >= 0
     if last is not None:

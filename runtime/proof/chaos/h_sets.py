@@ -30,31 +30,22 @@ Box = tuple[tuple[float, float], ...]  # of coordinates of an h-set, within -1 a
 
 @dataclass(frozen=True)
 class HSet:
-    """A parallelepiped on a section: decimal texts or fractions, exactly.
-
-    Attributes
-    ----------
-    name : str
-    centre : tuple of str
-        In the coordinates of the section.
-    sides : tuple of tuple of str
-        The sides, each in the coordinates of the section: the first is the one that is
-        stretched.
-    """
+    """A parallelepiped on a section: decimal texts or fractions, exactly."""
 
     name: str
-    centre: tuple[str, ...]
+    centre: tuple[str, ...]  # in the coordinates of the section
+    # each in the coordinates of the section: the first one is stretched
     sides: tuple[tuple[str, ...], ...]
 
     @cached_property
     def near(self) -> tuple[np.ndarray, np.ndarray]:
-        """Centre (d,) and sides as columns (d, d), about."""
+        """Approximate centre (d,) and sides as columns (d, d)."""
         sides = [[float(Fraction(x)) for x in side] for side in self.sides]
         return np.array([float(Fraction(x)) for x in self.centre]), np.array(sides).T
 
     @property
     def corners(self) -> np.ndarray:
-        """Corners (2^d, d), about, those of two coordinates around their parallelogram."""
+        """Approximate corners (2^d, d), those of two coordinates around their parallelogram."""
         centre, sides = self.near
         signs = np.array(np.meshgrid(*[[-1.0, 1.0]] * len(centre), indexing="ij"))
         signs = signs.reshape(len(centre), -1).T
@@ -63,16 +54,9 @@ class HSet:
         return np.asarray(centre + signs @ sides.T)
 
     def exactly(self) -> tuple[list[Any], list[list[Any]]]:
-        """Centre and sides as rational numbers.
+        """Centre and sides as rational numbers (fmpq).
 
-        Returns
-        -------
-        tuple of (list of fmpq, list of list of fmpq)
-
-        Raises
-        ------
-        InputError
-            If they are no numbers, or not as many sides as coordinates.
+        `InputError` if they are no numbers, or not as many sides as coordinates.
         """
         size = len(self.centre)
         if not size or len(self.sides) != size or any(len(side) != size for side in self.sides):
@@ -83,22 +67,15 @@ class HSet:
             raise InputError("the centre and the sides of an h-set are decimal texts") from None
 
     def seen(self, coordinates: AffineSet) -> list[arb]:
-        """Balls around the coordinates in this set of the states of another one.
+        """Balls (d,) around the coordinates, in this set, of a set of points of the section.
 
-        Parameters
-        ----------
-        coordinates : AffineSet
-            Rows (d + 1) of a set: the section's coordinates and 1.
-
-        Returns
-        -------
-        list of arb, length d
+        The set has d + 1 rows: the section's coordinates and 1.
         """
         return coordinates.mapped(self.inward).ranges
 
     @cached_property
     def inward(self) -> arb_mat:
-        """From the section's coordinates and 1 to those of the set: (d, d + 1)."""
+        """The matrix (d, d + 1) from the section's coordinates and 1 to those of the set."""
         from flint import arb_mat, fmpq_mat
 
         centre, sides = self.exactly()
@@ -113,16 +90,9 @@ class HSet:
 
 
 def piece(h_set: HSet, section: MapSection, box: Box, *, sloped: bool = False) -> AffineSet:
-    """States of a part of an h-set, with the time 0.
+    """States of a part of an h-set, with the time 0; the part is a box of coordinates, exactly.
 
-    Parameters
-    ----------
-    h_set : HSet
-    section : MapSection
-    box : Box
-        The part: lower and upper value of each coordinate, exactly.
-    sloped : bool
-        Whether derivatives by the coordinates of the h-set are followed.
+    With `sloped` their derivatives by the coordinates of the h-set are followed.
     """
     from flint import arb, arb_mat, fmpq, fmpq_mat
 
@@ -164,17 +134,11 @@ def _coordinates(h_set: HSet) -> AffineSet:
 
 
 def decimal_set(name: str, centre: Sequence[float], sides: np.ndarray, digits: int = 7) -> HSet:
-    """An h-set near one in double precision.
+    """An h-set with decimal numbers near one in double precision.
 
-    Parameters
-    ----------
-    name : str
-    centre : array (d,)
-    sides : array (d, d)
-        As columns.
-    digits : int
-        Of each side, relative to its length; of the centre relative to the shortest side.
-        Lengths are measured in units of the coordinates' extents.
+    `centre` is (d,), `sides` (d, d) as columns. Each side has so many digits relative to its
+    length, the centre relative to the shortest side. Lengths are measured in units of the
+    coordinates' extents.
     """
     extents = np.abs(sides).max(axis=1)
     lengths = np.linalg.norm(sides / extents[:, None], axis=0)

@@ -18,19 +18,9 @@ def divisible(box: Box) -> bool:
 
 
 def slices(box: Box, k: int, count: int = 2) -> list[Box]:
-    """Divide a part evenly across one of its coordinates.
+    """Even slices of a part across its coordinate k, the upper slice first.
 
-    Parameters
-    ----------
-    box : Box
-    k : int
-    count : int
-        A power of 2.
-
-    Returns
-    -------
-    list of Box
-        The upper slice first.
+    The count is a power of 2.
     """
     low, high = box[k]
     ends = [low + (high - low) * place / count for place in range(count + 1)]
@@ -54,18 +44,9 @@ def most_stretched(h_set: HSet, box: Box, image: AffineSet | None) -> int:
 
 
 def coordinates(states: AffineSet, free: Sequence[int]) -> AffineSet:
-    """The section's coordinates and 1 of a set of states, with their derivatives.
+    """The section's coordinates and 1 of a set of states, with their derivatives: d + 1 rows.
 
-    Parameters
-    ----------
-    states : AffineSet
-    free : sequence of int
-        The states that are coordinates.
-
-    Returns
-    -------
-    AffineSet
-        Of d + 1 rows.
+    `free` are the numbers of the states that are coordinates.
     """
     from flint import arb_mat
 

@@ -44,26 +44,13 @@ _KEPT = 6  # pairs of walks for each size of the sets
 
 
 class StretchedOrbits(NamedTuple):
-    """Motions on a section: coordinates, derivatives, and directions that are stretched.
+    """Motions on a section: coordinates, derivatives, and directions that are stretched."""
 
-    Attributes
-    ----------
-    points : array (m, orbits, d)
-        In units of `sizes`.
-    directions : array (m, orbits, d)
-        Of length 1 in these units.
-    sizes : array (d,)
-        Half the ranges of the coordinates.
-    middle : array (d,)
-    growth : float
-        Of the logarithm of what is stretched most, in one iterate.
-    """
-
-    points: np.ndarray
-    directions: np.ndarray
-    sizes: np.ndarray
-    middle: np.ndarray
-    growth: float
+    points: np.ndarray  # (m, orbits, d), in units of `sizes`
+    directions: np.ndarray  # (m, orbits, d), of length 1 in these units
+    sizes: np.ndarray  # (d,): half the ranges of the coordinates
+    middle: np.ndarray  # (d,)
+    growth: float  # mean logarithm of the largest stretching in one iterate
 
 
 class Horseshoe(NamedTuple):
@@ -76,27 +63,17 @@ class Horseshoe(NamedTuple):
 
     @property
     def entropy(self) -> float:
-        """What would be proved, for one iterate of the map."""
+        """The entropy of one iterate of the map, if the coverings are proved."""
         return math.log(max(float(growth(len(self.h_sets), self.edges)[0]), 1.0)) / self.iterates
 
 
 def orbits_on(
     section: FloatSection, points: np.ndarray, ranges: np.ndarray
 ) -> StretchedOrbits | None:
-    """Follow some motions on a section, with the direction that is stretched most.
+    """Some motions on a section, with the direction that is stretched most.
 
-    Parameters
-    ----------
-    section : FloatSection
-    points : array (n, d)
-        Of a long motion.
-    ranges : array (d,)
-        Of the coordinates along the motion.
-
-    Returns
-    -------
-    StretchedOrbits or None
-        None where the motions do not stay on the section, or the section is one point.
+    `points` (n, d) are of a long motion, `ranges` (d,) those of the coordinates along it. None
+    where the motions do not stay on the section, or the section is one point.
     """
     low, high = points.min(axis=0), points.max(axis=0)
     sizes, middle = (high - low) / 2, (high + low) / 2
@@ -133,20 +110,9 @@ def orbits_on(
 def candidates(
     section: FloatSection, orbits: StretchedOrbits, most_iterates: int, bases: int
 ) -> Iterator[Horseshoe]:
-    """Look for sets that cover each other along two closed walks.
+    """Yield sets that seem to cover each other along two closed walks, the cheapest to prove first.
 
-    Parameters
-    ----------
-    section : FloatSection
-    orbits : StretchedOrbits
-    most_iterates : int
-    bases : int
-        Points of the motion about which sets stand.
-
-    Yields
-    ------
-    Horseshoe
-        Those that are cheap to prove first.
+    Sets stand about at most `bases` points of the motion, for each power of the map in turn.
     """
     size = orbits.points.shape[-1]
     points, directions = (x.reshape(-1, size) for x in (orbits.points, orbits.directions))
@@ -178,7 +144,7 @@ def _candidate(
     uneven: np.ndarray,
     iterates: int,
 ) -> Horseshoe | None:
-    """The sets of a graph that grows, in the section's own units."""
+    """The sets of a graph with a spectral radius above 1, in the section's own units; else None."""
     edges = [(int(i), int(j)) for i, j in np.argwhere(covers)]
     bound, kept, _ = growth(len(centres), edges)
     if bound <= 1:
@@ -232,10 +198,7 @@ def _covers(
     line: int,
     across: int,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Whether each set seems to cover each other one (n, n), and how unevenly it is stretched (n,).
-
-    From samples of their images.
-    """
+    """Which sets seem to cover which (n, n) by samples, and how unevenly each stretches (n,)."""
     count, size = centres.shape
     axes = [np.linspace(-1, 1, line), *[np.linspace(-1, 1, across)] * (size - 1)]
     grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, size)
@@ -267,10 +230,10 @@ def _covers(
 
 
 def _walks(covers: np.ndarray, centres: np.ndarray, frames: np.ndarray) -> list[list[int]]:
-    """Vertices of closed walks with a second way from one of theirs to one: the shortest.
+    """The vertices of each shortest closed walk that has a second way between two of its vertices.
 
-    Sets on them are disjoint. All sets are at hand for the walks, also those that meet: which
-    are taken is decided on the way.
+    Sets on them are disjoint. The walks choose among all sets, also those that meet: which are
+    taken is decided on the way.
     """
     meets = _meets(centres, frames)
     found: set[tuple[int, ...]] = set()
@@ -286,7 +249,7 @@ def _walks(covers: np.ndarray, centres: np.ndarray, frames: np.ndarray) -> list[
 
 
 def _recurrent(covers: np.ndarray) -> np.ndarray:
-    """Vertices that have edges from and to others of them, or themselves."""
+    """Vertices that have edges both from and to vertices of this kind, perhaps themselves."""
     left = np.ones(len(covers), dtype=bool)
     while True:
         fewer = left & covers[:, left].any(axis=1) & covers[left].any(axis=0)
@@ -298,7 +261,7 @@ def _recurrent(covers: np.ndarray) -> np.ndarray:
 def _way(
     covers: np.ndarray, meets: np.ndarray, ends: list[int], gone: set[tuple[int, int]]
 ) -> list[int]:
-    """Vertices of a short way from one of the ends to one, but for edges that are gone already.
+    """Vertices of a short way from one of `ends` to one of them, without the edges in `gone`.
 
     None of the sets on it meets another one or one of the ends. Empty where there is none.
     """
@@ -320,7 +283,7 @@ def _way(
 
 
 def _meets(centres: np.ndarray, frames: np.ndarray) -> np.ndarray:
-    """Whether sets (n, n) meet, or nearly so: no side's direction separates them."""
+    """Which sets meet, or nearly so (n, n): no side's direction separates them."""
     inverses = np.linalg.inv(frames)
     between = np.einsum("iab,ijb->ija", inverses, centres[None] - centres[:, None])
     reach = np.abs(np.einsum("iab,jbc->ijac", inverses, frames)).sum(axis=-1)

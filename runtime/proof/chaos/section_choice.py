@@ -38,13 +38,11 @@ class Sampled(NamedTuple):
 
 
 def sampled_sections(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
-    """Sections that a long motion visits, those first on which little is close to a boundary.
+    """Yield sections that a long motion visits, the most promising ones first.
 
-    Parameters
-    ----------
-    system : EnclosedSystem
-    motion : Trajectory
-        Its start, and the system in double precision.
+    With a forcing these are phases at which the motion is mostly in one configuration and far
+    from boundaries, else transitions with few coordinates that are often passed. `motion` gives
+    the start, and the system in double precision.
     """
     if system.structure.forcing:
         yield from _forced(system, motion)
@@ -110,7 +108,7 @@ def _passed(system: EnclosedSystem, motion: Trajectory) -> Iterator[Sampled]:
 
 
 def _sampled(section: MapSection, states: np.ndarray, run: Run) -> Sampled:
-    """Take the free coordinates of states (n, N) on a section, which a motion passes."""
+    """The free coordinates of states (n, N) on a section, with their ranges along the motion."""
     free = list(section.free)
     on_the_way = np.concatenate([states, run.states])[:, free]
     return Sampled(section, states[:, free], np.ptp(on_the_way, axis=0))

@@ -39,85 +39,46 @@ _TOLD = 64  # boxes between two reports
 
 
 class Problem(Protocol):
-    """Equations over boxes of unknowns.
-
-    Attributes
-    ----------
-    domain : sequence of (float, float)
-        The box that is searched; it may be larger than what was asked for.
-    """
+    """Equations over boxes of unknowns."""
 
     @property
     def domain(self) -> Sequence[tuple[float, float]]:
-        """The box that is searched."""
+        """The box that is searched; it may be larger than the box that is asked about."""
         ...
 
     def linear(self, sides: Sides) -> Linear | None:
-        """The equations over a box; None if they have no root there.
-
-        Parameters
-        ----------
-        sides : sequence of (float, float)
-            Lower and upper ends of the unknowns, in the system's units.
-
-        Returns
-        -------
-        Linear or None
-            The matrix of the equations in the middle, its derivatives, and its range.
-        """
+        """The equations over a box in the system's units; None if they have no root there."""
         ...
 
 
 class Root(NamedTuple):
-    """A root and where it is the only one.
+    """A root, and a box in which it is the only one."""
 
-    Attributes
-    ----------
-    sides : Sides
-        Contains the root.
-    unique : Sides
-        Contains no other.
-    coordinates : tuple of arb
-        Those that the matrix is affine in, at the root.
-    """
-
-    sides: Sides
-    unique: Sides
-    coordinates: tuple[arb, ...]
+    sides: Sides  # contains the root
+    unique: Sides  # contains no other root
+    coordinates: tuple[arb, ...]  # those in which the matrix is affine, at the root
 
 
 class Searched(NamedTuple):
     """All roots of a box, and the boxes of which nothing is known, joined where they touch.
 
-    Of a search that was interrupted these are also the boxes that it had not come to.
+    After an interruption the boxes that were not looked at are among the undecided ones.
     """
 
     roots: tuple[Root, ...]
     undecided: tuple[Sides, ...]
-    looked: int
+    looked: int  # number of boxes that were looked at
     interrupted: bool = False
 
 
 def search(
     problem: Problem, limit: int, progress: Callable[[float], object] = lambda share: None
 ) -> Searched:
-    """Find every root of a problem in its domain.
+    """Every root of a problem in its domain, by branch and prune.
 
-    The search branches and prunes (Van Hentenryck, McAllester & Kapur, 1997).
-
-    Parameters
-    ----------
-    problem : Problem
-    limit : int
-        The most boxes that are looked at; those left over are undecided.
-    progress : function of a float, optional
-        Is told the share of the domain that is done.
-
-    Returns
-    -------
-    Searched
-        The roots, the boxes that are undecided, and how many were looked at. Ctrl-C ends it
-        with what it has.
+    The method is that of Van Hentenryck, McAllester & Kapur (1997). At most `limit` boxes are
+    looked at; those left over are undecided. `progress` is given the share of the domain that is
+    done. Ctrl-C ends the search with what it has.
     """
     domain = tuple(problem.domain)
     sizes = [high - low for low, high in domain]
@@ -153,20 +114,14 @@ def search(
 
 
 def untouched(problem: Problem) -> Searched:
-    """A search that was interrupted before it began.
-
-    Returns
-    -------
-    Searched
-        The whole domain is undecided.
-    """
+    """The result of a search that was interrupted before it began: all is undecided."""
     return Searched((), (tuple(problem.domain),), 0, interrupted=True)
 
 
 def _examined(
     problem: Problem, sides: Sides, sizes: Sequence[float], patience: int
 ) -> tuple[list[Sides], Root | None, int]:
-    """What is left of a box, and the root that was found in it or beside it.
+    """The boxes left of a box, a root proved in it or beside it, and the new `patience`.
 
     A box that cannot be decided is left as it is. `patience` is how often a box is cut before
     it is worth while to contract it.
@@ -202,7 +157,7 @@ def _examined(
 
 
 def _around(problem: Problem, image: Sides) -> Root | None:
-    """A root that is the only one of a box around an image."""
+    """A root that is the only one of a box around an image; None if that is not proved."""
     for factor in _WIDER:
         wide = []
         for (low, high), (first, last) in zip(image, problem.domain, strict=True):
@@ -223,7 +178,7 @@ def _around(problem: Problem, image: Sides) -> Root | None:
 
 
 def _polished(problem: Problem, root: Root) -> Root:
-    """The same root in a box as small as its arithmetic gives."""
+    """The same root in a box as small as the arithmetic allows."""
     for _ in range(_POLISHES):
         linear = problem.linear(root.sides)
         found = None if linear is None else contract(linear, root.sides)
@@ -245,20 +200,7 @@ def _same(one: Root, other: Root) -> bool:
 
 
 def inside(sides: Sides, other: Sides) -> bool:
-    """Whether a box is part of another one.
-
-    Parameters
-    ----------
-    sides : sequence of (float, float)
-        Ends of the box.
-    other : sequence of (float, float)
-        Ends of the box around it.
-
-    Returns
-    -------
-    bool
-        True for equal boxes too.
-    """
+    """Whether a box is part of another one, or equal to it."""
     return all(a <= c and d <= b for (c, d), (a, b) in zip(sides, other, strict=True))
 
 
@@ -275,7 +217,7 @@ def _share(sides: Sides, sizes: Sequence[float]) -> float:
 
 
 def _joined(left: Sequence[Sides]) -> tuple[Sides, ...]:
-    """Boxes that touch as one that contains them, until none touch; very many as one."""
+    """Boxes in which all boxes that touch are joined, until none touch; very many become one."""
     if len(left) > _MOST_LEFT:
         return (enclosed(left),)
     rest, found = list(left), []
@@ -291,18 +233,5 @@ def _joined(left: Sequence[Sides]) -> tuple[Sides, ...]:
 
 
 def touching(one: Sides, other: Sides) -> bool:
-    """Whether two boxes have points in common.
-
-    Parameters
-    ----------
-    one : sequence of (float, float)
-        Ends of a box.
-    other : sequence of (float, float)
-        Ends of another box.
-
-    Returns
-    -------
-    bool
-        True for a common edge too.
-    """
+    """Whether two boxes have a point in common, edges included."""
     return all(a <= d and c <= b for (a, b), (c, d) in zip(one, other, strict=True))

@@ -142,7 +142,7 @@ def _searched(
     begin: Callable[[str], object],
     progress: Callable[[float], object],
 ) -> tuple[list[Searched], bool]:
-    """A search of each problem, untouched from where Ctrl-C came, and whether it came."""
+    """A search of each problem, untouched from the interruption on, and whether there was one."""
     found: list[Searched] = []
     try:
         begin("searching")
@@ -157,14 +157,10 @@ def _searched(
 
 
 def _check_size(problems: Sequence[Problem], limit: int) -> None:
-    """Refuse a box of which the boxes that are looked at could not cover a small part.
+    """Refuse with `TooLarge` a box that the permitted number of small boxes cannot nearly cover.
 
     Solutions recur with each turn of the phases, so boxes are not larger than turns; those that
     were measured are a fifth of a radian.
-
-    Raises
-    ------
-    TooLarge
     """
     sides = sorted(high - low for problem in problems for low, high in problem.domain)
     boxes = sum(
@@ -186,7 +182,7 @@ def _judged(
     bits: int,
     begin: Callable[[str], object],
 ) -> tuple[Census, bool]:
-    """What is proved of each root, and whether Ctrl-C came: what it left is open."""
+    """The census of what is proved of each root, and whether Ctrl-C came: the rest is then open."""
     question = asked.question
     counted: list[Counted] = []
     halted = False
@@ -244,7 +240,7 @@ def _census(
 
 
 def _refused(census: Census) -> str:
-    """Why the checker does not count the orbits of a census, each of which it proves."""
+    """Why the checker refuses the count of a census whose single orbits it proves; "" if not."""
     told = as_read(census.to_json())
     for entry, orbit in zip(told["orbits"], census.orbits, strict=True):
         if orbit.certificate is not None:
@@ -255,7 +251,7 @@ def _refused(census: Census) -> str:
 def _inside(
     asked: Asked, roots: Sequence[tuple[Problem, Root]]
 ) -> tuple[list[tuple[Problem, Root, dict[str, arb]]], int, list[Open]]:
-    """Roots in the box by their first dwell time, how many lie beyond it, and the undecided."""
+    """Roots in the box, sorted, the number of those beyond it, and the undecided ones."""
     question = asked.question
     follow = question.follow
     inside: list[tuple[Problem, Root, dict[str, arb]]] = []
@@ -284,7 +280,10 @@ def _inside(
 def _again(
     question: Question, problem: Problem, root: Root, inside: Sequence[tuple[Any, ...]]
 ) -> bool | None:
-    """Whether a root is begun later another one, or itself; None if that is undecided."""
+    """Whether an orbit is counted already, begun at another phase; None if that is undecided.
+
+    The same is asked of an orbit that repeats itself before its itinerary ends.
+    """
     others = [root, *(other for its, other, _ in inside if its is problem)]
     verdicts = [question.again(problem, root, other) for other in others]
     return True if True in verdicts else None if None in verdicts else False
@@ -317,7 +316,7 @@ def _is_of(certificate: Certificate, dwell: Mapping[str, arb], sides: Sequence[S
 def _share(
     progress: Callable[[float], object], place: int, count: int
 ) -> Callable[[float], object]:
-    """What is told of all searches, from one of them."""
+    """A function that reports the progress of all searches, given that of one."""
     return lambda share: progress((place + share) / count)
 
 

@@ -38,43 +38,21 @@ _UNKNOWN = 1e12  # a radius that is not bounded
 class Linear(NamedTuple):
     """G over a box: at its middle, its derivatives by the unknowns over it, and its enclosure.
 
-    Attributes
-    ----------
-    centre : arb_mat (m, d + 1)
-    slopes : tuple of arb_mat (m, d + 1)
-    over : arb_mat (m, d + 1)
-        By the mean value theorem.
-    trivial : bool
-        Whether the box may contain a root that is none of the problem's: it may be empty, but
-        nothing is known of roots in it.
-    largest : float
-        No coordinate of the roots that are asked for has a larger absolute value.
+    All matrices are m x (d + 1), for d coordinates.
     """
 
     centre: arb_mat
     slopes: tuple[arb_mat, ...]
-    over: arb_mat
+    over: arb_mat  # enclosure by the mean value theorem
+    # the box may hold a root that is none of the problem's: that it has none can be proved, but not
+    # that it has one
     trivial: bool = False
+    # no coordinate of the roots that are asked for has a larger absolute value
     largest: float = 0.0
 
     @staticmethod
     def of(centre: arb_mat, slopes: Sequence[arb_mat], sides: Sides) -> Linear:
-        """From its middle and its derivatives.
-
-        Parameters
-        ----------
-        centre : arb_mat
-            G in the middle of the box.
-        slopes : sequence of arb_mat
-            Derivative of G by each unknown, over the box.
-        sides : sequence of (float, float)
-            Lower and upper ends of the unknowns, in the system's units.
-
-        Returns
-        -------
-        Linear
-            With an enclosure of G over the box.
-        """
+        """G over a box from its middle and its derivatives by each unknown over the box."""
         over = centre
         for slope, ball, middle in zip(slopes, balls_of(sides), middles_of(sides), strict=True):
             over = over + slope * (ball - middle)
@@ -82,132 +60,55 @@ class Linear(NamedTuple):
 
 
 class Image(NamedTuple):
-    """Krawczyk's image of a box.
+    """Krawczyk's image of a box."""
 
-    Attributes
-    ----------
-    sides : Sides
-        Contains every root of the box, as does `coordinates`.
-    coordinates : tuple of arb
-    unique : bool
-        The image lies inside: there is one root in the box, and no other.
-    empty : bool
-        Image and box are apart: there is none.
-    ratio : float
-        Largest radius of the image in units of the box's.
-    """
-
-    sides: Sides
-    coordinates: tuple[arb, ...]
-    unique: bool
-    empty: bool
-    ratio: float
+    sides: Sides  # contains every root of the box
+    coordinates: tuple[arb, ...]  # contain those of every root of the box
+    unique: bool  # the image lies inside: there is one root in the box, and no other
+    empty: bool  # image and box are apart: there is no root
+    ratio: float  # largest radius of the image in units of the box's
 
     def within(self, sides: Sides) -> Sides:
-        """What image and box have in common.
-
-        Parameters
-        ----------
-        sides : sequence of (float, float)
-            Lower and upper ends of the unknowns, in the system's units.
-
-        Returns
-        -------
-        sequence of (float, float)
-            Ends of the common box.
-        """
+        """The box that the image and a box have in common."""
         return tuple(
             (max(a, c), min(b, d)) for (a, b), (c, d) in zip(self.sides, sides, strict=True)
         )
 
 
 def balls_of(sides: Sides) -> list[arb]:
-    """Balls that contain the sides of a box.
-
-    Parameters
-    ----------
-    sides : sequence of (float, float)
-        Lower and upper ends of the unknowns, in the system's units.
-
-    Returns
-    -------
-    list of arb
-        One for each side.
-    """
+    """Balls that contain the sides of a box, one for each."""
     from flint import arb
 
     return [arb(low).union(arb(high)) for low, high in sides]
 
 
 def middles_of(sides: Sides) -> list[arb]:
-    """Exact numbers about in the middle of each side, and inside it.
-
-    Parameters
-    ----------
-    sides : sequence of (float, float)
-        Lower and upper ends of the unknowns, in the system's units.
-
-    Returns
-    -------
-    list of arb
-        One for each side, of radius 0.
-    """
+    """Exact numbers near the middle of each side, and inside it."""
     from flint import arb
 
     return [arb(low + (high - low) / 2) for low, high in sides]
 
 
 def floats_around(ball: arb) -> tuple[float, float]:
-    """Doubles below and above a ball.
-
-    Parameters
-    ----------
-    ball : arb
-        What has to be enclosed.
-
-    Returns
-    -------
-    tuple of (float, float)
-        The lower and the upper one.
-    """
+    """Doubles below and above a ball."""
     low, high = float(ball.lower()), float(ball.upper())
     return math.nextafter(low, -math.inf), math.nextafter(high, math.inf)
 
 
 def enclosed(boxes: Iterable[Sides]) -> Sides:
-    """The smallest box around some.
-
-    Parameters
-    ----------
-    boxes : iterable of sides
-        At least one box, each a sequence of (float, float).
-
-    Returns
-    -------
-    sequence of (float, float)
-        Ends of the box around all of them.
-    """
+    """The smallest box around all boxes, of which there is at least one."""
     columns = zip(*boxes, strict=True)
     return tuple((min(a for a, _ in c), max(b for _, b in c)) for c in map(list, columns))
 
 
 def excluding(linear: Linear) -> bool:
-    """Whether no point of a box has a root with coordinates that are not too large.
+    """Whether no point of a box is proved to be a root with coordinates that are not too large.
 
     For any matrix C, a vector v with G v = 0 makes C G singular; C is about the inverse of G
     in the middle, in which rows count less the less is known of them. That q is not too large
     is one more row for each coordinate: q / largest = a number in [-1, 1]. Without these rows
-    a curve on which the equations for q are singular could not be told from roots far away.
-
-    Parameters
-    ----------
-    linear : Linear
-        The equations over the box.
-
-    Returns
-    -------
-    bool
-        True if that is proved.
+    a curve on which the equations for q are singular could not be distinguished from roots that
+    are far away.
     """
     from flint import arb, arb_mat
 
@@ -236,18 +137,6 @@ def contract(linear: Linear, sides: Sides) -> Image | None:
 
     With z = (q, u), F(z) = G(u) (q, 1) and any matrix Y, all roots of a box Z around z are in
     z - Y F(z) + (I - Y F'(Z)) (Z - z); if that is inside Z, there is one (Krawczyk, 1969).
-
-    Parameters
-    ----------
-    linear : Linear
-        The equations over the box.
-    sides : sequence of (float, float)
-        Lower and upper ends of the unknowns, in the system's units.
-
-    Returns
-    -------
-    Image or None
-        The image, and whether it proves one root or none.
     """
     from flint import arb, arb_mat
 
@@ -308,20 +197,7 @@ def contract(linear: Linear, sides: Sides) -> Image | None:
 
 
 def smears(linear: Linear, sides: Sides) -> np.ndarray:
-    """How much each unknown's side spreads G: where to cut; a guess.
-
-    Parameters
-    ----------
-    linear : Linear
-        The equations over the box.
-    sides : sequence of (float, float)
-        Lower and upper ends of the unknowns, in the system's units.
-
-    Returns
-    -------
-    ndarray, one for each unknown
-        The larger, the better it is to cut there.
-    """
+    """A guess of how much each unknown's side spreads G, as an array: cut at the largest."""
     weights = _weights(linear.over)
     found = []
     for slope, (low, high) in zip(linear.slopes, sides, strict=True):
@@ -362,7 +238,7 @@ def _coordinates(linear: Linear) -> list[arb] | None:
 
 
 def _rows(jacobian: list[list[arb]], count: int) -> list[int]:
-    """As many rows as there are unknowns: of more than that those that are independent most."""
+    """Numbers of as many rows as there are unknowns, chosen to be as independent as possible."""
     rows = list(range(len(jacobian)))
     if len(rows) == count:
         return rows
@@ -380,7 +256,7 @@ def _rows(jacobian: list[list[arb]], count: int) -> list[int]:
 
 
 def _weights(over: arb_mat) -> np.ndarray:
-    """Of each row: the smaller its entries' radii are, the more it counts."""
+    """A weight of each row: the smaller its entries' radii are, the more it counts."""
     radii = np.array([float(x.rad()) for x in over.entries()])
     radii = radii.reshape(over.nrows(), over.ncols()).max(axis=1)
     radii = np.where(np.isfinite(radii), radii, _UNKNOWN)
@@ -389,7 +265,7 @@ def _weights(over: arb_mat) -> np.ndarray:
 
 
 def _inverse(matrix: np.ndarray, weights: np.ndarray) -> np.ndarray | None:
-    """About the left inverse of a matrix, with rows weighted."""
+    """An approximate left inverse of a matrix with weighted rows; None if it is singular."""
     weighted = matrix * weights[:, None]
     transposed = weighted.T
     try:

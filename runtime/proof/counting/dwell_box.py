@@ -24,17 +24,12 @@ _BITS = 256  # of irrational bounds
 class Side:
     """Bounds of one dwell time.
 
-    Attributes
-    ----------
-    name : str
-    lower, upper : Value or None
-        They belong to the box, but a lower bound 0 does not: dwell times are positive. None
-        above: any larger one is meant.
+    They belong to the box, but a lower bound 0 does not: dwell times are positive.
     """
 
     name: str
     lower: Value
-    upper: Value | None
+    upper: Value | None  # None: not bounded
 
     @property
     def floats(self) -> tuple[float, float]:
@@ -44,18 +39,7 @@ class Side:
         return max(0.0, low), high
 
     def holds(self, time: arb) -> bool | None:
-        """Whether a dwell time is inside: None if its enclosure has points on both sides.
-
-        Parameters
-        ----------
-        time : arb
-            Enclosure of the dwell time, in the system's units.
-
-        Returns
-        -------
-        bool or None
-            True or False where it is proved.
-        """
+        """Whether a dwell time is inside; None if its enclosure has points on both sides."""
         low = self.lower.ball(_BITS)
         high = None if self.upper is None else self.upper.ball(_BITS)
         if time <= 0 or time < low or (high is not None and time > high):
@@ -63,7 +47,7 @@ class Side:
         return True if time > 0 and time >= low and (high is None or time <= high) else None
 
     def __str__(self) -> str:
-        """Give the bounds as inequalities."""
+        """The bounds as inequalities."""
         strict = self.lower.exact == 0
         left = f"{self.lower} {'<' if strict else '<='} {self.name}"
         return left if self.upper is None else f"{left} <= {self.upper}"
@@ -72,27 +56,12 @@ class Side:
 def sides_of(
     names: Sequence[str], searched: Sequence[str], box: Mapping[str, Any]
 ) -> tuple[Side, ...]:
-    """Sides of a box, in the order of the dwell times.
+    """Sides of a box in the order of the dwell times: of those in the box or not searched.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Of all dwell times.
-    searched : sequence of str
-        Of those that need an upper bound; of the others that are not in the box nothing but
-        that they are positive is asked.
-    box : mapping of str to (lower, upper), or to the upper bound
-        Numbers, text or Values; the lower bound is 1e-6 if it is not given.
-
-    Returns
-    -------
-    tuple of Side
-        One for each dwell time that is in the box or is not searched.
-
-    Raises
-    ------
-    InputError
-        For unknown names, bounds that are missing, or not in order.
+    `names` has all dwell times, `searched` those that need an upper bound. The others, if they
+    are not in the box, only have to be positive. `box` gives an upper bound, or both; the lower
+    one is 1e-6 by default. `InputError` for unknown names, bounds that are missing or not in
+    order.
     """
     for name in box:
         if name not in names:

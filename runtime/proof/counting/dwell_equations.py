@@ -37,64 +37,28 @@ _KEPT = 40_000  # matrix exponentials
 
 
 class Setting(NamedTuple):
-    """Where the start is sought, and which conditions hold at time 0 already.
+    """The place of the start in the cycle, and which conditions hold at time 0 already."""
 
-    Attributes
-    ----------
-    rotation : int
-        The phase at which the start is.
-    places : tuple of int
-        States whose values there are the coordinates q.
-    embedding : tuple of rows
-        State at the start, of (q, cosines and sines of the forcings, 1).
-    orders : tuple of int
-        Of the zero at time 0 of each phase's boundary function, phases counted from there.
-    possible : bool
-        Whether what has to be true of an orbit can be.
-    """
-
-    rotation: int
-    places: tuple[int, ...]
+    rotation: int  # the phase at which the start is
+    places: tuple[int, ...]  # states whose values there are the coordinates q
+    # rows: the state at the start from (q, cosines and sines of the forcings, 1)
     embedding: tuple[tuple[Any, ...], ...]
+    # order of the zero at time 0 of each phase's boundary function, phases counted from the start
     orders: tuple[int, ...]
-    possible: bool
+    possible: bool  # the exact conditions of an orbit do not contradict each other
 
 
 class Given(NamedTuple):
-    """What closes a cycle: forcings, and what the dwell times sum up to.
+    """The conditions that close a cycle: forcings, and the sum of the dwell times."""
 
-    Attributes
-    ----------
-    pairs : tuple of (int, int)
-        States of the forcings, cos(w t) and sin(w t).
-    speeds : tuple of number
-        Their w.
-    period : arb or None
-    unit : arb or None
-        The common period of the forcings: their times are sought in one of it.
-    """
-
-    pairs: tuple[tuple[int, int], ...] = ()
-    speeds: tuple[Any, ...] = ()
-    period: arb | None = None
-    unit: arb | None = None
+    pairs: tuple[tuple[int, int], ...] = ()  # states of the forcings, cos(w t) and sin(w t)
+    speeds: tuple[Any, ...] = ()  # their w
+    period: arb | None = None  # the sum of the dwell times
+    unit: arb | None = None  # common period of the forcings: their times are sought in one of it
 
 
 def setting_of(tables: Tables, cycle: ItineraryShape) -> Setting:
-    """The setting with the fewest coordinates; all states, where the numbers are not exact.
-
-    Parameters
-    ----------
-    tables : Tables
-        Of the system.
-    cycle : ItineraryShape
-        The itinerary, with its system's structure.
-
-    Returns
-    -------
-    Setting
-        The phase at whose start the coordinates are, and which they are.
-    """
+    """The setting with the fewest coordinates; all states, where the numbers are not exact."""
     size, count = len(tables.fields[0]) - 1, len(cycle)
     forced = [state for pair in cycle.structure.forcing for state in pair]
     starts: Sequence[Invariants] = [Invariants((), ())] * count
@@ -126,7 +90,7 @@ def setting_of(tables: Tables, cycle: ItineraryShape) -> Setting:
 
 
 class _Flow(NamedTuple):
-    """Over a time: the flow, and the switching condition by the state in front of it."""
+    """The flow over a time, and the switching condition by the state in front of it."""
 
     flow: arb_mat
     ahead: Ahead
@@ -136,21 +100,9 @@ class DwellProblem:
     """Equations of a cycle in its dwell times, at the working precision.
 
     Unknowns are a forcing's time at the start, where there is one, and the dwell times from
-    the setting's phase on; the last of these is none where their sum is given.
-
-    Parameters
-    ----------
-    tables : Tables
-    cycle : ItineraryShape
-    setting : Setting
-        A possible one.
-    given : Given
-    domain : sequence of (float, float)
-        Of the unknowns.
-    largest : float
-        No coordinate of the start is larger in the roots that are found.
-    last : (float, float), optional
-        Of the last dwell time, where it is no unknown.
+    the setting's phase on; the last of these is none where their sum is given, and `last` is its
+    range. `domain` is the range of the unknowns. The setting has to be possible. No coordinate
+    of the start is larger than `largest` in the roots that come out.
     """
 
     def __init__(
@@ -190,18 +142,7 @@ class DwellProblem:
         return self.given.unit
 
     def linear(self, sides: Sides) -> Linear | None:
-        """The equations over a box; None where the last dwell time is outside of its range.
-
-        Parameters
-        ----------
-        sides : sequence of (float, float)
-            Lower and upper ends of the unknowns, in the system's units.
-
-        Returns
-        -------
-        Linear or None
-            G (u), its derivatives by the unknowns, and its range.
-        """
+        """G over a box of unknowns; None where the last dwell time is outside of its range."""
         balls, middles = balls_of(sides), middles_of(sides)
         times = self._dwell(balls)
         if self.last is not None and (times[-1] < self.last[0] or times[-1] > self.last[1]):
@@ -217,36 +158,14 @@ class DwellProblem:
         return Linear.of(centre, slopes, sides)._replace(trivial=trivial, largest=self.largest)
 
     def dwell(self, sides: Sides) -> list[arb]:
-        """Dwell times in the cycle's own order, over a box.
-
-        Parameters
-        ----------
-        sides : sequence of (float, float)
-            Lower and upper ends of the unknowns, in the system's units.
-
-        Returns
-        -------
-        list of arb
-            One for each phase, in the system's units.
-        """
+        """Dwell times over a box of unknowns, in the cycle's own order."""
         return self._own_order(self._dwell(balls_of(sides)))
 
     def begun_later(self, sides: Sides, phases: int) -> Iterator[Sides]:
-        """The unknowns of the same orbits, begun so many phases later, that may be in the domain.
+        """Yield boxes of unknowns of the same orbits, begun a number of phases later.
 
-        The itinerary has to be the same from there.
-
-        Parameters
-        ----------
-        sides : sequence of (float, float)
-            Lower and upper ends of the unknowns, in the system's units.
-        phases : int
-            By how many phases the orbits begin later.
-
-        Yields
-        ------
-        sequence of (float, float)
-            Ends of a box of unknowns; of a forced cycle one for each near turn.
+        The itinerary has to be the same from there. A forced cycle gives one box for each of the
+        three nearest turns, which may be in the domain.
         """
         from flint import arb
 
@@ -264,19 +183,9 @@ class DwellProblem:
             yield (floats_around(later - number * self.unit), *rest)
 
     def starts(self, sides: Sides, coordinates: Sequence[arb]) -> list[list[arb]]:
-        """State at the start of each phase in the cycle's own order, over a box.
+        """State, of length N, at the start of each phase in the cycle's own order, over a box.
 
-        Parameters
-        ----------
-        sides : sequence of (float, float)
-            Lower and upper ends of the unknowns, in the system's units.
-        coordinates : sequence of arb
-            The coordinates that the dwell times leave open, in the system's units.
-
-        Returns
-        -------
-        list of list of arb, each of length N
-            One state for each phase, in the system's units.
+        `coordinates` are those that the dwell times leave open.
         """
         from flint import arb, arb_mat
 

@@ -57,122 +57,49 @@ class Question(Protocol):
 
     @property
     def conditions(self) -> tuple[str, ...]:
-        """What is asked of the orbits besides their dwell times, in words."""
+        """The conditions on the orbits besides their dwell times, in words."""
         ...
 
     def dwell(self, problem: Any, root: Root) -> dict[str, arb]:
-        """Enclosures of all dwell times, by name.
-
-        Parameters
-        ----------
-        problem : Problem
-            The equations that are searched.
-        root : Root
-            A root of the problem.
-
-        Returns
-        -------
-        dict of str to arb
-            In the system's units.
-        """
+        """Enclosures of all dwell times of a root, by name."""
         ...
 
     def unknowns(self, problem: Any) -> tuple[str, ...]:
-        """Names of a problem's unknowns.
-
-        Parameters
-        ----------
-        problem : Problem
-            The equations that are searched.
-
-        Returns
-        -------
-        tuple of str
-            In the problem's order.
-        """
+        """Names of a problem's unknowns, in its order."""
         ...
 
     @property
     def surplus(self) -> bool:
-        """Whether there are more equations than unknowns: roots of some of them are proved."""
+        """Whether there are more equations than unknowns; roots are proved of as many only."""
         ...
 
     def again(self, problem: Any, root: Root, other: Root) -> bool | None:
         """Whether two roots are one orbit, begun at two of its phases; None if undecided.
 
         Of a root and itself: whether the orbit repeats itself before its itinerary ends.
-
-        Parameters
-        ----------
-        problem : Problem
-            The equations that are searched.
-        root : Root
-            A root of the problem.
-        other : Root
-            The root that it is compared with.
-
-        Returns
-        -------
-        bool or None
-            True or False where it is proved.
         """
         ...
 
     @property
     def follow(self) -> tuple[str, ...]:
-        """Dwell times that follow from those that are searched: they may turn out wrong."""
+        """Dwell times that follow from those that are searched; they may violate the bounds."""
         ...
 
     def small(self, problem: Any, root: Root) -> bool | None:
-        """Whether the root's other unknowns are what is asked for; None if undecided.
-
-        Parameters
-        ----------
-        problem : Problem
-            The equations that are searched.
-        root : Root
-            A root of the problem.
-
-        Returns
-        -------
-        bool or None
-            True or False where it is proved.
-        """
+        """Whether the root's other unknowns are in their required ranges; None if undecided."""
         ...
 
     def orbit(self, problem: Any, root: Root) -> Orbit:
-        """About the orbit that the root is.
-
-        Parameters
-        ----------
-        problem : Problem
-            The equations that are searched.
-        root : Root
-            A root of the problem.
-
-        Returns
-        -------
-        Orbit
-            In floating point; nothing is proved of it.
-        """
+        """An approximation in floating point of the orbit that the root is."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class ReducedQuestion:
-    """By the reduced equations of a derived orbit.
-
-    Attributes
-    ----------
-    kernels : OrbitKernels
-    name : str or Itinerary
-        What it is solved by.
-    point : Point
-    problems : tuple of ReducedProblem
-    """
+    """Orbits counted by the reduced equations of a derived orbit."""
 
     kernels: OrbitKernels
-    name: Any
+    name: Any  # name or Itinerary by which it is solved
     point: Point
     problems: tuple[ReducedProblem, ...]
     surplus = False
@@ -188,35 +115,11 @@ class ReducedQuestion:
         return tuple(found)
 
     def unknowns(self, problem: ReducedProblem) -> tuple[str, ...]:
-        """Names of the reduced unknowns.
-
-        Parameters
-        ----------
-        problem : ReducedProblem
-            The reduced equations.
-
-        Returns
-        -------
-        tuple of str
-            In the problem's order.
-        """
+        """Names of the reduced unknowns."""
         return self.kernels.reduced
 
     def dwell(self, problem: ReducedProblem, root: Root) -> dict[str, arb]:
-        """Enclosures of all dwell times.
-
-        Parameters
-        ----------
-        problem : ReducedProblem
-            The reduced equations.
-        root : Root
-            A root of the problem.
-
-        Returns
-        -------
-        dict of str to arb
-            In the system's units.
-        """
+        """Enclosures of all dwell times of a root, by name."""
         return self.kernels.durations(problem.unknowns(root.sides))
 
     @property
@@ -225,56 +128,15 @@ class ReducedQuestion:
         return tuple(n for n in self.kernels.dwell_times if n not in self.kernels.reduced)
 
     def again(self, problem: ReducedProblem, root: Root, other: Root) -> bool | None:
-        """Itineraries that repeat themselves are not counted by reduced equations.
-
-        Parameters
-        ----------
-        problem : ReducedProblem
-            The reduced equations.
-        root : Root
-            A root of the problem.
-        other : Root
-            The root that it is compared with.
-
-        Returns
-        -------
-        bool
-            False.
-        """
+        """False: itineraries that repeat themselves are not counted by reduced equations."""
         return False
 
     def small(self, problem: ReducedProblem, root: Root) -> bool | None:
-        """Nothing is asked of the coordinates.
-
-        Parameters
-        ----------
-        problem : ReducedProblem
-            The reduced equations.
-        root : Root
-            A root of the problem.
-
-        Returns
-        -------
-        bool
-            True.
-        """
+        """True: nothing is required of the coordinates."""
         return True
 
     def orbit(self, problem: ReducedProblem, root: Root) -> Orbit:
-        """The orbit in double precision.
-
-        Parameters
-        ----------
-        problem : ReducedProblem
-            The reduced equations.
-        root : Root
-            A root of the problem.
-
-        Returns
-        -------
-        Orbit
-            In floating point; nothing is proved of it.
-        """
+        """An approximation in floating point of the orbit that the root is."""
         guess = {name: float(x.mid()) for name, x in problem.unknowns(root.sides).items()}
         given = {**self.point.values, **self.point.opened}
         return solve_kernels(self.kernels, given, guess, throw=False)
@@ -282,33 +144,18 @@ class ReducedQuestion:
 
 @dataclass(frozen=True, eq=False)
 class DwellQuestion:
-    """By the dwell times of a cycle.
-
-    Attributes
-    ----------
-    label : str or None
-    kernels : SystemKernels
-    values : dict of str to Value
-        All parameters of the system.
-    cycle : ItineraryShape
-    names, start : tuple of str
-        Of the dwell times, and of the states at the start.
-    setting : Setting
-    period : Value or None
-    largest : float
-    problems : tuple of DwellProblem
-        One for each number of the forcing's turns, where there is one.
-    """
+    """Orbits counted by the dwell times of a cycle."""
 
     label: str | None
     kernels: SystemKernels
-    values: Mapping[str, Value]
+    values: Mapping[str, Value]  # all parameters of the system
     cycle: ItineraryShape
-    names: tuple[str, ...]
-    start: tuple[str, ...]
+    names: tuple[str, ...]  # of the dwell times
+    start: tuple[str, ...]  # names of the states at the start
     setting: Setting
     period: Value | None
-    largest: float
+    largest: float  # largest size of a coordinate
+    # one for each number of the forcing's turns, where there is a forcing
     problems: tuple[DwellProblem, ...]
 
     @property
@@ -334,22 +181,7 @@ class DwellQuestion:
         return next(k for k in sizes if phases == phases[k:] + phases[:k])
 
     def again(self, problem: DwellProblem, root: Root, other: Root) -> bool | None:
-        """Whether a root is another one, or itself, begun some parts later; None if undecided.
-
-        Parameters
-        ----------
-        problem : DwellProblem
-            The equations of the dwell times.
-        root : Root
-            A root of the problem.
-        other : Root
-            The root that it is compared with.
-
-        Returns
-        -------
-        bool or None
-            True or False where it is proved.
-        """
+        """Whether a root is another one, or itself, begun some parts later; None if undecided."""
         undecided = False
         for phases in range(self.part, len(self.cycle), self.part):
             # only among roots that are not too large the other one is unique
@@ -363,64 +195,30 @@ class DwellQuestion:
         return None if undecided else False
 
     def unknowns(self, problem: DwellProblem) -> tuple[str, ...]:
-        """The forcing's time, and the dwell times from where the start is sought.
-
-        Parameters
-        ----------
-        problem : DwellProblem
-            The equations of the dwell times.
-
-        Returns
-        -------
-        tuple of str
-            In the problem's order.
-        """
+        """The forcing's time, and the dwell times from where the start is sought."""
         cut = self.setting.rotation
         forced = ("forcing time",) if self.cycle.structure.forcing else ()
         names = (*forced, *self.names[cut:], *self.names[:cut])
         return names[: len(problem.domain)]
 
     def dwell(self, problem: DwellProblem, root: Root) -> dict[str, arb]:
-        """Enclosures of all dwell times.
-
-        Parameters
-        ----------
-        problem : DwellProblem
-            The equations of the dwell times.
-        root : Root
-            A root of the problem.
-
-        Returns
-        -------
-        dict of str to arb
-            In the system's units and the cycle's own order.
-        """
+        """Enclosures of all dwell times of a root, by name, in the cycle's own order."""
         return dict(zip(self.names, problem.dwell(root.sides), strict=True))
 
     @property
     def surplus(self) -> bool:
-        """With a given period the closure of one coordinate follows from the energy."""
+        """Whether a period is given: the closure of one coordinate then follows from the energy."""
         return self.period is not None
 
     @property
     def follow(self) -> tuple[str, ...]:
-        """None: all are searched."""
+        """No dwell time: all are searched."""
         return ()
 
     def small(self, problem: DwellProblem, root: Root) -> bool | None:
-        """Whether no coordinate is too large, and a forcing's time is in its period.
+        """Whether no coordinate is too large and a forcing's time is in its period.
 
-        Parameters
-        ----------
-        problem : DwellProblem
-            The equations of the dwell times.
-        root : Root
-            A root of the problem.
-
-        Returns
-        -------
-        bool or None
-            True or False where it is proved.
+        None if undecided.
         """
         sizes = [abs(q) for q in root.coordinates]
         if any(size > self.largest for size in sizes):
@@ -435,20 +233,7 @@ class DwellQuestion:
         return True if certain else None
 
     def orbit(self, problem: DwellProblem, root: Root) -> Orbit:
-        """The orbit in double precision.
-
-        Parameters
-        ----------
-        problem : DwellProblem
-            The equations of the dwell times.
-        root : Root
-            A root of the problem.
-
-        Returns
-        -------
-        Orbit
-            In floating point; nothing is proved of it.
-        """
+        """An approximation in floating point of the orbit that the root is."""
         starts = problem.starts(root.sides, root.coordinates)
         named = TableProblem(
             self.kernels, self.cycle.itinerary, label=self.label, names=(*self.names, *self.start)
@@ -477,39 +262,13 @@ def dwell_question(
     largest: float,
     bits: int,
 ) -> DwellQuestion:
-    """The question about any cycle; `bits` is the working precision.
+    """The question about any cycle, with a problem for each possible number of the forcing's turns.
 
-    Parameters
-    ----------
-    label : str or None
-        Name of the orbit, if it has one.
-    kernels : SystemKernels
-        The system's generated functions.
-    values : dict of str to Value
-        All physical parameters of the system.
-    cycle : ItineraryShape
-        The itinerary, with its system's structure.
-    sides : sequence of Side
-        Of the box of dwell times.
-    start : tuple of str
-        Names of the states at the start.
-    period : Value or None
-        What the dwell times sum up to, in the system's units, where it is given.
-    largest : float
-        The largest size of a coordinate that is asked for, in the system's units.
-    bits : int
-        The working precision.
-
-    Returns
-    -------
-    DwellQuestion
-        With one problem or more; with none where no orbit is possible.
-
-    Raises
-    ------
-    InputError
-        For a conservative cycle without a period, or a forcing of which it is not certain that
-        it turns evenly.
+    `sides` are those of the box of dwell times. `values` has all physical parameters, `start`
+    names the states at the start. The period is the sum of the dwell times, if given, and
+    `largest` the largest size of a coordinate, both in the system's units. `bits` is the working
+    precision. There is no problem where no orbit is possible. `InputError` for a conservative
+    cycle without a period, or a forcing that is not certain to turn evenly.
     """
     tables = exact_tables(kernels, tuple(values.values()), bits)
     if len(translations_of(piecewise(kernels, values))):

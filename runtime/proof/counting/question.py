@@ -33,16 +33,7 @@ __all__ = ["Asked", "asked_of"]
 
 @dataclass(frozen=True, eq=False)
 class Asked:
-    """A box, the question about it, and how both are told.
-
-    Attributes
-    ----------
-    label, system : str
-    parameters : dict of str to Value
-    itinerary : tuple of (configuration, boundary)
-    sides : tuple of Side
-    question : Question
-    """
+    """A box, the question about it, and the names for both."""
 
     label: str
     system: str
@@ -61,34 +52,13 @@ def asked_of(
     largest: float,
     bits: int,
 ) -> Asked:
-    """What `certify_all` is asked, at the working precision, of so many bits.
+    """The question that `certify_all` is asked, with its box.
 
-    Parameters
-    ----------
-    orbit : str, Itinerary, System or SystemKernels
-        What the itinerary is of.
-    parameters : dict of str to number
-        Physical ones, or those of the named orbit.
-    box : dict of str to (lower, upper), or to the upper bound
-        Of the dwell times, in the system's units.
-    itinerary : sequence of (configuration, boundary) or None
-        None for that of the named orbit.
-    period : number or None
-        What the dwell times sum up to, in the system's units.
-    largest : float
-        The largest size of a coordinate that is asked for, in the system's units.
-    bits : int
-        The working precision.
-
-    Returns
-    -------
-    Asked
-        The question, and what it is about.
-
-    Raises
-    ------
-    InputError
-        For names or values that do not fit, or orbits that are not counted.
+    `parameters` are physical ones, or those of the named orbit. `box` has bounds of the dwell
+    times, as for `sides_of`; without an itinerary that of the named orbit is taken. `period` (the
+    sum of the dwell times) and `largest` (size of a coordinate) are in the system's units, and
+    `bits` is the working precision. `InputError` for names or values that do not fit, or orbits
+    that are not counted.
     """
     if itinerary is not None:
         kernels = kernels_of(orbit)

@@ -30,13 +30,7 @@ class _RealBalls(Balls):
 
     @staticmethod
     def sqrt(x: Any) -> Any:
-        """Enclosure of the roots of the numbers that have a real one.
-
-        Raises
-        ------
-        _NotReal
-            If none has.
-        """
+        """Enclosure of the roots of the numbers that have a real one; `_NotReal` if none has."""
         from flint import arb
 
         if x >= 0:
@@ -47,20 +41,11 @@ class _RealBalls(Balls):
 
 
 def reducible(kernels: OrbitKernels) -> bool:
-    """Whether the reduced equations are those of every orbit of the itinerary, and fewer.
+    """Whether the reduced equations have every orbit of the itinerary as root, and fewer unknowns.
 
     Those of conservative and of symmetric orbits are of orbits with a symmetry only. Of an
-    itinerary that repeats itself orbits would count once for each of its parts.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-        The orbit's generated functions.
-
-    Returns
-    -------
-    bool
-        False too where the orbit has no reduced equations.
+    itinerary that repeats itself, orbits would count once for each of its parts. False too where
+    the orbit has no reduced equations.
     """
     table = kernels.table
     phases = [(configuration, boundary) for configuration, boundary, _ in table["phases"]]
@@ -79,13 +64,8 @@ def reducible(kernels: OrbitKernels) -> bool:
 class ReducedProblem:
     """Reduced equations at one parameter point, at the working precision.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    given : sequence of Value
-        In the order of the kernels' parameters.
-    domain : sequence of (float, float)
-        Of the reduced unknowns.
+    `given` has the values in the order of the kernels' parameters, `domain` the range of the
+    reduced unknowns.
     """
 
     def __init__(
@@ -101,18 +81,7 @@ class ReducedProblem:
         self._reduced, self._expand = kernels.source("reduced"), kernels.source("expand")
 
     def linear(self, sides: Sides) -> Linear | None:
-        """Residual and derivatives over a box; None if one of its equations has no root there.
-
-        Parameters
-        ----------
-        sides : sequence of (float, float)
-            Lower and upper ends of the unknowns, in the system's units.
-
-        Returns
-        -------
-        Linear or None
-            With one column: the residual.
-        """
+        """The residual as one column over a box; None if one of its equations has no root there."""
         from flint import arb_mat
 
         try:
@@ -126,18 +95,7 @@ class ReducedProblem:
         return Linear.of(arb_mat([[value] for value in centre]), slopes, sides)
 
     def unknowns(self, sides: Sides) -> dict[str, arb]:
-        """All unknowns of the full equations, by name, over a box of the reduced ones.
-
-        Parameters
-        ----------
-        sides : sequence of (float, float)
-            Lower and upper ends of the unknowns, in the system's units.
-
-        Returns
-        -------
-        dict of str to arb
-            In the system's units.
-        """
+        """All unknowns of the full equations, by name, over a box of the reduced ones."""
         found = self._expand(self._parameters, self._spectrum, balls_of(sides), lib=self._lib)
         values = found[0] if isinstance(found, tuple) else found
         return dict(zip(self.kernels.unknowns, values, strict=True))

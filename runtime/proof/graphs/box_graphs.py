@@ -24,24 +24,13 @@ _SPARE = 2.0**-10  # of a side, at each side of an image: who encloses it again 
 
 @dataclass(frozen=True, eq=False)
 class BoxGraph:
-    """Boxes, each with those that its image meets.
-
-    Attributes
-    ----------
-    grid : DividedGrid
-    sources, targets : array of int (E,)
-        Numbers of boxes: the image of a source may meet the target.
-    outside : array of bool (B,)
-        Whether a part of the image may be outside of the grid.
-    unknown : array of bool (B,)
-        Whether the image is not known; such boxes have no edges.
-    """
+    """Boxes, each with those that its image meets."""
 
     grid: DividedGrid
-    sources: Numbers
-    targets: Numbers
-    outside: Flags
-    unknown: Flags
+    sources: Numbers  # (E,): numbers of boxes whose image may meet the target
+    targets: Numbers  # (E,)
+    outside: Flags  # (B,): a part of the image may be outside of the grid
+    unknown: Flags  # (B,): the image is not known; such boxes have no edges
 
     @staticmethod
     def unseen(grid: DividedGrid) -> BoxGraph:
@@ -50,14 +39,7 @@ class BoxGraph:
         return BoxGraph(grid, none, none, np.zeros(size, dtype=bool), np.ones(size, dtype=bool))
 
     def seen(self, numbers: Numbers, leaves: Leaves) -> BoxGraph:
-        """The same with the images of some boxes of which none was known.
-
-        Parameters
-        ----------
-        numbers : array of int (B,)
-        leaves : Leaves
-            Of these boxes, in their order.
-        """
+        """The graph with the images of boxes (B,) of which none was known, given as leaves."""
         outside, unknown = self.outside.copy(), self.unknown.copy()
         lost = leaves.lost.copy()
         lost[leaves.origin[~(np.isfinite(leaves.low) & np.isfinite(leaves.high)).all(axis=1)]] = (
@@ -82,16 +64,9 @@ class BoxGraph:
         )
 
     def halved(self, chosen: Flags) -> tuple[BoxGraph, Numbers]:
-        """Divide some boxes; images of these, and of those that come to them, are to be seen.
+        """The graph with the chosen boxes (B,) divided, and the numbers of boxes without images.
 
-        Parameters
-        ----------
-        chosen : array of bool (B,)
-
-        Returns
-        -------
-        tuple of (BoxGraph, array of int)
-            And the boxes that are to be seen again.
+        These are the halves, and the boxes whose images may meet a divided one.
         """
         grid, origin = self.grid.halved(chosen)
         stale = chosen.copy()
@@ -120,7 +95,7 @@ class BoxGraph:
 
     @cached_property
     def coarse(self) -> Flags:
-        """Boxes that are worth dividing: what is said of them may be sharper of their halves.
+        """The boxes (B,) that are worth dividing: their halves may have sharper images.
 
         Those on cycles, those of which a part of the image alone may be outside, and those of
         unknown image to which an edge leads.
@@ -135,7 +110,7 @@ class BoxGraph:
 
     @cached_property
     def _strong(self) -> Numbers:
-        """Of each box the number of its strong component, with a cycle or alone."""
+        """The number of each box's strong component (B,), with a cycle or alone."""
         from scipy.sparse.csgraph import connected_components
 
         found: Numbers = connected_components(self.edges, connection="strong")[1]
@@ -143,7 +118,7 @@ class BoxGraph:
 
     @cached_property
     def ranks(self) -> Numbers:
-        """Over how many strong components the longest walk from each box leads, beside its own."""
+        """How many other strong components the longest walk from each box enters (B,)."""
         label, size = self._strong, int(self._strong.max()) + 1
         apart = label[self.sources] != label[self.targets]
         pairs = np.unique(label[self.targets[apart]] * size + label[self.sources[apart]])
@@ -176,41 +151,18 @@ class BoxGraph:
         return tuple(sorted(found, key=lambda own: (not self.stays(own), -len(own), int(own[0]))))
 
     def stays(self, boxes: Numbers) -> bool:
-        """Whether no edge leads from some boxes to others, outside, or to where is not known.
-
-        Parameters
-        ----------
-        boxes : array of int
-        """
+        """Whether no edge leads from the boxes to others, outside, or to an unknown image."""
         own = np.zeros(len(self.grid), dtype=bool)
         own[boxes] = True
         left = self.outside | self.unknown
         return bool(own[self.targets[own[self.sources]]].all() and not left[boxes].any())
 
     def ahead(self, first: Numbers) -> Flags:
-        """Boxes to which walks lead from some of these, with these.
-
-        Parameters
-        ----------
-        first : array of int
-
-        Returns
-        -------
-        array of bool (B,)
-        """
+        """The boxes (B,) to which walks lead from some of `first`, with these."""
         return self._led_to(self.sources, self.targets, first)
 
     def behind(self, last: Numbers) -> Flags:
-        """Boxes from which walks lead to some of these, with these.
-
-        Parameters
-        ----------
-        last : array of int
-
-        Returns
-        -------
-        array of bool (B,)
-        """
+        """The boxes (B,) from which walks lead to some of `last`, with these."""
         return self._led_to(self.targets, self.sources, last)
 
     def _led_to(self, sources: Numbers, targets: Numbers, first: Numbers) -> Flags:
@@ -226,7 +178,7 @@ class BoxGraph:
 
     @cached_property
     def trapping(self) -> Flags:
-        """The largest trapping region: no walk from it leads outside or to an unknown image.
+        """The largest trapping region (B,): no walk from it leads outside or to an unknown image.
 
         A box without an image is in it only where an image leads to it.
         """
@@ -249,12 +201,7 @@ class BoxGraph:
         return found
 
     def arrows(self) -> Iterator[tuple[int, int]]:
-        """The Morse graph: pairs of components with no third one between them.
-
-        Yields
-        ------
-        tuple of (int, int)
-        """
+        """Yield the edges of the Morse graph: pairs of components without a third one between."""
         reaches = self.reaches
         count = reaches.astype(np.int64)
         direct = reaches & ~((count @ count) > 0)
@@ -262,7 +209,7 @@ class BoxGraph:
 
 
 def _near(grid: DividedGrid, places: Floats) -> Floats:
-    """Places, those far outside of a grid no further than some boxes."""
+    """Places, with those far outside of a grid moved to within four boxes of it."""
     whole = grid.grid
     first, counts = np.array(whole.first), np.array(whole.counts)
     return np.clip(places, (first - 4.0) * whole.sides, (first + counts + 4.0) * whole.sides)

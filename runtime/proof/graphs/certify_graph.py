@@ -180,7 +180,7 @@ def certify_graph(
 
 
 def _begin_images(question: ToldQuestion[GraphCertificate]) -> Callable[[ManySets], Leaves]:
-    """What encloses the images of sets."""
+    """A function that encloses the images of sets."""
     known = question.known
     system, section = question.taken_up(known.bits)
     with flint_precision(known.bits):
@@ -197,7 +197,7 @@ def _begin_images(question: ToldQuestion[GraphCertificate]) -> Callable[[ManySet
 
 @dataclass
 class _BoxImages:
-    """How images are enclosed, and what is known."""
+    """The certificate as far as it is known, and how further images are enclosed."""
 
     question: ToldQuestion[GraphCertificate]
     known: GraphCertificate
@@ -207,7 +207,7 @@ class _BoxImages:
     kept: float = field(default_factory=time.monotonic)
 
     def refined(self, levels: int) -> GraphCertificate:
-        """Enclose all that is unknown, and divide boxes."""
+        """The certificate after all unknown images are enclosed and boxes are divided."""
         graph, left = self.known.graph, np.flatnonzero(self.known.graph.unknown)
         try:
             graph = self._seen(graph, left)
@@ -224,7 +224,7 @@ class _BoxImages:
         return self.known
 
     def _seen(self, graph: BoxGraph, left: NDArray[np.int_]) -> BoxGraph:
-        """The graph with images of boxes."""
+        """The graph with the enclosed images of some boxes."""
         size = max(1, min(_AT_ONCE, -(-len(left) // self.workers)))
         batches = [left[first : first + size] for first in range(0, len(left), size)]
         sets, done = map(graph.grid.sets, batches), 0
@@ -242,7 +242,7 @@ class _BoxImages:
 
 
 def _extents(motion: Trajectory) -> Floats:
-    """About how large the states of a motion become, 1 for those that are constant."""
+    """The approximate extent of each state along a motion, 1 for those that are constant."""
     first = int(motion.run.configurations[0])
     run = follow(motion.system, motion.states[0], first, transitions=_FOLLOWED)
     extent = np.ptp(run.states, axis=0)
@@ -255,7 +255,7 @@ def _grid(
     boxes: int | None,
     region: Mapping[str, tuple[float, float]],
 ) -> BoxGrid:
-    """The grid of a region: what is given of it, else about the sampled points."""
+    """The grid of a region: within the given bounds, and about the sampled points elsewhere."""
     names = [system.structure.states[k] for k in sampled.section.free]
     if not names:
         raise InputError("the section is one point: there is nothing to map")
@@ -277,7 +277,7 @@ def _grid(
 def _certificate(
     kernels: SystemKernels, system: EnclosedSystem, sampled: Sampled, grid: BoxGrid, widest: Floats
 ) -> GraphCertificate:
-    """What is asked, and that nothing is known yet."""
+    """The certificate of the question, with no image known yet."""
     section, structure = sampled.section, system.structure
     names = structure.configurations
     shapes = structure.boundaries[section.source] if section.phase is None else ()

@@ -21,25 +21,13 @@ __all__ = ["Component", "GraphCertificate"]
 
 @dataclass(frozen=True, eq=False)
 class Component:
-    """A strong component of the graph that has a cycle: a vertex of the Morse graph.
+    """A strong component of the graph that has a cycle: a vertex of the Morse graph."""
 
-    Attributes
-    ----------
-    boxes : array of int
-        Numbers of its boxes.
-    low, high : tuple of float
-        Bounds of its coordinates.
-    attracting : bool
-        Whether it is a trapping region by itself: every image of its boxes lies in it.
-    leaves : bool
-        Whether a walk from it leads outside of the region or to a box of unknown image.
-    """
-
-    boxes: NDArray[np.int_] = field(repr=False)
-    low: tuple[float, ...]
-    high: tuple[float, ...]
-    attracting: bool
-    leaves: bool
+    boxes: NDArray[np.int_] = field(repr=False)  # numbers of its boxes
+    low: tuple[float, ...]  # lower bounds of its coordinates
+    high: tuple[float, ...]  # upper bounds of its coordinates
+    attracting: bool  # a trapping region by itself: every image of its boxes lies in it
+    leaves: bool  # a walk from it leads outside of the region or to a box of unknown image
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
