@@ -77,10 +77,11 @@ def directed_motions(
 ) -> tuple[DirectedMotion, ...]:
     """The motions that replace one whose coincident boundaries come apart when it is moved.
 
-    The columns of `directions` (numbers, q) are changes of the numbers `by`. The motion moves along
-    them for the side "+", against them for "-"; for None both ways have to agree. The motions
-    returned have each direction once. An `InputError` names the boundaries, the time and the
-    direction if a moved motion goes on elsewhere, or if both sides differ.
+    The columns of `directions` (numbers, q) are changes of the numbers `by`. The motion
+    moves along them for the side "+", against them for "-"; for None both ways have to
+    agree. The motions returned have each direction once. An `InputError` names the
+    boundaries, the time and the direction if a moved motion goes on elsewhere, or if both
+    sides differ.
     """
     count = len(trajectory.times) - 1
     same, none = np.arange(count), np.zeros(count, dtype=bool)
@@ -103,8 +104,8 @@ def gathered(
 ) -> tuple[np.ndarray, ...]:
     """Derivatives of the original motion along all directions, from those of its parts.
 
-    `found` has what `MotionLinearisation.forward` returns for each part; the result has the same
-    order. It is NaN where a transition of the original motion has no derivative.
+    `found` has what `MotionLinearisation.forward` returns for each part; the result has the
+    same order. It is NaN where a transition of the original motion has no derivative.
     """
     count, (states, _, behind, _) = len(parts[0].first), found[0]
     if len(parts) == 1 and len(parts[0].apart) == count and not parts[0].open.any():
@@ -142,8 +143,8 @@ def scattered(
 ) -> tuple[np.ndarray, ...]:
     """Factors of the original motion's results, at the transitions that replace its own in a part.
 
-    The shapes are (m, N) of `states`, (n - 1,) of `event_times`, (n, N) of `before` and `behind`.
-    A factor that is not zero becomes NaN where the result has no derivative.
+    The shapes are (m, N) of `states`, (n - 1,) of `event_times`, (n, N) of `before` and
+    `behind`. A factor that is not zero becomes NaN where the result has no derivative.
     """
     count, size = part.trajectory.states.shape
     times, front, back = np.zeros(count - 1), np.zeros((count, size)), np.zeros((count, size))
@@ -325,7 +326,8 @@ class _MovedPassage:
     def _moved(self, step: float) -> Trajectory:
         """The moved motion near the moment, simulated with a small change of the numbers.
 
-        The boundaries come apart by at most `step` times the time to the neighbouring transitions.
+        The boundaries come apart by at most `step` times the time to the neighbouring
+        transitions.
         """
         trajectory, moment = self.motion.trajectory, self.moment
         run, begin, end = trajectory.run, moment.begin, moment.end

@@ -274,7 +274,8 @@ def motion_derivatives(
 ) -> MotionDerivatives:
     """Differentiate a motion; see `Trajectory.derivatives`.
 
-    An `InputError` is raised for an unknown name or time, or if the motion has no derivative.
+    An `InputError` is raised for an unknown name or time, or if the motion has no
+    derivative.
     """
     names, starts = input_names(trajectory)
     if by is None:

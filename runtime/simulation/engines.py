@@ -61,8 +61,9 @@ def run_compiled(
 ) -> Run:
     """Follow one motion from a state (N,) in the compiled engine, in double precision.
 
-    Without a number of `transitions` only `until` ends the motion. A system or state that is not
-    finite raises `InputError`, and more transitions than memory holds raise `TooLarge`.
+    Without a number of `transitions` only `until` ends the motion. A system or state that
+    is not finite raises `InputError`, and more transitions than memory holds raise
+    `TooLarge`.
     """
     structure = system.structure
     size = len(structure.states)
@@ -131,7 +132,8 @@ def entry_size(size: int) -> int:
 def no_ends(structure: Structure, count: int, kept: int) -> MotionEnds:
     """Ends of `count` motions that were not simulated: arrays of NaN, -1 and 0.
 
-    They have the shapes that the compiled engine fills, with `kept` entries for each motion.
+    They have the shapes that the compiled engine fills, with `kept` entries for each
+    motion.
     """
     size = len(structure.states)
     return MotionEnds(
@@ -183,11 +185,11 @@ def run_motions(
     """Follow many motions in the compiled engine, one after the other, without the GIL.
 
     The parameter points `numbers` (p, size) are those of
-    `nonsmooth.runtime.model.piecewise.numbers_at`; `points` (count,) has the row of each motion.
-    The starts are `states` (count, N) in `configurations` (count,), and `until` is (count,).
-    Of each motion the last `kept` entries are kept. The list `missing` receives the
-    configurations in which motions end because nothing is declared, each with the mask of the
-    boundaries that are reached together.
+    `nonsmooth.runtime.model.piecewise.numbers_at`; `points` (count,) has the row of each
+    motion. The starts are `states` (count, N) in `configurations` (count,), and `until` is
+    (count,). Of each motion the last `kept` entries are kept. The list `missing` receives
+    the configurations in which motions end because nothing is declared, each with the mask
+    of the boundaries that are reached together.
     """
     count = len(states)
     ends, sets = no_ends(structure, count, kept), no_words(structure, (count, kept))

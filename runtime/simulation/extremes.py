@@ -50,8 +50,8 @@ def extremes(
 ) -> tuple[list[Extreme], list[Extreme]]:
     """Minima and maxima (K,) of affine functions over all phases.
 
-    The functions `rows` (configurations, K, N + 1) are ``n y + c``: n, then c. The values are
-    attained, and no other one exceeds them by more than rounding.
+    The functions `rows` (configurations, K, N + 1) are ``n y + c``: n, then c. The values
+    are attained, and no other one exceeds them by more than rounding.
     """
     count = rows.shape[1]
     signed = np.concatenate([-rows, rows], axis=1)
@@ -123,7 +123,8 @@ def _split(
 ) -> None:
     """Split panels until none can hold a value of function `k` above its best one.
 
-    `left` and `right` (3, n) are the time, the value and the slope at the ends of the panels.
+    `left` and `right` (3, n) are the time, the value and the slope at the ends of the
+    panels.
     """
     for turn in range(_ROUNDS):
         middle = (left[0] + right[0]) / 2

@@ -130,8 +130,8 @@ def configuration_flows(
 ) -> Iterator[tuple[int, np.ndarray, ConfigurationFlows]]:
     """Yield each configuration, the places (k,) of its phases, and their flows.
 
-    The phases have `configurations` (n,), `durations` (n,) and `starts` (n, N). Where memory
-    requires it, a configuration comes in several portions.
+    The phases have `configurations` (n,), `durations` (n,) and `starts` (n, N). Where
+    memory requires it, a configuration comes in several portions.
     """
     for configuration in np.unique(configurations).tolist():
         here = np.flatnonzero(configurations == configuration)
@@ -150,7 +150,8 @@ def quadrature(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Nodes of a quadrature rule for products of two states along the phases.
 
-    The three arrays (n,) are the phase's index of each node, its time in the motion, its weight.
+    The three arrays (n,) are the phase's index of each node, its time in the motion, its
+    weight.
     """
     parts = []
     for place, configuration in enumerate(phases.configurations.tolist()):

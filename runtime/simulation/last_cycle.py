@@ -147,9 +147,9 @@ def _since(trajectory: Trajectory, first: int) -> Trajectories:
 def _prime(trajectory: Trajectory, length: int) -> int:
     """Number of phases of the shorter cycle that the last `length` phases repeat, if there is one.
 
-    It is `length` unless the motion settles on the shorter cycle. Near a multiplier of -1 a motion
-    comes back closer after two turns than after one. It settles on one turn if two turns miss not
-    far less than one does.
+    It is `length` unless the motion settles on the shorter cycle. Near a multiplier of -1 a
+    motion comes back closer after two turns than after one. It settles on one turn if two
+    turns miss not far less than one does.
     """
     run = trajectory.run
     (scale,) = scales_of(trajectory.system, _since(trajectory, len(run.times) - 1 - 2 * length))

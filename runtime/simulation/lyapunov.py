@@ -117,10 +117,10 @@ def lyapunov(trajectory: Trajectory, since: float = 0.0) -> Exponent:
 def lyapunov_spectrum(trajectory: Trajectory, since: float = 0.0) -> tuple[Exponent, ...]:
     """Estimate all Lyapunov exponents of a motion, the largest first, per unit of time.
 
-    There is one for each position and velocity, and one less without forcing: the motion's own
-    direction is left out. Only the time from `since` on counts, but the perturbations are carried
-    from the start on. Directions that are annihilated have the exponent -infinity. The motion is
-    refused as by `lyapunov`.
+    There is one for each position and velocity, and one less without forcing: the motion's
+    own direction is left out. Only the time from `since` on counts, but the perturbations
+    are carried from the start on. Directions that are annihilated have the exponent
+    -infinity. The motion is refused as by `lyapunov`.
 
     Examples
     --------
@@ -302,8 +302,8 @@ def _average(growth: _Growth, begin: float, length: float) -> np.ndarray:
 def _algebraic(windows: np.ndarray, ages: np.ndarray) -> np.ndarray:
     """Largest rates of exponents that may come from growth by a power of time.
 
-    In each direction, the rates in the windows are fitted by a + b / age with least squares. The
-    result has |b| and twice its error, at most 1, times the mean of 1 / age.
+    In each direction, the rates in the windows are fitted by a + b / age with least
+    squares. The result has |b| and twice its error, at most 1, times the mean of 1 / age.
     """
     shape = 1 / ages - (1 / ages).mean()
     factors = shape @ windows / (shape @ shape)

@@ -22,8 +22,8 @@ _ERROR = 64 * np.finfo(float).eps
 class MotionLinearisation:
     """A motion's phases, transitions and tables, linearised once for all directions.
 
-    Transitions marked in `apart` follow another one with no time between, but have a time of their
-    own in the moved motion.
+    Transitions marked in `apart` follow another one with no time between, but have a time
+    of their own in the moved motion.
     """
 
     def __init__(
@@ -77,8 +77,8 @@ class MotionLinearisation:
         """Derivatives of each transition by what comes before it, and by its boundary function.
 
         Their shapes are (n - 1, N + 1, N + 1) and (n - 1, N + 1); the state comes first, the
-        transition's time last. A transition that follows another at once, because its boundary is
-        already passed there, has the time of that one.
+        transition's time last. A transition that follows another at once, because its boundary
+        is already passed there, has the time of that one.
         """
         system, found = self.trajectory.system, self.transitions
         size = len(self.trajectory.names)
@@ -122,8 +122,8 @@ class MotionLinearisation:
     def forward(self, tables: TableDerivatives, starts: np.ndarray) -> tuple[np.ndarray, ...]:
         """Derivatives of states at `times`, of transitions' times, and of the states around these.
 
-        Their shapes are (m, N, q), (n - 1, q) and, before and behind transitions, twice (n, N, q).
-        The start counts as the first of the n entries. A time without a derivative has NaN.
+        Their shapes are (m, N, q), (n - 1, q) and, before and behind transitions, twice (n, N,
+        q). The start counts as the first of the n entries. A time without a derivative has NaN.
         """
         trajectory, found = self.trajectory, self.transitions
         count, (size, q) = len(trajectory.times), starts.shape

@@ -75,8 +75,8 @@ class ObservableDerivatives:
 def observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> ObservableDerivatives:
     """Derivatives of a motion's observables from the fixed time `since` on.
 
-    The motion is refused as by `observe`, if it ended where it cannot go on, or if boundaries come
-    apart whose times have other derivatives on the other side.
+    The motion is refused as by `observe`, if it ended where it cannot go on, or if
+    boundaries come apart whose times have other derivatives on the other side.
     """
     (motion, *others) = found.parts
     if others or motion.trajectory is not found.trajectory:
@@ -207,8 +207,8 @@ def _joined(found: MotionDerivatives, since: float) -> ObservableDerivatives:
 def _rows(found: MotionDerivatives, rows: np.ndarray) -> np.ndarray:
     """Rows (configurations, K, N + 1) of the observed functions, from the system's rows.
 
-    Instead of these, `rows` may be their changes by a number. The functions are the states, then
-    force, velocity and surface of each contact.
+    Instead of these, `rows` may be their changes by a number. The functions are the states,
+    then force, velocity and surface of each contact.
     """
     system = replace(found.trajectory.system, rows=rows)
     structure = system.structure
@@ -229,8 +229,8 @@ def _extreme(
 ) -> np.ndarray:
     """Derivatives (q,) of an extreme value, which is attained in a phase or beside a transition.
 
-    If several values tie where boundaries come apart, a one-sided derivative takes the value that
-    becomes the extreme.
+    If several values tie where boundaries come apart, a one-sided derivative takes the
+    value that becomes the extreme.
     """
     trajectory = found.trajectory
     run, time = trajectory.run, extreme.time

@@ -30,8 +30,8 @@ _ANGLE = 2.0
 class ContactObservables:
     """Force, work and loss of one contact: a stop or a belt.
 
-    An impact is no force: it takes no time, and neither its impulse nor the energy that it takes is
-    part of these numbers.
+    An impact is no force: it takes no time, and neither its impulse nor the energy that it
+    takes is part of these numbers.
     """
 
     minimum: Extreme  # of the force on the oscillator, with its time

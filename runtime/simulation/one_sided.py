@@ -58,8 +58,8 @@ def check_sides(
 ) -> None:
     """Raise `InputError` unless a motion has the derivatives that are asked for.
 
-    The motion holds for its columns of `directions` (numbers, q); the times (m,) are held fixed.
-    The message names what is touched, when, and by which number it is passed.
+    The motion holds for its columns of `directions` (numbers, q); the times (m,) are held
+    fixed. The message names what is touched, when, and by which number it is passed.
     """
     trajectory = motion.trajectory
     touches = [*_grazings(trajectory), *_beginnings(trajectory), *_coincidences(trajectory, times)]

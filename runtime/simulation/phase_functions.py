@@ -35,8 +35,8 @@ class Phases:
 def phases_of(trajectory: Trajectory, since: float = 0.0) -> Phases:
     """Phases of a motion from the time `since` on, at which the first one is cut.
 
-    An `InputError` is raised if that time is outside the motion, or if the motion takes no time or
-    is not finite.
+    An `InputError` is raised if that time is outside the motion, or if the motion takes no
+    time or is not finite.
     """
     end = trajectory.end
     try:
@@ -82,8 +82,8 @@ def panels(
 ) -> Iterator[Panels]:
     """Yield the phases cut into panels, not too many at a time.
 
-    Each spans at most `angle` radians of the fastest oscillation. `rows` (configurations, K, N + 1)
-    are affine functions ``n y + c``: n, then c.
+    Each spans at most `angle` radians of the fastest oscillation. `rows` (configurations,
+    K, N + 1) are affine functions ``n y + c``: n, then c.
     """
     for configuration in np.unique(phases.configurations).tolist():
         here = np.flatnonzero(phases.configurations == configuration)

@@ -63,10 +63,10 @@ def canonical(itinerary: Itinerary) -> int:
 def recurrent_lengths(motions: Trajectories, scales: np.ndarray, tolerance: float) -> np.ndarray:
     """Numbers (n,) of transitions after which n motions came back to their last entry, or 0.
 
-    The whole last cycle repeats the configurations and boundaries of the one before. It lasts as
-    long, within the relative `tolerance`, and each state comes back within that times its scale
-    (n, N). Impacts that follow each other ever faster come back in all but the time, and are no
-    cycle.
+    The whole last cycle repeats the configurations and boundaries of the one before. It
+    lasts as long, within the relative `tolerance`, and each state comes back within that
+    times its scale (n, N). Impacts that follow each other ever faster come back in all but
+    the time, and are no cycle.
     """
     count, kept = motions.last_times.shape
     configurations, sets, states = (
@@ -128,8 +128,8 @@ def near_returns(
 ) -> list[Candidate]:
     """Cycles of at most `longest` phases after which one of n motions nearly came back.
 
-    The largest change of a state, in units of its scale (n, N), is at most `tolerance`. Of each
-    itinerary there are a few, those that miss least.
+    The largest change of a state, in units of its scale (n, N), is at most `tolerance`. Of
+    each itinerary there are a few, those that miss least.
     """
     kept = motions.last_times.shape[1]
     # a phase as a number: its configuration, and the boundaries by which it is left
@@ -164,8 +164,8 @@ def near_returns(
 def phase_name(structure: Structure, configuration: int, reached: int) -> tuple[str, str] | None:
     """Names of a configuration and of the boundaries that ended its phase, joined by ``+``.
 
-    `reached` has the boundaries as bits. None stands for no configuration (a negative one) or no
-    boundary.
+    `reached` has the boundaries as bits. None stands for no configuration (a negative one)
+    or no boundary.
     """
     if configuration < 0 or reached <= 0:
         return None
@@ -191,10 +191,10 @@ def scales_of(system: PiecewiseLinear, motions: Trajectories) -> np.ndarray:
 def variation(structure: Structure, states: np.ndarray, moved: np.ndarray) -> np.ndarray:
     """Positive scale (..., N) of states (..., k, N), from their range and their changes `moved`.
 
-    A state that is the same at all entries, as the velocity of a mass that only stops and goes, has
-    the scale of its changes (..., m, N) between entries. No scale is so small, compared to the
-    states of its kind (positions, or velocities), that rounding matters. States that are not finite
-    are ignored.
+    A state that is the same at all entries, as the velocity of a mass that only stops and
+    goes, has the scale of its changes (..., m, N) between entries. No scale is so small,
+    compared to the states of its kind (positions, or velocities), that rounding matters.
+    States that are not finite are ignored.
     """
     known = np.isfinite(states)
     highest = np.where(known, states, -np.inf).max(axis=-2, initial=-np.inf)
@@ -208,8 +208,9 @@ def variation(structure: Structure, states: np.ndarray, moved: np.ndarray) -> np
 def sizes_of(structure: Structure, states: np.ndarray, times: np.ndarray) -> np.ndarray:
     """Positive sizes (..., N) of states (..., k, N) at times (..., k), none below rounding.
 
-    They are the largest absolute values. A position that is zero at all entries has a size that
-    follows from its velocity, and the other way round. States that are not finite are ignored.
+    They are the largest absolute values. A position that is zero at all entries has a size
+    that follows from its velocity, and the other way round. States that are not finite are
+    ignored.
     """
     found = np.nan_to_num(np.abs(states)).max(axis=-2, initial=0.0)
     waits = np.nan_to_num(np.diff(times)).max(axis=-1, initial=0.0)

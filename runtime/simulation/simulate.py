@@ -391,8 +391,8 @@ def _follow_many(
 ) -> None:
     """Follow the motions `members` of a chunk, each with the numbers in its row of a group.
 
-    Their ends are written to `ends`. Boundaries that are reached together with nothing declared for
-    them are added to `missing`.
+    Their ends are written to `ends`. Boundaries that are reached together with nothing
+    declared for them are added to `missing`.
     """
     if engine is not None:
         found = run_motions(

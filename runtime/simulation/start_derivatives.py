@@ -13,7 +13,8 @@ __all__ = ["allowed_changes", "following_changes", "nearest_start"]
 def allowed_changes(system: PiecewiseLinear, configuration: int, start: np.ndarray) -> np.ndarray:
     """Orthogonal projection (N, N) of changes of a start (N,) onto those that are allowed.
 
-    They keep the constraints of the configuration satisfied, and move all forcings along one time.
+    They keep the constraints of the configuration satisfied, and move all forcings along
+    one time.
     """
     structure, size = system.structure, len(start)
     rows = [system.rows[row][:-1] for row in structure.constraints[configuration]]
@@ -37,8 +38,8 @@ def following_changes(
 ) -> np.ndarray:
     """Changes (N, q) of a start (N,) that keep it on its constraints while q parameters change.
 
-    They are the smallest ones in the system's units. `rows` (q, R, N + 1) are the derivatives of
-    the rows by the parameters.
+    They are the smallest ones in the system's units. `rows` (q, R, N + 1) are the
+    derivatives of the rows by the parameters.
     """
     held = list(system.structure.constraints[configuration])
     if not held:

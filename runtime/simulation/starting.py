@@ -36,9 +36,9 @@ _MOST_TURNS = 100_000  # of the first forcing, behind the time zero or in front 
 def start_state(structure: Structure, given: Mapping[str, object] | Sequence[object]) -> np.ndarray:
     """State (N,) from values by name, or in the system's order: positions, then velocities.
 
-    By name, a forcing c, s that is left out starts at c = 1, s = 0. `InputError` is raised for an
-    unknown or missing name, a wrong number of values, a value that is not finite, or a forcing with
-    c^2 + s^2 other than 1.
+    By name, a forcing c, s that is left out starts at c = 1, s = 0. `InputError` is raised
+    for an unknown or missing name, a wrong number of values, a value that is not finite, or
+    a forcing with c^2 + s^2 other than 1.
     """
     names = structure.states
     if isinstance(given, Mapping):
@@ -81,8 +81,8 @@ def check_forcing(structure: Structure, states: np.ndarray) -> None:
 def check_phases(system: PiecewiseLinear, start: np.ndarray) -> None:
     """Raise `InputError` unless there is a time at which all forcings are as in a start (N,).
 
-    All forcings share one time t, at which c = cos(w t) and s = sin(w t) of each; their phase
-    shifts are part of the declaration.
+    All forcings share one time t, at which c = cos(w t) and s = sin(w t) of each; their
+    phase shifts are part of the declaration.
     """
     pairs = system.structure.forcing
     speeds = [float(system.fields[0, sine, cosine]) for cosine, sine in pairs]
@@ -127,12 +127,12 @@ def on_circles(system: PiecewiseLinear, states: np.ndarray, angles: np.ndarray) 
 def configuration_of(system: PiecewiseLinear, state: np.ndarray, wanted: str | None = None) -> int:
     """Index of the configuration that a state (N,) belongs to, by the system's own conditions.
 
-    A configuration with constraints (a stuck mass, a mass resting on a stop) is tried before those
-    with fewer: it takes the state if its constraints hold and it is not left at once. Where every
-    configuration is left at once, the first whose boundaries are not exceeded takes it, and its
-    transition follows. Where several contacts that the mass matrix couples are at rest, their law
-    decides. If a configuration is `wanted`, only that one is tried. `InputError` is raised if none
-    takes the state.
+    A configuration with constraints (a stuck mass, a mass resting on a stop) is tried
+    before those with fewer: it takes the state if its constraints hold and it is not left
+    at once. Where every configuration is left at once, the first whose boundaries are not
+    exceeded takes it, and its transition follows. Where several contacts that the mass
+    matrix couples are at rest, their law decides. If a configuration is `wanted`, only that
+    one is tried. `InputError` is raised if none takes the state.
     """
     structure = system.structure
     if wanted is not None:
@@ -168,8 +168,8 @@ def configurations_of(
 ) -> np.ndarray:
     """Configurations (n,) of states (n, N), by the rules of `configuration_of`; -1 if none fits.
 
-    `fields` (n or 1, configurations, N, N + 1) and `rows` (n or 1, R, N + 1) are those of each
-    state, or the same for all.
+    `fields` (n or 1, configurations, N, N + 1) and `rows` (n or 1, R, N + 1) are those of
+    each state, or the same for all.
     """
     order = sorted(structure.visited, key=lambda c: -len(structure.constraints[c]))
     if wanted is not None:
@@ -246,9 +246,9 @@ def orders_along(
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield values and errors (n,) of a row and of its derivatives of order 1 to N along a flow.
 
-    `extended` (n, N + 1) are the states and 1; the field (n or 1, N, N + 1) and the row
-    (n or 1, N + 1) may be common. Each error is made of the value's rounding, and of that of the
-    time at which the state was computed: a position at zero has no size of its own.
+    `extended` (n, N + 1) are the states and 1; the field (n or 1, N, N + 1) and the row (n
+    or 1, N + 1) may be common. Each error is made of the value's rounding, and of that of
+    the time at which the state was computed: a position at zero has no size of its own.
     """
     sizes, lengths = np.abs(extended), np.abs(field)
     speed = lengths[:, :, :-1].sum(axis=2).max(axis=1)

@@ -87,7 +87,8 @@ class _Stepper:
         """Boundary functions that are watched in a phase, with their judged starts.
 
         A function that stays zero is left out. `size` has, for each coordinate, the sum of the
-        absolute values of its terms; `zero` has the rows that are exactly zero despite rounding.
+        absolute values of its terms; `zero` has the rows that are exactly zero despite
+        rounding.
         """
         table = self.configuration(configuration)
         found = []
@@ -164,8 +165,8 @@ def _start(
 ) -> Start:
     """Judge the start of a boundary function by its derivatives along the field.
 
-    Their errors come from the rounding of the modes, and from the error of the time at which the
-    state was computed.
+    Their errors come from the rounding of the modes, and from the error of the time at
+    which the state was computed.
     """
     count = len(boundary.values)
     modal: list[list[float]] = []
@@ -213,8 +214,9 @@ def run(
 ) -> Run:
     """Follow the motion from a state (N,), transition by transition.
 
-    The system is in double precision, and the state is physical: positions, then velocities. The
-    motion ends at the time `until`, or after a number of `transitions`, or earlier.
+    The system is in double precision, and the state is physical: positions, then
+    velocities. The motion ends at the time `until`, or after a number of `transitions`, or
+    earlier.
     """
     stepper, clock = _Stepper(system), Clock()
     extended = [*map(float, state), 1.0]

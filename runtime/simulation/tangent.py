@@ -41,9 +41,9 @@ class TangentPhase(NamedTuple):
 def tangent_map(trajectory: Trajectory, since: float = 0.0) -> np.ndarray:
     """Derivative (N, N) of the state at the end by the state at `since`.
 
-    Only perturbations that the configuration at `since` allows are perturbations of the motion. An
-    `InputError` is raised if `since` is outside the motion, or if the motion has no derivative: two
-    boundaries are reached at once, or one tangentially.
+    Only perturbations that the configuration at `since` allows are perturbations of the
+    motion. An `InputError` is raised if `since` is outside the motion, or if the motion has
+    no derivative: two boundaries are reached at once, or one tangentially.
 
     Examples
     --------
@@ -66,9 +66,9 @@ def tangent_map(trajectory: Trajectory, since: float = 0.0) -> np.ndarray:
 def tangent_phases(trajectory: Trajectory, first: int, since: float) -> Iterator[TangentPhase]:
     """Yield the phases of a motion from entry `first` on, with their saltation matrices.
 
-    Grazings up to the time `since` do not matter. An `InputError` is raised if the motion has no
-    derivative: behind the entry two boundaries are reached at once, or one is touched behind
-    `since`.
+    Grazings up to the time `since` do not matter. An `InputError` is raised if the motion
+    has no derivative: behind the entry two boundaries are reached at once, or one is
+    touched behind `since`.
     """
     run = trajectory.run
     for grazing in run.grazings:

@@ -50,8 +50,9 @@ def transitions_behind(
 ) -> Transitions:
     """The transitions behind entry `first` of a motion, for their derivatives.
 
-    A boundary that is reached tangentially raises `InputError`, unless nothing jumps there. So do
-    boundaries that are reached at once, unless `together` is set: then the first stands for all.
+    A boundary that is reached tangentially raises `InputError`, unless nothing jumps there.
+    So do boundaries that are reached at once, unless `together` is set: then the first
+    stands for all.
     """
     system, run = trajectory.system, trajectory.run
     count, size = len(run.times) - first - 1, len(trajectory.names)
@@ -122,8 +123,8 @@ def fitting_resets(
 ) -> np.ndarray:
     """Indices (n,) of the resets that transitions took: those that fit best.
 
-    The transitions lead from states `before` (n, N) to states `behind` (n, N); `reached` is the
-    mask of the boundaries that are reached together.
+    The transitions lead from states `before` (n, N) to states `behind` (n, N); `reached` is
+    the mask of the boundaries that are reached together.
     """
     boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
     known = sorted({t.reset for t in system.structure.transitions_to(source, boundaries, target)})

@@ -30,8 +30,9 @@ def visits_behind(
 ) -> list[Visit]:
     """Visits that a system needs so that motions can go on that ended because nothing is declared.
 
-    The motions ended in `configurations`. The pairs `missing` are a configuration and the mask of
-    boundaries that are reached together in it. The list is empty if the system is listed whole.
+    The motions ended in `configurations`. The pairs `missing` are a configuration and the
+    mask of boundaries that are reached together in it. The list is empty if the system is
+    listed whole.
     """
     names = structure.configurations
     found: list[Visit] = [
@@ -50,8 +51,8 @@ def with_starts(
 ) -> SystemKernels:
     """The system, grown by the configurations that starts may belong to.
 
-    `which` (n,) is the parameter point, of points (p, parameters), of each start (n, N). A system
-    that is listed whole is returned unchanged.
+    `which` (n,) is the parameter point, of points (p, parameters), of each start (n, N). A
+    system that is listed whole is returned unchanged.
     """
     growth = growth_of(kernels.module)
     if growth is None:
@@ -119,7 +120,8 @@ def _at_rest(
 ) -> SystemKernels:
     """The system, grown by the configurations of a start at rest.
 
-    They are made one after the other, as their boundaries lead, until the start stays in one.
+    They are made one after the other, as their boundaries lead, until the start stays in
+    one.
     """
     first = growth.first_of(regimes)
     level = [] if first is None else [first]
