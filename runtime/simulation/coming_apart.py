@@ -238,7 +238,10 @@ def _split(
     directions: np.ndarray,
     side: str | None,
 ) -> Iterator[DirectedMotion]:
-    """Replace a motion by one for each sequence in which its directions pass one moment."""
+    """Yield the motions that replace one at a moment: one for each sequence of transitions.
+
+    Each of them has the directions that pass the moment in its sequence.
+    """
     settled = float(motion.trajectory.times[moment.begin])
     groups: dict[object, tuple[DirectedMotion, list[int]]] = {}
     for k in range(directions.shape[1]):
@@ -376,7 +379,7 @@ class _MovedPassage:
     def _inserted(self, trajectory: Trajectory, later: np.ndarray) -> DirectedMotion:
         """The motion with the transitions of `trajectory` in the moment.
 
-        `later` (bool) marks those of them that come later than the one before.
+        `later` marks those of them that come later than the one before (bool).
         """
         motion, begin, end = self.motion, self.moment.begin, self.moment.end
         first, last, opened = motion.first.copy(), motion.last.copy(), motion.open.copy()
