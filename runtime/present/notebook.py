@@ -26,18 +26,7 @@ def _complex(real: str, imaginary: str) -> str:
 
 
 def orbit_html(orbit: Orbit) -> str:
-    """Show an orbit as a compact table, for a notebook.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        Converged or not.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """HTML of a compact table of an orbit, converged or not, for a notebook."""
     given = [f"{name} = {value}" for name, value in {**orbit.given, **orbit.opened}.items()]
     if not orbit.converged:
         return table_html(shown_name(orbit.name), [("given", given), ("status", [orbit.message])])
@@ -70,18 +59,7 @@ def orbit_html(orbit: Orbit) -> str:
 
 
 def orbit_latex(orbit: Orbit) -> str:
-    """Show the unknowns of an orbit as aligned equations, for a notebook.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        Converged or not.
-
-    Returns
-    -------
-    str
-        LaTeX, in display style.
-    """
+    """LaTeX of the unknowns of an orbit, converged or not, as aligned displayed equations."""
     if not orbit.converged:
         return rf"$$\text{{{orbit.name}: {orbit.message}}}$$"
     rows = []
@@ -95,19 +73,7 @@ def orbit_latex(orbit: Orbit) -> str:
 
 
 def table_html(caption: str, rows: Iterable[tuple[str, Iterable[str]]]) -> str:
-    """Write a table of named rows, for a notebook.
-
-    Parameters
-    ----------
-    caption : str
-    rows : iterable of (str, iterable of str)
-        A name and the lines beside it.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """HTML of a table with a caption, whose rows are a name and the lines beside it."""
     left = 'style="text-align: left"'
     body = "".join(
         f"<tr><th {left}>{escape(name)}</th><td {left}>{'<br>'.join(map(escape, lines))}</td></tr>"
@@ -117,18 +83,7 @@ def table_html(caption: str, rows: Iterable[tuple[str, Iterable[str]]]) -> str:
 
 
 def found_html(found: Found) -> str:
-    """Show what was found as a table, for a notebook: a row for each, and how else motions end.
-
-    Parameters
-    ----------
-    found : Found
-        What was found from many starts.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """HTML of a table of found attractors, with a row for each and for all other outcomes."""
     rows = [
         (
             f"{place}",

@@ -30,27 +30,12 @@ __all__ = ["admissibility_json", "derivatives_json", "orbit_json", "short", "sys
 def derivatives_json(
     orbit: Orbit, by: Sequence[str], digits: int | None = None
 ) -> dict[str, dict[str, str]]:
-    """Derivatives of what an orbit is, by some of what was given; decimal strings.
+    """Derivatives of an orbit's results by some of its given numbers, as decimal strings.
 
-    At a border collision they are those on the side that the report names.
-
-    Parameters
-    ----------
-    orbit : Orbit
-    by : sequence of str
-    digits : int, optional
-        Fewer digits than the orbit has.
-
-    Returns
-    -------
-    dict of str to dict of str to str
-        Of each unknown, ``period``, ``trace``, ``determinant`` and ``spectral_radius`` by each
-        name; those that do not exist are left out.
-
-    Raises
-    ------
-    InputError
-        As for `Orbit.derivatives`.
+    The results are the unknowns, ``period``, ``trace``, ``determinant`` and
+    ``spectral_radius``; derivatives that do not exist are left out. At a border collision
+    they are those on the side that the report names. `digits` may be fewer than the orbit
+    has. `InputError` is raised as by `Orbit.derivatives`.
     """
     shown = orbit.digits if digits is None else min(digits, orbit.digits)
     found = orbit.derivatives(by, one_sided=True)
@@ -66,26 +51,11 @@ def derivatives_json(
 
 
 def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
-    """An orbit with stability and admissibility; numbers as decimal strings.
+    """An orbit with stability and admissibility as JSON; numbers are decimal strings.
 
-    `unknowns` are what was solved for, `parameters` what was given, with three digits more
-    than the error bound 10^-digits max(1, |x|) needs.
-
-    Parameters
-    ----------
-    orbit : Orbit
-    digits : int, optional
-        Fewer digits than the orbit has.
-
-    Returns
-    -------
-    dict
-        Ready for JSON.
-
-    Raises
-    ------
-    InputError
-        If there is no orbit.
+    `unknowns` are what was solved for and `parameters` what was given, with three digits
+    more than the error bound 10^-digits max(1, |x|) needs. `digits` may be fewer than the
+    orbit has. `InputError` is raised if there is no orbit.
     """
     shown = orbit.digits if digits is None else min(digits, orbit.digits)
 
@@ -128,19 +98,9 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
 
 
 def admissibility_json(orbit: Orbit) -> dict[str, Any]:
-    """Verdict, and what it rests on: violations, or bounds on the open parameters.
+    """The verdict on a converged orbit as JSON, with violations, or bounds on open parameters.
 
     Phases are counted from 1.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        Converged.
-
-    Returns
-    -------
-    dict
-        Ready for JSON.
     """
     admissibility = orbit.admissibility
     found: dict[str, Any] = {"admissible": admissibility.verdict}
@@ -169,17 +129,9 @@ def admissibility_json(orbit: Orbit) -> dict[str, Any]:
 
 
 def systems_json(names: Sequence[str] = ()) -> dict[str, Any]:
-    """Systems, all built-in ones without names, and their orbits: what is given and solved for.
+    """Systems and their orbits as JSON, with what is given and what is solved for.
 
-    Parameters
-    ----------
-    names : sequence of str, optional
-        Of systems; empty for all built-in ones.
-
-    Returns
-    -------
-    dict
-        Ready for JSON.
+    Without names all built-in systems are listed.
     """
     listings = {name: _listing(name) for name in names or system_names()}
     return {
@@ -203,14 +155,14 @@ def systems_json(names: Sequence[str] = ()) -> dict[str, Any]:
 
 
 def _visited(system: SystemKernels) -> dict[str, Any]:
-    """Configurations with their boundaries, without those that are only led to."""
+    """Configurations of a system with their boundaries, without those that are not visited."""
     structure, every = structure_of(system), system.table["configurations"]
     return {structure.configurations[c]: every[structure.configurations[c]]
             for c in structure.visited}  # fmt: skip
 
 
 def _transitions_json(system: SystemKernels) -> list[dict[str, Any]]:
-    """What may follow where boundaries are reached: which it is the state decides."""
+    """Transitions that may follow when boundaries are reached; the state decides which one does."""
     targets: dict[tuple[str, tuple[str, ...]], list[str]] = {}
     for transition in system.table["transitions"]:
         reached = (transition["source"], tuple(transition["boundaries"]))
@@ -224,14 +176,14 @@ def _transitions_json(system: SystemKernels) -> list[dict[str, Any]]:
 
 
 def _listing(name: str) -> tuple[SystemKernels, Mapping[str, OrbitKernels | str]]:
-    """A system with its orbits, or what a file of results has of them."""
+    """A system with its orbits, or those of a file of results."""
     if is_saved(name):
         return saved_listing(name)
     return load_system(name), {orbit: load_orbit(orbit) for orbit in orbits_in(name)}
 
 
 def _listed(name: str, entry: OrbitKernels | str) -> dict[str, Any]:
-    """An orbit, or why an entry of a file is none."""
+    """An orbit as JSON, or the reason why an entry of a file is none."""
     if isinstance(entry, str):
         return {"name": name, "refused": entry}
     return _declared_json(entry) if entry.derived else _composed_json(entry)
@@ -257,7 +209,7 @@ def _declared_json(kernels: OrbitKernels) -> dict[str, Any]:
 
 
 def _composed_json(kernels: OrbitKernels) -> dict[str, Any]:
-    """An orbit without equations of its own: all parameters are given, the start is unknown."""
+    """An orbit without derived equations as JSON: parameters are given, the start is unknown."""
     table, system = kernels.table, kernels.system
     reference = table["reference"] or {"parameters": {}}
     return {
@@ -288,18 +240,7 @@ def _parameter_json(parameter: ParameterTable) -> dict[str, Any]:
 
 
 def short(number: Any) -> str:
-    """A small number to three digits; its size is what counts.
-
-    Parameters
-    ----------
-    number : float or mpf
-        The number.
-
-    Returns
-    -------
-    str
-        Decimal.
-    """
+    """Decimal text of a small number to three digits, of which the size is what counts."""
     from mpmath import mp
 
     return str(mp.nstr(mp.mpf(number), 3))

@@ -53,13 +53,7 @@ _MOST = 12  # entries of a row
 
 
 def summary_text(result: Any) -> str:
-    """Tell in four lines at most what a result is.
-
-    Parameters
-    ----------
-    result : Branch, Found, Trajectory, ...
-        Of one of the public kinds.
-    """
+    """Text of at most four lines that describes a result of a public kind."""
     title, rows = _summary(result)
     shown = list(islice(((name, lines) for name, lines in rows if lines), _ROWS))
     widest = max((len(name) for name, _ in shown), default=0)
@@ -68,18 +62,7 @@ def summary_text(result: Any) -> str:
 
 
 def summary_html(result: Any) -> str:
-    """Show a result as a table, for a notebook.
-
-    Parameters
-    ----------
-    result : Branch, Found, Trajectory, ...
-        Of one of the public kinds.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """HTML of a table that describes a result of a public kind, for a notebook."""
     title, rows = _summary(result)
     return table_html(title, [(name, lines) for name, lines in rows if lines])
 
@@ -94,7 +77,7 @@ def _short(line: str) -> str:
 
 
 def _first(lines: Iterable[str]) -> list[str]:
-    """The first entries, and how many there are beside them."""
+    """The first entries, and the number of the remaining ones."""
     every = list(lines)
     left = len(every) - _MOST
     return every if left <= 0 else [*every[:_MOST], f"and {left} more"]

@@ -48,45 +48,25 @@ _FRONT, _BEHIND, _MOST = 20.0, 1e3, 64  # where to look, in these steps; how man
 
 @dataclass(frozen=True, eq=False)
 class DirectedMotion:
-    """A motion as it is reached from some directions: with transitions one after the other.
+    """A motion with the transitions that the motion moved in some directions makes in turn."""
 
-    Attributes
-    ----------
-    trajectory : Trajectory
-        With an entry for each transition of the moved motion.
-    columns : array (k,) of int
-        The directions for which it is.
-    settled : float
-        Until when no boundaries come apart any more.
-    apart : array (m - 1,) of bool
-        Transitions that come later than those in front of them, to first order alone.
-    first, last : array (n - 1,) of int
-        For each transition of the motion itself those that stand for it.
-    open : array (n - 1,) of bool
-        Transitions of the motion itself whose times have no derivative.
-    """
-
-    trajectory: Trajectory
-    columns: np.ndarray
-    settled: float
-    apart: np.ndarray
+    trajectory: Trajectory  # with an entry for each transition of the moved motion
+    columns: np.ndarray  # (k,) indices of the directions that it holds for
+    settled: float  # time up to which no boundaries come apart any more
+    apart: np.ndarray  # (m - 1,) bool: later than the transition before it to first order only
+    # (n - 1,) for each transition of the original motion the first that replaces it
     first: np.ndarray
-    last: np.ndarray
+    last: np.ndarray  # (n - 1,) and the last
+    # (n - 1,) bool: transitions of the original motion whose times have no derivative
     open: np.ndarray
 
     def linearisation(self, times: np.ndarray) -> MotionLinearisation:
-        """What the derivatives in its directions are made of.
-
-        Parameters
-        ----------
-        times : array (m,)
-            Held fixed.
-        """
+        """The linearisation of this motion, also at `times` (m,), which are held fixed."""
         return MotionLinearisation(self.trajectory, times, self.apart)
 
     @property
     def alone(self) -> DirectedMotion:
-        """The same as a motion of its own, whose transitions stand for themselves."""
+        """The same motion as an original one, in which each transition stands for itself."""
         count = len(self.apart)
         own, none = np.arange(count), np.zeros(count, dtype=bool)
         return replace(self, columns=np.arange(len(self.columns)), first=own, last=own, open=none)
@@ -95,28 +75,13 @@ class DirectedMotion:
 def directed_motions(
     trajectory: Trajectory, by: tuple[str, ...], directions: np.ndarray, side: str | None
 ) -> tuple[DirectedMotion, ...]:
-    """Put boundaries that come apart in the order in which moved motions reach them.
+    """The motions that replace one whose coincident boundaries come apart when it is moved.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-    by : tuple of str
-        The numbers.
-    directions : array (numbers, q)
-        Of their changes.
-    side : {"+", "-"} or None
-        Along the directions, against them, or both ways, which have to agree.
-
-    Returns
-    -------
-    tuple of DirectedMotion
-        Together they have each direction once.
-
-    Raises
-    ------
-    InputError
-        Where a moved motion goes on elsewhere, or both sides differ; the message names the
-        boundaries, the time and the direction.
+    The columns of `directions` (numbers, q) are changes of the numbers `by`. The motion
+    moves along them for the side "+", against them for "-"; for None both ways have to
+    agree. The motions returned have each direction once. An `InputError` names the
+    boundaries, the time and the direction if a moved motion goes on elsewhere, or if both
+    sides differ.
     """
     count = len(trajectory.times) - 1
     same, none = np.arange(count), np.zeros(count, dtype=bool)
@@ -137,19 +102,10 @@ def directed_motions(
 def gathered(
     parts: Sequence[DirectedMotion], found: Sequence[tuple[np.ndarray, ...]], directions: int
 ) -> tuple[np.ndarray, ...]:
-    """Derivatives at the motion's own transitions, from those of its parts.
+    """Derivatives of the original motion along all directions, from those of its parts.
 
-    Parameters
-    ----------
-    parts : sequence of DirectedMotion
-    found : sequence of tuple of array
-        What `MotionLinearisation.forward` gives of each.
-    directions : int
-
-    Returns
-    -------
-    tuple of array
-        In the same order, along all directions.
+    `found` has what `MotionLinearisation.forward` returns for each part; the result has the
+    same order. It is NaN where a transition of the original motion has no derivative.
     """
     count, (states, _, behind, _) = len(parts[0].first), found[0]
     if len(parts) == 1 and len(parts[0].apart) == count and not parts[0].open.any():
@@ -185,19 +141,10 @@ def scattered(
     before: np.ndarray,
     behind: np.ndarray,
 ) -> tuple[np.ndarray, ...]:
-    """Factors of the motion's own results as those of what stands for it in one part.
+    """Factors of the original motion's results, at the transitions that replace its own in a part.
 
-    Parameters
-    ----------
-    part : DirectedMotion
-    states : array (m, N)
-    event_times : array (n - 1,)
-    before, behind : array (n, N)
-
-    Returns
-    -------
-    tuple of array
-        NaN where a result with a factor has no derivative.
+    The shapes are (m, N) of `states`, (n - 1,) of `event_times`, (n, N) of `before` and
+    `behind`. A factor that is not zero becomes NaN where the result has no derivative.
     """
     count, size = part.trajectory.states.shape
     times, front, back = np.zeros(count - 1), np.zeros((count, size)), np.zeros((count, size))
@@ -215,36 +162,21 @@ def scattered(
 
 
 class _Meeting(NamedTuple):
-    """Transitions at one instant, of which some moved motions make several.
+    """Transitions at one instant that become several in some moved motions."""
 
-    Attributes
-    ----------
-    begin, end : int
-        Entries of the first and the last of them.
-    apart : array (k,) of bool
-        Directions in which boundaries come apart.
-    change : array (N, k)
-        Of the state in front of them, at their time.
-    size : array (N, k)
-        Of its parts.
-    shift : array (k,)
-        Largest change of a boundary's time.
-    told : str
-    """
-
-    begin: int
-    end: int
-    apart: np.ndarray
-    change: np.ndarray
-    size: np.ndarray
-    shift: np.ndarray
-    told: str
+    begin: int  # entry of the first transition
+    end: int  # entry of the last one
+    apart: np.ndarray  # (k,) bool: directions in which the boundaries come apart
+    change: np.ndarray  # (N, k) of the state before the transitions, at their fixed time
+    size: np.ndarray  # (N, k) of the terms that the change is a sum of
+    shift: np.ndarray  # (k,) largest change of the time at which a boundary is reached
+    told: str  # text for a message
 
 
 def _next_moment(
     motion: DirectedMotion, by: tuple[str, ...], directions: np.ndarray
 ) -> _Meeting | None:
-    """The first instant, of those that are not settled, at which boundaries come apart."""
+    """The first instant after `settled` at which boundaries come apart; None if there is none."""
     trajectory = motion.trajectory
     system, run = trajectory.system, trajectory.run
     several = np.flatnonzero(((run.sets & (run.sets - 1)) != 0) & (run.times > motion.settled))
@@ -290,18 +222,9 @@ def _next_moment(
 def along(
     linear: MotionLinearisation, by: tuple[str, ...], directions: np.ndarray
 ) -> tuple[TableDerivatives, np.ndarray]:
-    """Changes of the tables (k, ...) and of the start (N, k) in directions.
+    """Changes of the tables (k, ...) and of the start (N, k) along directions.
 
-    Parameters
-    ----------
-    linear : MotionLinearisation
-    by : tuple of str
-        The numbers.
-    directions : array (numbers, k)
-
-    Returns
-    -------
-    TableDerivatives, array (N, k)
+    The columns of `directions` (numbers, k) are changes of the numbers `by`.
     """
     tables, starts = linear.directions(by)
     turned = (np.tensordot(directions.T, part, axes=1) for part in tables)
@@ -315,7 +238,10 @@ def _split(
     directions: np.ndarray,
     side: str | None,
 ) -> Iterator[DirectedMotion]:
-    """The motion's directions, by the sequences in which they pass one moment."""
+    """Yield the motions that replace one at a moment: one for each sequence of transitions.
+
+    Each of them has the directions that pass the moment in its sequence.
+    """
     settled = float(motion.trajectory.times[moment.begin])
     groups: dict[object, tuple[DirectedMotion, list[int]]] = {}
     for k in range(directions.shape[1]):
@@ -344,7 +270,7 @@ def _split(
 
 @dataclass(frozen=True, eq=False)
 class _MovedPassage:
-    """How the motion moved along one direction, or against it, passes a moment."""
+    """How a motion that is moved along one direction, or against it, passes a moment."""
 
     motion: DirectedMotion
     moment: _Meeting
@@ -354,7 +280,7 @@ class _MovedPassage:
     sign: float
 
     def passed(self) -> tuple[DirectedMotion, np.ndarray]:
-        """The motion with the sequence's transitions, and its change (N,) behind them."""
+        """The motion with the moved one's transitions, and its change (N,) behind the moment."""
         trajectory, moment = self.motion.trajectory, self.moment
         run, begin, end = trajectory.run, moment.begin, moment.end
         if not np.isfinite([*moment.change[:, self.column], moment.shift[self.column]]).all():
@@ -401,7 +327,11 @@ class _MovedPassage:
         return way, self._checked(way, len(before))
 
     def _moved(self, step: float) -> Trajectory:
-        """The moved motion through the moment; boundaries come apart by so much."""
+        """The moved motion near the moment, simulated with a small change of the numbers.
+
+        The boundaries come apart by at most `step` times the time to the neighbouring
+        transitions.
+        """
         trajectory, moment = self.motion.trajectory, self.moment
         run, begin, end = trajectory.run, moment.begin, moment.end
         now, shift = float(run.times[begin]), float(moment.shift[self.column])
@@ -447,7 +377,10 @@ class _MovedPassage:
         return float(found)
 
     def _inserted(self, trajectory: Trajectory, later: np.ndarray) -> DirectedMotion:
-        """The motion with other transitions in the moment; some are later than those before."""
+        """The motion with the transitions of `trajectory` in the moment.
+
+        `later` marks those of them that come later than the one before (bool).
+        """
         motion, begin, end = self.motion, self.moment.begin, self.moment.end
         first, last, opened = motion.first.copy(), motion.last.copy(), motion.open.copy()
         inside = (first >= begin - 1) & (last < end)
@@ -461,7 +394,10 @@ class _MovedPassage:
         return DirectedMotion(trajectory, motion.columns, 0.0, apart, first, last, opened)
 
     def _checked(self, way: DirectedMotion, count: int) -> np.ndarray:
-        """The change (N,) behind the moment at a fixed time; refuse what is of higher order."""
+        """The change (N,) behind the moment at a fixed time.
+
+        An order of transitions that is not decided to first order is refused.
+        """
         linear = way.linearisation(np.empty(0))
         try:
             found = linear.transitions
@@ -493,17 +429,11 @@ class _MovedPassage:
 
 
 def _put(array: np.ndarray, begin: int, end: int, new: np.ndarray) -> np.ndarray:
-    """An array with other entries in place of those from begin to end."""
+    """The array with the entries from `begin` to `end`, both included, replaced by others."""
     return np.concatenate([array[:begin], new.astype(array.dtype), array[end + 1 :]])
 
 
 def told_direction(by: tuple[str, ...], direction: np.ndarray) -> str:
-    """What a message calls a direction: by its number, if it is that of one.
-
-    Parameters
-    ----------
-    by : tuple of str
-    direction : array (numbers,)
-    """
+    """The name of a direction for a message: that of its number if it changes only one."""
     moving = np.flatnonzero(direction)
     return by[moving[0]] if len(moving) == 1 else "the direction"

@@ -78,12 +78,12 @@ class MotionDerivatives:
 
     @cached_property
     def _linearisations(self) -> tuple[MotionLinearisation, ...]:
-        """What forward and reverse pass share, of each part."""
+        """The linearisation of each part, which the forward and the reverse pass share."""
         return tuple(part.linearisation(self.times) for part in self.parts)
 
     @cached_property
     def _directions(self) -> tuple[tuple[TableDerivatives, np.ndarray], ...]:
-        """Changes of tables and start by the numbers of each part."""
+        """Changes of the tables and of the start along the directions of each part."""
         return tuple(
             linear.directions(tuple(self.by[column] for column in part.columns))
             for part, linear in zip(self.parts, self._linearisations, strict=True)
@@ -274,17 +274,8 @@ def motion_derivatives(
 ) -> MotionDerivatives:
     """Differentiate a motion; see `Trajectory.derivatives`.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-    by : iterable of str, optional
-    times : array (m,), optional
-    one_sided : {"+", "-"}, optional
-
-    Raises
-    ------
-    InputError
-        For an unknown name or time, or where the motion has no derivative.
+    An `InputError` is raised for an unknown name or time, or if the motion has no
+    derivative.
     """
     names, starts = input_names(trajectory)
     if by is None:
@@ -308,13 +299,7 @@ def motion_derivatives(
 
 
 def check_numbers(by: Iterable[str], states: Sequence[str], parameters: Sequence[str]) -> None:
-    """Refuse a name that is neither of a parameter nor of a state at the start.
-
-    Raises
-    ------
-    InputError
-        For an unknown name.
-    """
+    """Raise `InputError` for a name that is neither a parameter nor a state at the start."""
     known = (*parameters, *start_names(states, parameters))
     for name in by:
         if name not in known:
@@ -322,7 +307,7 @@ def check_numbers(by: Iterable[str], states: Sequence[str], parameters: Sequence
 
 
 def _directional(found: MotionDerivatives, factors: np.ndarray) -> tuple[np.ndarray, ...]:
-    """One-sided derivatives along a direction: not a sum of those by numbers."""
+    """One-sided derivatives along a direction, which are no sum of those by single numbers."""
     direction = factors[:, None]
     (part,) = directed_motions(found.trajectory, found.by, direction, found.one_sided)
     check_sides(part, found.by, direction, found.times, found.one_sided)

@@ -36,32 +36,19 @@ _FIRST_ENTRIES, _GRAZINGS = 4096, 64
 class MotionEnds(NamedTuple):
     """Ends and last entries of many motions.
 
-    Attributes
-    ----------
-    states : array (count, N)
-    configurations : array (count,) of int32
-    times : array (count,)
-    transitions, grazings : array (count,) of int64
-    status : array (count,) of int64
-        Members of `Status`.
-    kept_times : array (count, kept)
-    kept_configurations : array (count, kept) of int32
-    kept_sets : array (count, kept)
-        Masks of boundaries.
-    kept_states : array (count, kept, N)
-        The last entries: entry k of a motion, 0 its start, is at k modulo `kept`.
+    Entry k of a motion, where its start is entry 0, is at place k modulo `kept`.
     """
 
-    states: np.ndarray
-    configurations: np.ndarray
-    times: np.ndarray
-    transitions: np.ndarray
-    grazings: np.ndarray
-    status: np.ndarray
-    kept_times: np.ndarray
-    kept_configurations: np.ndarray
-    kept_sets: np.ndarray
-    kept_states: np.ndarray
+    states: np.ndarray  # (count, N)
+    configurations: np.ndarray  # (count,) int32
+    times: np.ndarray  # (count,)
+    transitions: np.ndarray  # (count,) int64
+    grazings: np.ndarray  # (count,) int64
+    status: np.ndarray  # (count,) int64, members of Status
+    kept_times: np.ndarray  # (count, kept)
+    kept_configurations: np.ndarray  # (count, kept) int32
+    kept_sets: np.ndarray  # (count, kept) masks of boundaries
+    kept_states: np.ndarray  # (count, kept, N)
 
 
 def run_compiled(
@@ -72,30 +59,11 @@ def run_compiled(
     until: float = math.inf,
     transitions: int | None = None,
 ) -> Run:
-    """Follow one motion in the compiled engine.
+    """Follow one motion from a state (N,) in the compiled engine, in double precision.
 
-    Parameters
-    ----------
-    engine : module
-    system : PiecewiseLinear
-        In double precision.
-    state : array (N,)
-    configuration : int
-    until : float
-    transitions : int or None
-        The most transitions; None where only `until` ends the motion.
-
-    Returns
-    -------
-    Run
-        The motion's entries, its grazings and why it ended.
-
-    Raises
-    ------
-    InputError
-        If the system or the state is not finite.
-    TooLarge
-        If memory does not hold the transitions.
+    Without a number of `transitions` only `until` ends the motion. A system or state that
+    is not finite raises `InputError`, and more transitions than memory holds raise
+    `TooLarge`.
     """
     structure = system.structure
     size = len(structure.states)
@@ -157,36 +125,15 @@ def run_compiled(
 
 
 def entry_size(size: int) -> int:
-    """Bytes of one entry of a motion with so many states.
-
-    Parameters
-    ----------
-    size : int
-        Number of states.
-
-    Returns
-    -------
-    int
-        Bytes.
-    """
+    """Bytes of one entry of a motion with `size` states."""
     return BYTES * (2 + size)
 
 
 def no_ends(structure: Structure, count: int, kept: int) -> MotionEnds:
-    """Ends of motions that were not simulated.
+    """Ends of `count` motions that were not simulated: arrays of NaN, -1 and 0.
 
-    Parameters
-    ----------
-    structure : Structure
-    count : int
-        Number of motions.
-    kept : int
-        Entries that are kept of each motion.
-
-    Returns
-    -------
-    MotionEnds
-        Arrays of NaN, -1 and 0 in the shapes that the compiled engine fills.
+    They have the shapes that the compiled engine fills, with `kept` entries for each
+    motion.
     """
     size = len(structure.states)
     return MotionEnds(
@@ -204,18 +151,9 @@ def no_ends(structure: Structure, count: int, kept: int) -> MotionEnds:
 
 
 def store_end(ends: MotionEnds, place: int, system: PiecewiseLinear, run: Run) -> None:
-    """Put the end and the last entries of one motion where the compiled engine puts them.
+    """Write the end and the last entries of one motion as the compiled engine writes them.
 
-    Parameters
-    ----------
-    ends : MotionEnds
-        Written at one place.
-    place : int
-        Index of the motion.
-    system : PiecewiseLinear
-        In double precision.
-    run : Run
-        The motion.
+    They go to index `place` of `ends`; the system is in double precision.
     """
     kept, last = ends.kept_times.shape[1], len(run.times) - 1
     where = int(run.configurations[-1])
@@ -246,28 +184,12 @@ def run_motions(
 ) -> MotionEnds:
     """Follow many motions in the compiled engine, one after the other, without the GIL.
 
-    Parameters
-    ----------
-    engine : module
-    structure : Structure
-    numbers : array (p, size)
-        Parameter points, as `nonsmooth.runtime.model.piecewise.numbers_at` gives them.
-    points : array (count,)
-        Row of `numbers` of each motion.
-    states : array (count, N)
-    configurations : array (count,)
-    until : array (count,)
-    transitions : int or None
-    kept : int
-        How many of the last entries to keep of each motion.
-    missing : list, optional
-        Gets the configurations in which motions end where nothing is declared, each with a mask
-        of the boundaries that are reached together.
-
-    Returns
-    -------
-    MotionEnds
-        States (count, N), times (count,) and the last `kept` entries of each motion.
+    The parameter points `numbers` (p, size) are those of
+    `nonsmooth.runtime.model.piecewise.numbers_at`; `points` (count,) has the row of each
+    motion. The starts are `states` (count, N) in `configurations` (count,), and `until` is
+    (count,). Of each motion the last `kept` entries are kept. The list `missing` receives
+    the configurations in which motions end because nothing is declared, each with the mask
+    of the boundaries that are reached together.
     """
     count = len(states)
     ends, sets = no_ends(structure, count, kept), no_words(structure, (count, kept))

@@ -32,32 +32,26 @@ class Extreme(NamedTuple):
 
 
 class _WaitingPanels(NamedTuple):
-    """Functions in waiting panels: factors of the functions of time, of g, g' and g''."""
+    """One function g on n panels that are still to be split.
+
+    The weights (n, functions) are those of the functions of time in g, g' and g''.
+    """
 
     configuration: int
     weights: tuple[np.ndarray, np.ndarray, np.ndarray]
-    constants: np.ndarray
-    begins: np.ndarray
-    bounds: np.ndarray
-    slack: np.ndarray
+    constants: np.ndarray  # (n,) added to the sum for g
+    begins: np.ndarray  # (n,) times at which the phases begin
+    bounds: np.ndarray  # (n,) of the fourth derivative, divided by 144
+    slack: np.ndarray  # (n,) rounding errors of g
 
 
 def extremes(
     system: PiecewiseLinear, phases: Phases, rows: np.ndarray
 ) -> tuple[list[Extreme], list[Extreme]]:
-    """Minima and maxima of affine functions over all phases.
+    """Minima and maxima (K,) of affine functions over all phases.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    phases : Phases
-    rows : array (configurations, K, N + 1)
-        Affine functions ``n y + c``: n, then c.
-
-    Returns
-    -------
-    minima, maxima : list of Extreme, (K,)
-        Values that are attained; no other exceeds them by more than rounding.
+    The functions `rows` (configurations, K, N + 1) are ``n y + c``: n, then c. The values
+    are attained, and no other one exceeds them by more than rounding.
     """
     count = rows.shape[1]
     signed = np.concatenate([-rows, rows], axis=1)
@@ -79,7 +73,7 @@ def _search(
     best: np.ndarray,
     times: np.ndarray,
 ) -> None:
-    """Raise the best values, and their times, by what is found in some panels."""
+    """Raise the best values, and their times, to the maxima of all functions on some panels."""
     turned = _derivative(system, found.configuration).T
     tower = [found.weights]
     for _ in range(4):
@@ -127,9 +121,10 @@ def _split(
     best: np.ndarray,
     times: np.ndarray,
 ) -> None:
-    """Split panels until none can hold more than the best value of one function.
+    """Split panels until none can hold a value of function `k` above its best one.
 
-    Left and right (3, n): time, value and slope at the ends.
+    `left` and `right` (3, n) are the time, the value and the slope at the ends of the
+    panels.
     """
     for turn in range(_ROUNDS):
         middle = (left[0] + right[0]) / 2
@@ -182,7 +177,10 @@ def _upper(
     width: np.ndarray,
     fourth: np.ndarray,
 ) -> np.ndarray:
-    """Bound on panels from values and slopes at their ends."""
+    """Upper bounds on panels from the values and slopes at both ends.
+
+    `fourth` bounds the fourth derivative, divided by 144.
+    """
     (g, slope), (h, slope_end) = left, right
     middle = (g + h) / 2 + width * (slope - slope_end) / 6 + fourth * width**4
     controls = [g, g + width * slope / 4, middle, h - width * slope_end / 4, h]
@@ -196,7 +194,7 @@ def _derivative(system: PiecewiseLinear, configuration: int) -> np.ndarray:
 
 
 def _sizes(system: PiecewiseLinear, found: Panels) -> np.ndarray:
-    """Bounds (n, functions) of the functions' absolute values on panels."""
+    """Bounds (n, functions) of the absolute values of the functions of time on panels."""
     shapes = system.structure.shapes[found.configuration]
     exponents = system.exponents[found.configuration]
     bounds = function_bounds(shapes, exponents, found.left, found.right)

@@ -33,47 +33,27 @@ _CHUNK = 2_000_000  # numbers in memory at a time
 
 
 class ConfigurationFlows(Protocol):
-    """Flows of one configuration over n durations, from n starts, and their derivatives.
+    """Flows of one configuration over n durations from n starts, with their derivatives."""
 
-    Attributes
-    ----------
-    matrices : array (n, N, N)
-        Derivatives of the states at the ends by those at the starts.
-    """
-
-    matrices: np.ndarray
+    matrices: np.ndarray  # (n, N, N) derivatives of the end states by the start states
 
     def changes(self, fields: np.ndarray) -> np.ndarray:
-        """Derivatives of the states at the ends by parameters.
+        """Derivatives (n, N, q) of the end states by q parameters.
 
-        Parameters
-        ----------
-        fields : array (q, N, N + 1)
-            Derivatives of the field.
-
-        Returns
-        -------
-        array (n, N, q)
+        `fields` (q, N, N + 1) are the derivatives of the vector field by them.
         """
         ...
 
     def gradients(self, cotangents: np.ndarray) -> np.ndarray:
-        """Products of factors of the states at the ends with their derivatives by the field.
+        """Derivative (N, N + 1) by the field of the end states weighted with `cotangents` (n, N).
 
-        Parameters
-        ----------
-        cotangents : array (n, N)
-
-        Returns
-        -------
-        array (N, N + 1)
-            Added up over all durations.
+        It is a sum over all durations.
         """
         ...
 
 
 class _DenseFlows:
-    """From matrices of all functions of time."""
+    """Flows computed from a matrix for each function of time."""
 
     def __init__(
         self,
@@ -107,7 +87,7 @@ class _DenseFlows:
 
 
 class _FactoredFlows:
-    """From columns and rows: of N states about 2 N of each, and no matrix for each function."""
+    """Flows from about 2 N columns and rows, with no matrix for each function of time."""
 
     def __init__(
         self,
@@ -148,19 +128,10 @@ class _FactoredFlows:
 def configuration_flows(
     system: PiecewiseLinear, configurations: np.ndarray, durations: np.ndarray, starts: np.ndarray
 ) -> Iterator[tuple[int, np.ndarray, ConfigurationFlows]]:
-    """Flows of many phases, by configuration.
+    """Yield each configuration, the places (k,) of its phases, and their flows.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configurations : array (n,) of int
-    durations : array (n,)
-    starts : array (n, N)
-
-    Yields
-    ------
-    int, array (k,) of int, ConfigurationFlows
-        A configuration, the places of its phases, and their flows.
+    The phases have `configurations` (n,), `durations` (n,) and `starts` (n, N). Where
+    memory requires it, a configuration comes in several portions.
     """
     for configuration in np.unique(configurations).tolist():
         here = np.flatnonzero(configurations == configuration)
@@ -177,14 +148,10 @@ def configuration_flows(
 def quadrature(
     system: PiecewiseLinear, phases: Phases
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Nodes of a rule that integrates products of two states along phases.
+    """Nodes of a quadrature rule for products of two states along the phases.
 
-    Returns
-    -------
-    places : array (n,) of int
-        Phase of each node.
-    times, weights : array (n,)
-        Of the motion.
+    The three arrays (n,) are the phase's index of each node, its time in the motion, its
+    weight.
     """
     parts = []
     for place, configuration in enumerate(phases.configurations.tolist()):
@@ -200,7 +167,7 @@ def quadrature(
 def _convolutions(
     system: PiecewiseLinear, configuration: int, durations: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Integrals (n, F, F) of phi_f(d - s) phi_g(s), and (n, F) of phi_f."""
+    """Integrals (n, F, F) of ``phi_f(d - s) phi_g(s)`` and (n, F) of ``phi_f`` over 0 < s < d."""
     count = system.structure.functions[configuration]
     products = np.empty((len(durations), count, count))
     integrals = np.empty((len(durations), count))

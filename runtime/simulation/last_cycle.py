@@ -108,7 +108,7 @@ def itinerary_of(
 
 
 def _up_to_shift(trajectory: Trajectory) -> Trajectory:
-    """The motion without the part along translations of its system."""
+    """The motion without its part along the translations that leave its system unchanged."""
     states = up_to_shift(trajectory.run.states, translations_of(trajectory.system))
     return replace(trajectory, run=replace(trajectory.run, states=states))
 
@@ -127,7 +127,7 @@ def _repeated(trajectory: Trajectory, first: int) -> int:
 
 
 def _since(trajectory: Trajectory, first: int) -> Trajectories:
-    """The end of a motion, with its entries from one of them on, as the only one of many."""
+    """The end of a motion from entry `first` on, as the only motion of a `Trajectories`."""
     run = trajectory.run
     return Trajectories(
         trajectory.structure,
@@ -145,10 +145,11 @@ def _since(trajectory: Trajectory, first: int) -> Trajectories:
 
 
 def _prime(trajectory: Trajectory, length: int) -> int:
-    """The part of a cycle that is repeated in it, if the motion settles on that.
+    """Number of phases of the shorter cycle that the last `length` phases repeat, if there is one.
 
-    Near a multiplier of -1 a motion comes back sooner after two turns than after one; it
-    settles on one turn if what two turns miss is not far less than what one does.
+    It is `length` unless the motion settles on the shorter cycle. Near a multiplier of -1 a
+    motion comes back closer after two turns than after one. It settles on one turn if two
+    turns miss not far less than one does.
     """
     run = trajectory.run
     (scale,) = scales_of(trajectory.system, _since(trajectory, len(run.times) - 1 - 2 * length))
@@ -166,7 +167,7 @@ def _prime(trajectory: Trajectory, length: int) -> int:
 
 
 def _near(trajectory: Trajectory, first: int, period: float) -> int:
-    """Number of phases of the cycle at the end that lasts about so long and comes back best."""
+    """Number of phases of the cycle at the end that lasts about `period` and misses least."""
     run = trajectory.run
     durations = run.times[-1] - run.times[first:]
     (scale,) = scales_of(trajectory.system, _since(trajectory, first))
@@ -183,7 +184,7 @@ def _near(trajectory: Trajectory, first: int, period: float) -> int:
 
 
 def _cycle(trajectory: Trajectory, length: int, part: int) -> Recurrence:
-    """The last phases, and where they repeat a part the mean of its turns."""
+    """The last `length` phases as a cycle; if they repeat `part` phases, the mean of the turns."""
     begin = len(trajectory.times) - 1 - length
     names = zip(
         trajectory.configurations[begin:-1], trajectory.boundaries[begin + 1 :], strict=True
@@ -200,7 +201,7 @@ def _cycle(trajectory: Trajectory, length: int, part: int) -> Recurrence:
 
 
 def _timeless(itinerary: Sequence[tuple[str, str]], place: int) -> str:
-    """What a motion does in a cycle that has a phase which takes no time."""
+    """Explain in words why the phase at `place` of a cycle takes no time."""
     phase, after = itinerary[place], itinerary[(place + 1) % len(itinerary)]
     before = itinerary[place - 1]
     if before == phase:

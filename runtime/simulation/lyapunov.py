@@ -71,21 +71,12 @@ class Exponent(NamedTuple):
 
 
 class _Growth(NamedTuple):
-    """How perturbations grow in the pieces of the time that counts.
+    """Growth of perturbations in m pieces of the time from `since` on."""
 
-    Attributes
-    ----------
-    begin : float
-        Time from which on they are carried.
-    middles, lengths : array (m,)
-    logs : array (m, directions)
-        For the directions that are not annihilated.
-    """
-
-    begin: float
-    middles: np.ndarray
-    lengths: np.ndarray
-    logs: np.ndarray
+    begin: float  # time from which on the perturbations are carried
+    middles: np.ndarray  # (m,) times
+    lengths: np.ndarray  # (m,)
+    logs: np.ndarray  # (m, directions) of the directions that are not annihilated
 
 
 def lyapunov(trajectory: Trajectory, since: float = 0.0) -> Exponent:
@@ -124,26 +115,12 @@ def lyapunov(trajectory: Trajectory, since: float = 0.0) -> Exponent:
 
 
 def lyapunov_spectrum(trajectory: Trajectory, since: float = 0.0) -> tuple[Exponent, ...]:
-    """Estimate all Lyapunov exponents of a motion, the largest first.
+    """Estimate all Lyapunov exponents of a motion, the largest first, per unit of time.
 
-    One for each position and velocity, less one for the motion's own direction where there is
-    no forcing.
-
-    Parameters
-    ----------
-    trajectory : Trajectory
-    since : float
-        Time from which on it is counted; the perturbations are carried from the start on.
-
-    Returns
-    -------
-    tuple of Exponent
-        In units of one over time; -infinity for directions that are annihilated.
-
-    Raises
-    ------
-    InputError
-        As for `lyapunov`.
+    There is one for each position and velocity, and one less without forcing: the motion's
+    own direction is left out. Only the time from `since` on counts, but the perturbations
+    are carried from the start on. Directions that are annihilated have the exponent
+    -infinity. The motion is refused as by `lyapunov`.
 
     Examples
     --------
@@ -175,7 +152,7 @@ def lyapunov_spectrum(trajectory: Trajectory, since: float = 0.0) -> tuple[Expon
 
 
 def _turns(trajectory: Trajectory, since: float) -> float:
-    """Number of transitions, and of oscillations of the slowest exponents."""
+    """Number of transitions, plus that of oscillations with the slowest exponents."""
     phases, system = phases_of(trajectory, since), trajectory.system
     turns = float(len(phases.begins) - 1)
     for configuration in np.unique(phases.configurations).tolist():
@@ -194,15 +171,15 @@ def _too_short(trajectory: Trajectory, since: float, told: str = "") -> InputErr
 
 
 def _perturbed(trajectory: Trajectory) -> list[int]:
-    """Indices of the states that can be perturbed: those of no forcing."""
+    """Indices of the states that can be perturbed: all but those of the forcing."""
     given = {state for pair in trajectory.structure.forcing for state in pair}
     return [k for k in range(len(trajectory.names)) if k not in given]
 
 
 def _growth(trajectory: Trajectory, since: float) -> _Growth:
-    """Carry a frame of perturbations along a motion.
+    """Growth of a frame of perturbations along a motion.
 
-    Until counting begins it has all directions that the constraints allow.
+    Up to `since` the frame is filled up with all directions that the constraints allow.
     """
     system, first = trajectory.system, earliest_entry(trajectory, since)
     own = np.ix_(kept := _perturbed(trajectory), kept)
@@ -247,7 +224,7 @@ def _placed(count: int, places: np.ndarray, values: np.ndarray) -> np.ndarray:
 def _pieces(
     system: PiecewiseLinear, phases: list[TangentPhase], since: float, end: float
 ) -> list[float]:
-    """Largest length of the pieces of each phase: so short that no direction underflows."""
+    """The longest piece allowed in each phase, so short that no direction underflows."""
     longest = []
     total = 0.0
     for phase in phases:
@@ -264,7 +241,7 @@ def _pieces(
 
 
 def _cut(phase: TangentPhase, longest: float, since: float) -> list[tuple[float, float, int]]:
-    """Begin, length and number of a phase's pieces, cut at `since` too."""
+    """Begin, length and number of the equal pieces of a phase, which is cut at `since` as well."""
     end = phase.begin + phase.duration
     parts = [(phase.begin, phase.duration)]
     if phase.begin < since < end:
@@ -294,9 +271,9 @@ def _direction(system: PiecewiseLinear, phase: TangentPhase) -> np.ndarray:
 def _orthonormal(
     frame: np.ndarray, alive: np.ndarray, field: np.ndarray | None, lost: float = _LOST
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Orthonormal frame transverse to the field, which columns it is, and logs of their growth.
+    """Orthonormal frame transverse to the field, its column numbers, and logarithms of growth.
 
-    Columns that are annihilated are left out.
+    Columns shorter than `lost` times the frame are annihilated and left out.
     """
     least = lost * float(np.abs(frame).max(initial=0.0))
     if field is not None:
@@ -323,9 +300,10 @@ def _average(growth: _Growth, begin: float, length: float) -> np.ndarray:
 
 
 def _algebraic(windows: np.ndarray, ages: np.ndarray) -> np.ndarray:
-    """What the windows do not exclude of a growth like the time itself, as a rate.
+    """Largest rates of exponents that may come from growth by a power of time.
 
-    Rates that are a + b / age: b by least squares, with its error, at most 1.
+    In each direction, the rates in the windows are fitted by a + b / age with least
+    squares. The result has |b| and twice its error, at most 1, times the mean of 1 / age.
     """
     shape = 1 / ages - (1 / ages).mean()
     factors = shape @ windows / (shape @ shape)

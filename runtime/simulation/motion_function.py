@@ -184,7 +184,7 @@ def motion_function(
 def _affine(
     states: tuple[str, ...], outputs: Sequence[str] | Mapping[str, Mapping[str, float]] | None
 ) -> tuple[tuple[str, ...], np.ndarray]:
-    """Names of outputs and their rows (K, N + 1)."""
+    """Names of the outputs, and their rows (K, N + 1) as affine functions of the state."""
     if outputs is None:
         outputs = states
     if isinstance(outputs, str):

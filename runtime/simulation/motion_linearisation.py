@@ -22,8 +22,8 @@ _ERROR = 64 * np.finfo(float).eps
 class MotionLinearisation:
     """A motion's phases, transitions and tables, linearised once for all directions.
 
-    Transitions that are `apart` follow another one without any time between, but have a time of
-    their own in the moved motion.
+    Transitions marked in `apart` follow another one with no time between, but have a time
+    of their own in the moved motion.
     """
 
     def __init__(
@@ -57,7 +57,7 @@ class MotionLinearisation:
         return found
 
     def directions(self, by: tuple[str, ...]) -> tuple[TableDerivatives, np.ndarray]:
-        """Changes of the tables (q, ...) and of the start (N, q) by numbers."""
+        """Changes of the tables (q, ...) and of the start (N, q) by the numbers `by`."""
         system, run = self.trajectory.system, self.trajectory.run
         point = np.array([float(value) for value in system.parameters.values()])
         names, starts = input_names(self.trajectory)
@@ -74,10 +74,11 @@ class MotionLinearisation:
 
     @cached_property
     def saltations(self) -> tuple[np.ndarray, np.ndarray]:
-        """Derivatives of transitions by what is in front, and by boundary functions.
+        """Derivatives of each transition by what comes before it, and by its boundary function.
 
-        (n - 1, N + 1, N + 1) and (n - 1, N + 1): of the state, then of the transition's time. What
-        follows a transition at once, as its boundary is passed there, has that one's time.
+        Their shapes are (n - 1, N + 1, N + 1) and (n - 1, N + 1); the state comes first, the
+        transition's time last. A transition that follows another at once, because its boundary
+        is already passed there, has the time of that one.
         """
         system, found = self.trajectory.system, self.transitions
         size = len(self.trajectory.names)
@@ -96,7 +97,7 @@ class MotionLinearisation:
 
     @cached_property
     def instants(self) -> np.ndarray:
-        """Which transitions (n - 1,) follow another one, or the start, without any time between."""
+        """Mask (n - 1,) of the transitions at the very time of the one before, or of the start."""
         found, dwell = self.transitions, np.diff(self.trajectory.times)
         rows = self.trajectory.system.rows[found.rows]
         beyond = (rows * found.before).sum(axis=1) > _ERROR * np.abs(rows * found.before).sum(
@@ -109,14 +110,21 @@ class MotionLinearisation:
 
     @cached_property
     def carried(self) -> np.ndarray:
-        """The flows' matrices (n - 1, N + 1, N + 1), with the time of the transition before."""
+        """Matrices (n - 1, N + 1, N + 1) of the flows, which leave the last coordinate as it is.
+
+        That coordinate is the time of the transition before.
+        """
         count, size = len(self.trajectory.times) - 1, len(self.trajectory.names)
         found = np.zeros((count, size + 1, size + 1))
         found[:, :size, :size], found[:, size, size] = self.matrices[:count], 1.0
         return found
 
     def forward(self, tables: TableDerivatives, starts: np.ndarray) -> tuple[np.ndarray, ...]:
-        """Derivatives of states, times of transitions, and states on both sides of these."""
+        """Derivatives of states at `times`, of transitions' times, and of the states around these.
+
+        Their shapes are (m, N, q), (n - 1, q) and, before and behind transitions, twice (n, N,
+        q). The start counts as the first of the n entries. A time without a derivative has NaN.
+        """
         trajectory, found = self.trajectory, self.transitions
         count, (size, q) = len(trajectory.times), starts.shape
         added = np.empty((len(self.phases), size, q))
@@ -153,7 +161,10 @@ class MotionLinearisation:
     def reverse(
         self, states: np.ndarray, event_times: np.ndarray, before: np.ndarray, behind: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Gradients of a combination by fields, rows, resets and the start."""
+        """Gradients of a combination of results by fields, rows, resets and the start.
+
+        The arguments are the factors of what `forward` returns, without the axis of directions.
+        """
         trajectory, found = self.trajectory, self.transitions
         system, count, size = trajectory.system, *trajectory.states.shape
         saltations, late = self.saltations
@@ -205,7 +216,10 @@ class MotionLinearisation:
 
 
 def _along(tables: np.ndarray, places: np.ndarray, states: np.ndarray) -> np.ndarray:
-    """Changes (n, ..., q) by tables (q, k, ..., N + 1) of what each of them makes of its state."""
+    """Changes (n, ..., q) of n affine functions, number ``places[i]`` of k at state i (N + 1,).
+
+    `tables` (q, k, ..., N + 1) are the derivatives of k functions by q numbers.
+    """
     found = np.empty((len(places), *tables.shape[2:-1], len(tables)))
     for place in np.unique(places):
         here = places == place
@@ -214,6 +228,6 @@ def _along(tables: np.ndarray, places: np.ndarray, states: np.ndarray) -> np.nda
 
 
 def input_names(trajectory: Trajectory) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names of the parameters of a motion, and of its states at the start."""
+    """Names of the motion's parameters, and of its states at the start."""
     names = tuple(trajectory.parameters)
     return names, start_names(trajectory.names, names)

@@ -73,13 +73,10 @@ class ObservableDerivatives:
 
 
 def observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> ObservableDerivatives:
-    """Differentiate the observables of a motion from a time on, which stays.
+    """Derivatives of a motion's observables from the fixed time `since` on.
 
-    Raises
-    ------
-    InputError
-        As for `observe`, where the motion ended where it cannot go on, or where boundaries
-        come apart whose times differ on both sides.
+    The motion is refused as by `observe`, if it ended where it cannot go on, or if
+    boundaries come apart whose times have other derivatives on the other side.
     """
     (motion, *others) = found.parts
     if others or motion.trajectory is not found.trajectory:
@@ -119,7 +116,7 @@ def observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> Obse
     ]
 
     def integral(one: int, other: int | None = None) -> tuple[float, np.ndarray]:
-        """Integral of a function, or of the product of two, and its derivatives."""
+        """Integral of one function, or of the product of two, and its derivatives (q,)."""
         product = g[:, one] if other is None else g[:, one] * g[:, other]
         inside = change[:, one]
         left, right = (part[:, one] for part in borders)
@@ -172,7 +169,10 @@ def observable_derivatives(found: MotionDerivatives, since: float = 0.0) -> Obse
 
 
 def _joined(found: MotionDerivatives, since: float) -> ObservableDerivatives:
-    """By all numbers, from the motions with the transitions that each of them makes."""
+    """Derivatives by all numbers, joined from the motions of `found.parts`.
+
+    Each of these has the transitions that the motion moved by some of the numbers makes.
+    """
     every: list[tuple[np.ndarray, ObservableDerivatives]] = []
     for part in found.parts:
         if part.open.any():
@@ -205,7 +205,11 @@ def _joined(found: MotionDerivatives, since: float) -> ObservableDerivatives:
 
 
 def _rows(found: MotionDerivatives, rows: np.ndarray) -> np.ndarray:
-    """The functions by configuration (configurations, K, N + 1), from rows or their changes."""
+    """Rows (configurations, K, N + 1) of the observed functions, from the system's rows.
+
+    Instead of these, `rows` may be their changes by a number. The functions are the states,
+    then force, velocity and surface of each contact.
+    """
     system = replace(found.trajectory.system, rows=rows)
     structure = system.structure
     size = len(structure.states)
@@ -223,9 +227,10 @@ def _extreme(
     upper: bool,
     change: np.ndarray,
 ) -> np.ndarray:
-    """Derivatives of an extreme: of the state at its time, or on a side of a transition.
+    """Derivatives (q,) of an extreme value, which is attained in a phase or beside a transition.
 
-    On one side of boundaries that come apart, of the one that then is the extreme.
+    If several values tie where boundaries come apart, a one-sided derivative takes the
+    value that becomes the extreme.
     """
     trajectory = found.trajectory
     run, time = trajectory.run, extreme.time
@@ -255,6 +260,6 @@ def _extreme(
 
 
 def _columns(parts: Iterable[dict[str, Any]]) -> dict[str, np.ndarray]:
-    """Arrays (q,) by name from q dicts of numbers."""
+    """Arrays (q,) by name, from q dicts of numbers by name."""
     listed = list(parts)
     return {name: np.array([part[name] for part in listed]) for name in (listed or [{}])[0]}

@@ -28,28 +28,17 @@ _ANGLE = 2.0
 
 @dataclass(frozen=True)
 class ContactObservables:
-    """What passes through one contact: a stop, a belt.
+    """Force, work and loss of one contact: a stop or a belt.
 
     An impact is no force: it takes no time, and neither its impulse nor the energy that it
     takes is part of these numbers.
-
-    Attributes
-    ----------
-    minimum, maximum : Extreme
-        Of the force on the oscillator, with times.
-    mean : float
-        Force averaged over time.
-    work : float
-        Integral of force times the oscillator's velocity: what the oscillator gains.
-    dissipated : float
-        Integral of force times (surface's velocity - oscillator's velocity): what is lost.
     """
 
-    minimum: Extreme
-    maximum: Extreme
-    mean: float
-    work: float
-    dissipated: float
+    minimum: Extreme  # of the force on the oscillator, with its time
+    maximum: Extreme  # of the same force
+    mean: float  # force averaged over time
+    work: float  # integral of force times the oscillator's velocity: what the oscillator gains
+    dissipated: float  # integral of force times (surface's velocity - oscillator's velocity)
 
     @property
     def peak(self) -> float:
@@ -225,12 +214,9 @@ def _named(names: tuple[str, ...], values: list[Any]) -> dict[str, Any]:
 
 
 def contact_rows(system: PiecewiseLinear, contact: ContactShape) -> np.ndarray:
-    """Force, velocity and surface of a contact.
+    """Rows (configurations, 3, N + 1) of a contact's force, velocity and surface velocity.
 
-    Returns
-    -------
-    array (configurations, 3, N + 1)
-        Affine functions ``n y + c``: n, then c.
+    They are affine functions ``n y + c``: n, then c.
     """
     return np.array(
         [
@@ -252,7 +238,7 @@ def _force(system: PiecewiseLinear, forces: Mapping[int, int], configuration: in
 
 
 def _moments(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> np.ndarray:
-    """Integrals of all products of affine functions, and last of the functions: (K, K + 1)."""
+    """Integrals (K, K + 1) of all products of K affine functions; the last column has their own."""
     total = np.zeros((rows.shape[1], rows.shape[1] + 1))
     for found in panels(system, phases, rows, _ANGLE):
         half = (found.right - found.left) / 2
@@ -265,12 +251,9 @@ def _moments(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> np.nd
 
 
 def sticking(structure: Structure, fractions: np.ndarray) -> dict[str, float]:
-    """Part of the time in configurations that hold a position, for each that some hold.
+    """Fraction of the time in which each position is held, for those that some configuration holds.
 
-    Parameters
-    ----------
-    structure : Structure
-    fractions : array (configurations,)
+    `fractions` (configurations,) are those of the time in each configuration.
     """
     held = sorted({position for positions in structure.held for position in positions})
     return {

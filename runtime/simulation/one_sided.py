@@ -26,7 +26,7 @@ _ERROR = 64 * np.finfo(float).eps
 
 
 class _Touch(NamedTuple):
-    """What is touched, and when; of a boundary function its row, of a transition its number."""
+    """A boundary that is touched, and when: with its row, or with the transition's index."""
 
     told: str
     time: float
@@ -35,19 +35,9 @@ class _Touch(NamedTuple):
 
 
 def check_times(trajectory: Trajectory, times: np.ndarray, one_sided: str | None) -> None:
-    """Raise InputError for a side that is none, or a time at which the motion breaks off.
+    """Raise `InputError` for an unknown side, or for a time at which the motion breaks off.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-    times : array (m,)
-        Held fixed.
-    one_sided : {"+", "-"} or None
-
-    Raises
-    ------
-    InputError
-        Says which.
+    The times (m,) are held fixed.
     """
     if one_sided not in (None, "+", "-"):
         raise InputError(f"one_sided is {one_sided!r}, neither '+' nor '-'")
@@ -66,22 +56,10 @@ def check_sides(
     times: np.ndarray,
     one_sided: str | None,
 ) -> None:
-    """Raise InputError unless a motion has the derivatives that are asked for.
+    """Raise `InputError` unless a motion has the derivatives that are asked for.
 
-    Parameters
-    ----------
-    motion : DirectedMotion
-    by : tuple of str
-    directions : array (numbers, q)
-        Those of `motion` are its columns.
-    times : array (m,)
-        Held fixed.
-    one_sided : {"+", "-"} or None
-
-    Raises
-    ------
-    InputError
-        Names what is touched, when, and by which number it is passed.
+    The motion holds for its columns of `directions` (numbers, q); the times (m,) are held
+    fixed. The message names what is touched, when, and by which number it is passed.
     """
     trajectory = motion.trajectory
     touches = [*_grazings(trajectory), *_beginnings(trajectory), *_coincidences(trajectory, times)]
@@ -139,7 +117,7 @@ def _coincidences(trajectory: Trajectory, times: np.ndarray) -> Iterator[_Touch]
 
 
 def _smooth(system: PiecewiseLinear, configuration: int, boundary: int, state: np.ndarray) -> bool:
-    """Whether the field goes on continuously behind a boundary, and no reset moves the state."""
+    """Whether the field is continuous across a boundary, and no reset moves the state."""
     found = system.structure.listed(configuration, frozenset({boundary}))
     velocity = field_at(system, configuration, state)
     size = np.abs(system.fields[configuration]) @ extended(np.abs(state))

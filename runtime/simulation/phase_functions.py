@@ -23,42 +23,20 @@ _CHUNK = 20_000  # panels whose functions are in memory at a time
 
 @dataclass(frozen=True, eq=False)
 class Phases:
-    """Parts of a motion between its transitions.
+    """The P parts of a motion between its transitions."""
 
-    Attributes
-    ----------
-    begins, durations : array (P,)
-    configurations : array (P,) of int
-    starts, ends : array (P, N)
-        State at the beginning of each, and at its end in front of the transition.
-    """
-
-    begins: np.ndarray
-    durations: np.ndarray
-    configurations: np.ndarray
-    starts: np.ndarray
-    ends: np.ndarray
+    begins: np.ndarray  # (P,) times
+    durations: np.ndarray  # (P,)
+    configurations: np.ndarray  # (P,) int
+    starts: np.ndarray  # (P, N) states at the beginning
+    ends: np.ndarray  # (P, N) states at the end, before the transition
 
 
 def phases_of(trajectory: Trajectory, since: float = 0.0) -> Phases:
-    """Phases of a motion from a time on, the first of them cut there.
+    """Phases of a motion from the time `since` on, at which the first one is cut.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-    since : float
-        Time of the cut.
-
-    Returns
-    -------
-    Phases
-        Beginnings and durations (k,), configurations (k,), starts and ends (k, N).
-
-    Raises
-    ------
-    InputError
-        If the time is not between the start and the end of the motion, or the motion takes no
-        time or is not finite.
+    An `InputError` is raised if that time is outside the motion, or if the motion takes no
+    time or is not finite.
     """
     end = trajectory.end
     try:
@@ -87,47 +65,25 @@ def phases_of(trajectory: Trajectory, since: float = 0.0) -> Phases:
 class Panels(NamedTuple):
     """Pieces of phases of one configuration, short against its fastest oscillation.
 
-    Attributes
-    ----------
-    configuration : int
-    phases : array (n,) of int
-        The phase of each.
-    left, right : array (n,)
-        Its ends, as times since the beginning of the phase.
-    weights : array (n, functions, K)
-        Factors of the configuration's functions of time in each affine function.
-    constants : array (K,)
-        What is added to their sum.
-    last : array (n,) of bool
-        Whether it ends its phase.
+    K affine functions of the state are, on each, sums of functions of time.
     """
 
     configuration: int
-    phases: np.ndarray
-    left: np.ndarray
-    right: np.ndarray
-    weights: np.ndarray
-    constants: np.ndarray
-    last: np.ndarray
+    phases: np.ndarray  # (n,) index of each one's phase
+    left: np.ndarray  # (n,) left ends, as times since the beginning of the phase
+    right: np.ndarray  # (n,) right ends
+    weights: np.ndarray  # (n, functions, K) factors of the functions of time
+    constants: np.ndarray  # (K,) added to the sums
+    last: np.ndarray  # (n,) bool: whether it ends its phase
 
 
 def panels(
     system: PiecewiseLinear, phases: Phases, rows: np.ndarray, angle: float
 ) -> Iterator[Panels]:
-    """Cut phases into panels of at most an angle, in radians of the fastest oscillation.
+    """Yield the phases cut into panels, not too many at a time.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    phases : Phases
-    rows : array (configurations, K, N + 1)
-        Affine functions ``n y + c``: n, then c.
-    angle : float
-
-    Yields
-    ------
-    Panels
-        Not too many at a time.
+    Each spans at most `angle` radians of the fastest oscillation. `rows` (configurations,
+    K, N + 1) are affine functions ``n y + c``: n, then c.
     """
     for configuration in np.unique(phases.configurations).tolist():
         here = np.flatnonzero(phases.configurations == configuration)
@@ -154,30 +110,15 @@ def panels(
 
 
 def fastest(system: PiecewiseLinear, configuration: int) -> float:
-    """Largest modulus of the exponents of a configuration.
-
-    Returns
-    -------
-    float
-        One over the unit of time; 0 without exponents.
-    """
+    """Largest modulus of a configuration's exponents, per unit of time; 0 without exponents."""
     exponents = system.exponents[configuration]
     return float(np.hypot(*exponents.T).max()) if len(exponents) else 0.0
 
 
 def values_at(system: PiecewiseLinear, found: Panels, times: np.ndarray) -> np.ndarray:
-    """Affine functions (n, q, K) at times (n, q) since the beginnings of the panels' phases.
+    """Values (n, q, K) of the functions on n panels, at times (n, q).
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    found : Panels
-        Weights and constants of the functions on n panels.
-    times : array (n, q)
-
-    Returns
-    -------
-    array (n, q, K)
+    The times count from the beginnings of the panels' phases.
     """
     functions = functions_of(system, found.configuration, times.ravel())
     shaped = functions.reshape(*times.shape, -1)
@@ -187,6 +128,6 @@ def values_at(system: PiecewiseLinear, found: Panels, times: np.ndarray) -> np.n
 def _weights(
     system: PiecewiseLinear, configuration: int, starts: np.ndarray, rows: np.ndarray
 ) -> np.ndarray:
-    """Factors (P, functions, K) of the functions of time in affine functions of the state."""
+    """Factors (P, functions, K) of the functions of time in affine functions, along P phases."""
     parts = parts_of(system, configuration, starts)
     return np.asarray(parts @ rows[configuration, :, :-1].T)

@@ -40,23 +40,12 @@ Itinerary = tuple[tuple[str, str], ...]
 
 @dataclass(frozen=True, eq=False)
 class Candidate:
-    """A cycle of phases that a motion went through, as a guess of a periodic orbit.
+    """A cycle of p phases that a motion went through, as a guess of a periodic orbit."""
 
-    Attributes
-    ----------
-    itinerary : tuple of (configuration, boundary)
-        Rotated so that equal cycles are equal tuples.
-    dwell_times : array (p,)
-    state : array (N,)
-        At the start of its first phase.
-    miss : float
-        How far the motion was from coming back, relative to its size.
-    """
-
-    itinerary: Itinerary
-    dwell_times: np.ndarray
-    state: np.ndarray
-    miss: float
+    itinerary: Itinerary  # rotated so that equal cycles are equal tuples
+    dwell_times: np.ndarray  # (p,)
+    state: np.ndarray  # (N,) at the start of the first phase
+    miss: float  # how far the motion was from coming back, relative to its size
 
 
 class _Entries(NamedTuple):
@@ -67,39 +56,17 @@ class _Entries(NamedTuple):
 
 
 def canonical(itinerary: Itinerary) -> int:
-    """Rotation of a cycle that comes first in the alphabet.
-
-    Parameters
-    ----------
-    itinerary : sequence of (configuration, boundary)
-
-    Returns
-    -------
-    int
-        Number of phases to rotate by.
-    """
+    """Number of phases to rotate a cycle by so that it comes first in the alphabet."""
     return min(range(len(itinerary)), key=lambda i: itinerary[i:] + itinerary[:i])
 
 
 def recurrent_lengths(motions: Trajectories, scales: np.ndarray, tolerance: float) -> np.ndarray:
-    """After how many transitions the last entry of each motion came back; 0 where it did not.
+    """Numbers (n,) of transitions after which n motions came back to their last entry, or 0.
 
-    The whole last cycle repeats the configurations and boundaries of the one before and lasts as
-    long, within `tolerance`, and each state comes back within that times its scale (n, N).
-    Impacts that follow each other ever faster come back but for the time.
-
-    Parameters
-    ----------
-    motions : Trajectories
-        Of n motions.
-    scales : array (n, N)
-        Size of each state of each motion.
-    tolerance : float
-        Relative.
-
-    Returns
-    -------
-    array (n,) of int
+    The whole last cycle repeats the configurations and boundaries of the one before. It
+    lasts as long, within the relative `tolerance`, and each state comes back within that
+    times its scale (n, N). Impacts that follow each other ever faster come back in all but
+    the time, and are no cycle.
     """
     count, kept = motions.last_times.shape
     configurations, sets, states = (
@@ -125,26 +92,9 @@ def recurrent_lengths(motions: Trajectories, scales: np.ndarray, tolerance: floa
 def candidate_at(
     motions: Trajectories, motion: int, end: int, length: int, scale: np.ndarray
 ) -> Candidate | None:
-    """The cycle of `length` phases that ends with entry `end` of a motion of scale (N,).
+    """The cycle of `length` phases that entry `end` of a motion closes; None without such entries.
 
-    None where the motion has no such entries.
-
-    Parameters
-    ----------
-    motions : Trajectories
-    motion : int
-        Index of the motion.
-    end : int
-        Index of the entry that closes the cycle.
-    length : int
-        Number of phases.
-    scale : array (N,)
-        Size of each state.
-
-    Returns
-    -------
-    Candidate or None
-        Itinerary, dwell times, start and how far it misses.
+    `scale` (N,) is the size of each state.
     """
     entries = _Entries(
         motions.last_times[motion],
@@ -176,23 +126,10 @@ def candidate_at(
 def near_returns(
     motions: Trajectories, scales: np.ndarray, longest: int, tolerance: float
 ) -> list[Candidate]:
-    """Cycles of at most `longest` phases after which a motion of scale (n, N) nearly came back.
+    """Cycles of at most `longest` phases after which one of n motions nearly came back.
 
-    Parameters
-    ----------
-    motions : Trajectories
-        Of n motions.
-    scales : array (n, N)
-        Size of each state of each motion.
-    longest : int
-        Most phases.
-    tolerance : float
-        Of the largest change of a state, in units of its scale.
-
-    Returns
-    -------
-    list of Candidate
-        A few of each itinerary, those that miss least.
+    The largest change of a state, in units of its scale (n, N), is at most `tolerance`. Of
+    each itinerary there are a few, those that miss least.
     """
     kept = motions.last_times.shape[1]
     # a phase as a number: its configuration, and the boundaries by which it is left
@@ -225,20 +162,10 @@ def near_returns(
 
 
 def phase_name(structure: Structure, configuration: int, reached: int) -> tuple[str, str] | None:
-    """Names of a phase and of the boundaries that ended it, joined; None where nothing did.
+    """Names of a configuration and of the boundaries that ended its phase, joined by ``+``.
 
-    Parameters
-    ----------
-    structure : Structure
-    configuration : int
-        Its index; negative where there is none.
-    reached : int
-        Set of boundaries as bits.
-
-    Returns
-    -------
-    tuple of str or None
-        Configuration, and boundaries joined by ``+``.
+    `reached` has the boundaries as bits. None stands for no configuration (a negative one)
+    or no boundary.
     """
     if configuration < 0 or reached <= 0:
         return None
@@ -248,19 +175,7 @@ def phase_name(structure: Structure, configuration: int, reached: int) -> tuple[
 
 
 def scales_of(system: PiecewiseLinear, motions: Trajectories) -> np.ndarray:
-    """Scale (n, N) of each state of each motion over the entries that were kept.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    motions : Trajectories
-        Of n motions.
-
-    Returns
-    -------
-    array (n, N)
-        In the units of the states.
-    """
+    """Scale (n, N) of each state of n motions, over the entries that were kept."""
     states, configurations = motions.last_states, motions.last_configurations
     waits = np.diff(motions.last_times, axis=1)[..., None]
     extended = np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)
@@ -274,24 +189,12 @@ def scales_of(system: PiecewiseLinear, motions: Trajectories) -> np.ndarray:
 
 
 def variation(structure: Structure, states: np.ndarray, moved: np.ndarray) -> np.ndarray:
-    """Scale (..., N) of states (..., k, N), from their range and from how far they move at once.
+    """Positive scale (..., N) of states (..., k, N), from their range and their changes `moved`.
 
-    A state that is the same at all entries, as the velocity of a mass that only stops and goes,
-    has the scale of its changes between them. None is so small that rounding matters, in units
-    of its kind: positions, or velocities.
-
-    Parameters
-    ----------
-    structure : Structure
-    states : array (..., k, N)
-        Those that are not finite do not count.
-    moved : array (..., m, N)
-        Changes of the states between entries.
-
-    Returns
-    -------
-    array (..., N)
-        In the units of the states, positive.
+    A state that is the same at all entries, as the velocity of a mass that only stops and
+    goes, has the scale of its changes (..., m, N) between entries. No scale is so small,
+    compared to the states of its kind (positions, or velocities), that rounding matters.
+    States that are not finite are ignored.
     """
     known = np.isfinite(states)
     highest = np.where(known, states, -np.inf).max(axis=-2, initial=-np.inf)
@@ -303,21 +206,11 @@ def variation(structure: Structure, states: np.ndarray, moved: np.ndarray) -> np
 
 
 def sizes_of(structure: Structure, states: np.ndarray, times: np.ndarray) -> np.ndarray:
-    """Largest sizes (..., N) of states (..., k, N) at times (..., k), none less than rounding.
+    """Positive sizes (..., N) of states (..., k, N) at times (..., k), none below rounding.
 
-    A position that is zero at all entries has a size by its velocity, and the other way round.
-
-    Parameters
-    ----------
-    structure : Structure
-    states : array (..., k, N)
-        Those that are not finite do not count.
-    times : array (..., k)
-
-    Returns
-    -------
-    array (..., N)
-        In the units of the states, positive.
+    They are the largest absolute values. A position that is zero at all entries has a size
+    that follows from its velocity, and the other way round. States that are not finite are
+    ignored.
     """
     found = np.nan_to_num(np.abs(states)).max(axis=-2, initial=0.0)
     waits = np.nan_to_num(np.diff(times)).max(axis=-1, initial=0.0)
@@ -330,9 +223,9 @@ def sizes_of(structure: Structure, states: np.ndarray, times: np.ndarray) -> np.
 
 
 def _none_smaller(structure: Structure, sizes: np.ndarray, least: np.ndarray) -> np.ndarray:
-    """Sizes (..., N) that are none smaller than the largest of `least` (..., N) of their kind.
+    """Sizes (..., N), raised to the largest of `least` (..., N) among the states of their kind.
 
-    Positions are a kind, velocities, each forcing, and all else.
+    The kinds are the positions, the velocities, each forcing, and all else.
     """
     kinds = [[x for x, _ in structure.coordinates], [v for _, v in structure.coordinates]]
     kinds += [list(pair) for pair in structure.forcing]

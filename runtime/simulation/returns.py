@@ -122,13 +122,13 @@ class PoincareMap(Shown):
 
     @cached_property
     def _units(self) -> np.ndarray:
-        """Natural units (N,) of the states in front of the transition."""
+        """Natural units (N,) of the states before the transition."""
         fields = self.system.fields[None, self.source]
         return natural_units(fields, fall_rates(fields, self.system.rows[None])).states[0, :-1]
 
     @cached_property
     def _directions(self) -> np.ndarray:
-        """Directions (N, d) like those of `basis`, orthonormal in natural units."""
+        """Directions (N, d) that span the same space as `basis`, orthonormal in natural units."""
         from scipy.linalg import null_space, orth
 
         structure, units = self.system.structure, self._units

@@ -133,23 +133,10 @@ def follow(
     until: float = math.inf,
     transitions: int | None = None,
 ) -> Run:
-    """Follow one motion in the engine that is there; the start is not checked.
+    """Follow one motion from a state (N,) in the compiled engine, or else in Python.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-        In double precision.
-    state : array (N,)
-    configuration : int
-    until : float
-        Time at which the motion ends.
-    transitions : int or None
-        The most transitions; None where only `until` ends the motion.
-
-    Returns
-    -------
-    Run
-        The motion's entries, its grazings and why it ended.
+    The start is not checked, and the system is in double precision. Without a number of
+    `transitions` only the time `until` ends the motion.
     """
     engine = compiled_engine()
     if engine is not None:
@@ -374,7 +361,7 @@ def simulate_many(
 def _configurations(
     group: PointGroup, rows_of: np.ndarray, states: np.ndarray, wanted: str | None
 ) -> np.ndarray:
-    """Configuration of each start, by the numbers in its row; -1 where there is none."""
+    """Configuration of each start for the numbers in its row; -1 if there is none."""
     structure, numbers = group.structure, group.flat
     size, count = len(structure.states), len(structure.configurations)
     cut = count * size * (size + 1)
@@ -402,9 +389,10 @@ def _follow_many(
     ends: MotionEnds,
     missing: list[tuple[int, int]],
 ) -> None:
-    """Follow the motions `members` of a chunk, each by the numbers in its row of a group.
+    """Follow the motions `members` of a chunk, each with the numbers in its row of a group.
 
-    What is reached together where nothing is declared is added to `missing`.
+    Their ends are written to `ends`. Boundaries that are reached together with nothing
+    declared for them are added to `missing`.
     """
     if engine is not None:
         found = run_motions(
@@ -427,7 +415,7 @@ def _follow_many(
 
 
 def _ordered(ends: MotionEnds) -> MotionEnds:
-    """Kept entries in the order of time instead of that of the ring."""
+    """The ends, with the kept entries in the order of time instead of that of the ring buffer."""
     kept = ends.kept_times.shape[1]
     if kept == 0:
         return ends
@@ -447,7 +435,7 @@ def _ordered(ends: MotionEnds) -> MotionEnds:
 
 
 def _real(label: str, given: Any) -> np.ndarray:
-    """An array of real numbers; InputError otherwise."""
+    """The array of real numbers that is given; anything else raises `InputError`."""
     try:
         array = np.asarray(given)
         if array.dtype.kind not in "cmM":
@@ -458,7 +446,7 @@ def _real(label: str, given: Any) -> np.ndarray:
 
 
 def _most_transitions(until: np.ndarray, transitions: int | None) -> int | None:
-    """Check what ends each motion."""
+    """The largest number of transitions; `InputError` unless something ends each motion."""
     if not (until > 0).all():
         wrong = float(until[~(until > 0)].flat[0])
         raise InputError(f"until = {wrong!r} is not a positive time")
@@ -470,20 +458,9 @@ def _most_transitions(until: np.ndarray, transitions: int | None) -> int | None:
 
 
 def checked_count(label: str, value: object, least: int) -> int:
-    """An integer of at least so much; InputError otherwise.
+    """The integer that is given; `InputError` unless it is one, at least `least` and not too large.
 
-    Parameters
-    ----------
-    label : str
-        What a message calls it.
-    value : object
-    least : int
-        The smallest integer that is taken.
-
-    Raises
-    ------
-    InputError
-        If it is no integer, smaller than `least`, or too large.
+    `label` names it in the message.
     """
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
         raise InputError(f"{label} = {value!r} is not an integer from {least}")

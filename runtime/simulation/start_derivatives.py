@@ -11,19 +11,10 @@ __all__ = ["allowed_changes", "following_changes", "nearest_start"]
 
 
 def allowed_changes(system: PiecewiseLinear, configuration: int, start: np.ndarray) -> np.ndarray:
-    """Orthogonal projection (N, N) of changes of a start onto those that are its own.
+    """Orthogonal projection (N, N) of changes of a start (N,) onto those that are allowed.
 
-    The constraints of the configuration stay solved, and all forcings move along one time.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configuration : int
-    start : array (N,)
-
-    Returns
-    -------
-    array (N, N)
+    They keep the constraints of the configuration satisfied, and move all forcings along
+    one time.
     """
     structure, size = system.structure, len(start)
     rows = [system.rows[row][:-1] for row in structure.constraints[configuration]]
@@ -45,21 +36,10 @@ def allowed_changes(system: PiecewiseLinear, configuration: int, start: np.ndarr
 def following_changes(
     system: PiecewiseLinear, configuration: int, start: np.ndarray, rows: np.ndarray
 ) -> np.ndarray:
-    """Changes (N, q) of a start that keep it on its constraints while parameters change.
+    """Changes (N, q) of a start (N,) that keep it on its constraints while q parameters change.
 
-    The smallest, in the system's units.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configuration : int
-    start : array (N,)
-    rows : array (q, R, N + 1)
-        Derivatives of the rows by the parameters.
-
-    Returns
-    -------
-    array (N, q)
+    They are the smallest ones in the system's units. `rows` (q, R, N + 1) are the
+    derivatives of the rows by the parameters.
     """
     held = list(system.structure.constraints[configuration])
     if not held:
@@ -69,18 +49,7 @@ def following_changes(
 
 
 def nearest_start(system: PiecewiseLinear, configuration: int, start: np.ndarray) -> np.ndarray:
-    """The start (N,) nearest to a given one that solves a configuration's constraints.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configuration : int
-    start : array (N,)
-
-    Returns
-    -------
-    array (N,)
-    """
+    """The start (N,) nearest to a given one that satisfies the constraints of a configuration."""
     held = list(system.structure.constraints[configuration])
     found = start.copy()
     if held:

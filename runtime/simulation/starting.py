@@ -36,23 +36,9 @@ _MOST_TURNS = 100_000  # of the first forcing, behind the time zero or in front 
 def start_state(structure: Structure, given: Mapping[str, object] | Sequence[object]) -> np.ndarray:
     """State (N,) from values by name, or in the system's order: positions, then velocities.
 
-    By name, a forcing c, s that is left out starts at c = 1, s = 0.
-
-    Parameters
-    ----------
-    structure : Structure
-    given : mapping of str to number, or sequence of number
-        In the units of the system's states.
-
-    Returns
-    -------
-    array (N,)
-
-    Raises
-    ------
-    InputError
-        For an unknown or missing name, a wrong number of values, one that is not finite, or a
-        forcing with c^2 + s^2 other than 1.
+    By name, a forcing c, s that is left out starts at c = 1, s = 0. `InputError` is raised
+    for an unknown or missing name, a wrong number of values, a value that is not finite, or
+    a forcing with c^2 + s^2 other than 1.
     """
     names = structure.states
     if isinstance(given, Mapping):
@@ -79,18 +65,7 @@ def start_state(structure: Structure, given: Mapping[str, object] | Sequence[obj
 
 
 def check_forcing(structure: Structure, states: np.ndarray) -> None:
-    """Raise InputError unless c^2 + s^2 = 1 for each forcing in each of the states (n, N).
-
-    Parameters
-    ----------
-    structure : Structure
-    states : array (n, N)
-
-    Raises
-    ------
-    InputError
-        If a cosine and a sine are off the unit circle.
-    """
+    """Raise `InputError` unless c^2 + s^2 = 1 for each forcing in each of the states (n, N)."""
     for cosine, sine in structure.forcing:
         square = states[:, cosine] ** 2 + states[:, sine] ** 2
         wrong = np.flatnonzero(np.abs(square - 1) > _CIRCLE)
@@ -104,20 +79,10 @@ def check_forcing(structure: Structure, states: np.ndarray) -> None:
 
 
 def check_phases(system: PiecewiseLinear, start: np.ndarray) -> None:
-    """Raise InputError unless there is a time at which all forcings are as in a start.
+    """Raise `InputError` unless there is a time at which all forcings are as in a start (N,).
 
-    They count one time, at which c = cos(w t) and s = sin(w t) of each; phases of their own are
-    part of the declaration.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    start : array (N,)
-
-    Raises
-    ------
-    InputError
-        If there is no such time.
+    All forcings share one time t, at which c = cos(w t) and s = sin(w t) of each; their
+    phase shifts are part of the declaration.
     """
     pairs = system.structure.forcing
     speeds = [float(system.fields[0, sine, cosine]) for cosine, sine in pairs]
@@ -146,19 +111,9 @@ def _forcing_start(structure: Structure) -> dict[str, object]:
 
 
 def on_circles(system: PiecewiseLinear, states: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """States (n, N) at given angles (n,) of the first forcing, the others as time has it.
+    """States (n, N) with the first forcing at angles (n,) in radians, the others at the same time.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    states : array (n, N)
-    angles : array (n,)
-        Radians.
-
-    Returns
-    -------
-    array (n, N)
-        New states; those of no forcing are as they were.
+    All other states are unchanged.
     """
     found, first = states.copy(), None
     for cosine, sine in system.structure.forcing:
@@ -170,30 +125,14 @@ def on_circles(system: PiecewiseLinear, states: np.ndarray, angles: np.ndarray) 
 
 
 def configuration_of(system: PiecewiseLinear, state: np.ndarray, wanted: str | None = None) -> int:
-    """Configuration that a state belongs to, by the system's own conditions.
+    """Index of the configuration that a state (N,) belongs to, by the system's own conditions.
 
-    A configuration with constraints (a stuck mass, a mass resting on a stop) is tried before
-    those with fewer: it takes the state if its constraints hold and it is not left at once.
-    Where every configuration is left at once, the first whose boundaries are not exceeded
-    takes it, and its transition follows. Where several contacts that the mass matrix couples
-    are at rest, their law decides.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    state : array (N,)
-    wanted : str, optional
-        A configuration to be checked instead of found.
-
-    Returns
-    -------
-    int
-        Index of the configuration.
-
-    Raises
-    ------
-    InputError
-        If the state belongs to no configuration, or not to the wanted one.
+    A configuration with constraints (a stuck mass, a mass resting on a stop) is tried
+    before those with fewer: it takes the state if its constraints hold and it is not left
+    at once. Where every configuration is left at once, the first whose boundaries are not
+    exceeded takes it, and its transition follows. Where several contacts that the mass
+    matrix couples are at rest, their law decides. If a configuration is `wanted`, only that
+    one is tried. `InputError` is raised if none takes the state.
     """
     structure = system.structure
     if wanted is not None:
@@ -227,21 +166,10 @@ def configurations_of(
     states: np.ndarray,
     wanted: str | None = None,
 ) -> np.ndarray:
-    """Configurations of many states, by the rules of `configuration_of`; -1 where there is none.
+    """Configurations (n,) of states (n, N), by the rules of `configuration_of`; -1 if none fits.
 
-    Parameters
-    ----------
-    structure : Structure
-    fields : array (n or 1, configurations, N, N + 1)
-    rows : array (n or 1, R, N + 1)
-    states : array (n, N)
-    wanted : str, optional
-        The only configuration that is tried.
-
-    Returns
-    -------
-    array (n,) of int
-        Indices of configurations.
+    `fields` (n or 1, configurations, N, N + 1) and `rows` (n or 1, R, N + 1) are those of
+    each state, or the same for all.
     """
     order = sorted(structure.visited, key=lambda c: -len(structure.constraints[c]))
     if wanted is not None:
@@ -277,7 +205,7 @@ def configurations_of(
 def _resting(
     law: Law, fields: np.ndarray, rows: np.ndarray, extended: np.ndarray
 ) -> Iterator[tuple[int, np.ndarray]]:
-    """States in which several of a law's contacts are at rest, and which these are."""
+    """Yield each state's index that has several of a law's contacts at rest, and their mask."""
     rests = np.ones((len(law.contacts), len(extended)), dtype=bool)
     for place, contact in enumerate(law.contacts):
         for row in (contact.relative, contact.gap):
@@ -316,21 +244,11 @@ def _number(name: str, given: object) -> float:
 def orders_along(
     field: np.ndarray, row: np.ndarray, extended: np.ndarray
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Values and errors of a row and of its derivatives of order 1 to N along a flow.
+    """Yield values and errors (n,) of a row and of its derivatives of order 1 to N along a flow.
 
-    Each errs by its own rounding, and by that of the time at which the state was computed: a
-    position at zero has no size of its own.
-
-    Parameters
-    ----------
-    field : array (n or 1, N, N + 1)
-    row : array (n or 1, N + 1)
-    extended : array (n, N + 1)
-        States and 1.
-
-    Yields
-    ------
-    value, error : array (n,)
+    `extended` (n, N + 1) are the states and 1; the field (n or 1, N, N + 1) and the row (n
+    or 1, N + 1) may be common. Each error is made of the value's rounding, and of that of
+    the time at which the state was computed: a position at zero has no size of its own.
     """
     sizes, lengths = np.abs(extended), np.abs(field)
     speed = lengths[:, :, :-1].sum(axis=2).max(axis=1)
@@ -346,12 +264,12 @@ def orders_along(
 
 
 def _rates(rows: np.ndarray, fields: np.ndarray) -> np.ndarray:
-    """Derivatives (n, N + 1) of rows, each along its own field or all along one."""
+    """Derivatives (n, N + 1) of rows along the flow, each with its own field or all with one."""
     return np.asarray((rows[:, :-1, None] * fields).sum(axis=1))
 
 
 def _violated(system: PiecewiseLinear, c: int, state: np.ndarray) -> str:
-    """Which constraint or boundary the state misses; empty if none."""
+    """Explain which constraint or boundary the state violates; the text is empty if none."""
     structure, extended = system.structure, np.append(state, 1.0)[None]
 
     def excess(row: int) -> tuple[float, float]:

@@ -51,18 +51,18 @@ class _WatchedFunction(NamedTuple):
 
 
 class _Event(NamedTuple):
-    """The end of a phase: time (None: none), reached boundaries, those that are zero there."""
+    """The end of a phase, with the boundaries that are reached, and the grazings before it."""
 
-    time: float | None
+    time: float | None  # since the beginning of the phase, None if the phase has no end
     boundaries: frozenset[int]
-    located: frozenset[int]
-    error: float
+    located: frozenset[int]  # those of the boundaries whose functions vanish there
+    error: float  # of the time
     grazings: tuple[tuple[float, int, float], ...]
-    never: bool
+    never: bool  # no boundary is ever reached
 
 
 class _Stepper:
-    """The rules, over tables that are made when a configuration is first entered."""
+    """The rules of stepping, with tables that are made when a configuration is first entered."""
 
     def __init__(self, system: PiecewiseLinear) -> None:
         self.system, self.structure = system, system.structure
@@ -84,10 +84,11 @@ class _Stepper:
         left_out: frozenset[int],
         zero: frozenset[int],
     ) -> list[_WatchedFunction]:
-        """Boundary functions of a phase, each start judged; what slides along is left out.
+        """Boundary functions that are watched in a phase, with their judged starts.
 
-        `size` has the sums of absolute values that each coordinate was added up from, `zero`
-        the rows that are zero, whatever rounding makes of them.
+        A function that stays zero is left out. `size` has, for each coordinate, the sum of the
+        absolute values of its terms; `zero` has the rows that are exactly zero despite
+        rounding.
         """
         table = self.configuration(configuration)
         found = []
@@ -135,7 +136,7 @@ class _Stepper:
         return _Event(time, frozenset(together), frozenset(together), error, passed, False)
 
     def choice(self, configuration: int, event: _Event, at: Located) -> Choice:
-        """What follows a set of boundaries."""
+        """The transition, or the lack of one, after the boundaries of an event are reached."""
         shapes = self.structure.boundaries[configuration]
         zero = frozenset(shapes[b].row for b in event.located)
         return self.decider.choice(configuration, event.boundaries, at, zero)
@@ -144,7 +145,7 @@ class _Stepper:
         return [*(dot(row, state) for row in self.resets[transition.reset]), 1.0]
 
     def kept(self, transition: TransitionShape, rows: Iterable[int]) -> frozenset[int]:
-        """Rows whose values a reset leaves alone."""
+        """Those of the rows whose values a reset does not change."""
         found, reset = self.system.rows, self.system.resets[transition.reset]
         reset = np.vstack([reset, np.append(np.zeros(len(reset)), 1.0)])
         return frozenset(r for r in rows if np.array_equal(found[r] @ reset, found[r]))
@@ -164,8 +165,8 @@ def _start(
 ) -> Start:
     """Judge the start of a boundary function by its derivatives along the field.
 
-    They err by the rounding of the modes, and by the error of the time at which the state was
-    found.
+    Their errors come from the rounding of the modes, and from the error of the time at
+    which the state was computed.
     """
     count = len(boundary.values)
     modal: list[list[float]] = []
@@ -211,19 +212,11 @@ def run(
     until: float = math.inf,
     transitions: int | None = None,
 ) -> Run:
-    """The motion from a state, transition by transition.
+    """Follow the motion from a state (N,), transition by transition.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-        In double precision.
-    state : array (N,)
-        Physical: positions, then velocities.
-    configuration : int
-    until : float
-        Time at which it ends, at the latest; inf for no such time.
-    transitions : int, optional
-        Number of transitions after which it ends.
+    The system is in double precision, and the state is physical: positions, then
+    velocities. The motion ends at the time `until`, or after a number of `transitions`, or
+    earlier.
     """
     stepper, clock = _Stepper(system), Clock()
     extended = [*map(float, state), 1.0]

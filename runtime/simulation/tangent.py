@@ -29,7 +29,7 @@ __all__ = [
 
 
 class TangentPhase(NamedTuple):
-    """One phase of a motion, and the derivative (N, N) of the transition at its end, if any."""
+    """One phase of a motion, with the saltation matrix (N, N) at its end if there is one."""
 
     begin: float
     duration: float
@@ -42,17 +42,8 @@ def tangent_map(trajectory: Trajectory, since: float = 0.0) -> np.ndarray:
     """Derivative (N, N) of the state at the end by the state at `since`.
 
     Only perturbations that the configuration at `since` allows are perturbations of the
-    motion.
-
-    Returns
-    -------
-    array (N, N)
-
-    Raises
-    ------
-    InputError
-        If `since` is not between the start and the end of the motion, or the motion has no
-        derivative there: two boundaries are reached at once, or one tangentially.
+    motion. An `InputError` is raised if `since` is outside the motion, or if the motion has
+    no derivative: two boundaries are reached at once, or one tangentially.
 
     Examples
     --------
@@ -73,26 +64,11 @@ def tangent_map(trajectory: Trajectory, since: float = 0.0) -> np.ndarray:
 
 
 def tangent_phases(trajectory: Trajectory, first: int, since: float) -> Iterator[TangentPhase]:
-    """The phases of a motion from an entry on.
+    """Yield the phases of a motion from entry `first` on, with their saltation matrices.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-    first : int
-        Index of the entry to begin with.
-    since : float
-        Grazings up to this time do not matter.
-
-    Yields
-    ------
-    TangentPhase
-        Each phase with the saltation matrix of the transition at its end.
-
-    Raises
-    ------
-    InputError
-        If the motion has no derivative: behind the entry two boundaries are reached at once, or
-        behind `since` one is touched.
+    Grazings up to the time `since` do not matter. An `InputError` is raised if the motion
+    has no derivative: behind the entry two boundaries are reached at once, or one is
+    touched behind `since`.
     """
     run = trajectory.run
     for grazing in run.grazings:
@@ -112,19 +88,7 @@ def tangent_phases(trajectory: Trajectory, first: int, since: float) -> Iterator
 
 
 def earliest_entry(trajectory: Trajectory, since: float) -> int:
-    """The earliest entry from which on the motion has a derivative up to `since`.
-
-    Parameters
-    ----------
-    trajectory : Trajectory
-    since : float
-        Time up to which the derivative is taken.
-
-    Returns
-    -------
-    int
-        Index of the entry.
-    """
+    """Index of the earliest entry from which on the motion has a derivative up to time `since`."""
     sets = trajectory.run.sets
     times = [
         0.0,
@@ -140,12 +104,7 @@ def _latest_entry(trajectory: Trajectory, since: float) -> int:
 
 
 def flow_matrix(system: PiecewiseLinear, configuration: int, duration: float) -> np.ndarray:
-    """Derivative (N, N) of the state after a duration by that at its beginning.
-
-    Returns
-    -------
-    array (N, N)
-    """
+    """Derivative (N, N) of the state after a duration by the state at its beginning."""
     functions = functions_of(system, configuration, np.array([duration]))[0]
     flows = system.flows[configuration]
     if isinstance(flows, FactoredFlows):
@@ -154,7 +113,7 @@ def flow_matrix(system: PiecewiseLinear, configuration: int, duration: float) ->
 
 
 def _saltation_matrices(trajectory: Trajectory, first: int) -> np.ndarray:
-    """Saltation matrices (n, N, N) of the transitions behind an entry."""
+    """Saltation matrices (n, N, N) of the transitions behind entry `first`."""
     system, found = trajectory.system, transitions_behind(trajectory, first)
     linear = system.resets[found.resets][..., :-1]
     with np.errstate(divide="ignore", invalid="ignore"):  # of what is smooth

@@ -148,20 +148,9 @@ class Trajectory(Shown):
         return self.run.grazings
 
     def __call__(self, times: Any) -> np.ndarray:
-        """State at each of the times.
+        """States (..., N) at times (...).
 
-        Parameters
-        ----------
-        times : array (...)
-
-        Returns
-        -------
-        array (..., N)
-
-        Raises
-        ------
-        InputError
-            For a time that is not a number between 0 and `end`.
+        `InputError` is raised for a time that is not a number between 0 and `end`.
         """
         array = self._checked(times)
         flat = array.ravel()

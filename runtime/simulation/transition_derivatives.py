@@ -23,83 +23,36 @@ _ERROR = 64 * np.finfo(float).eps
 
 
 class Transitions(NamedTuple):
-    """m transitions of a motion.
+    """The numbers that the derivatives of m transitions need."""
 
-    Attributes
-    ----------
-    rows : array (m,) of int
-        Row of the boundary that is reached.
-    resets : array (m,) of int
-    before : array (m, N + 1)
-        State in front of it, and 1.
-    velocities, behind : array (m, N)
-        Velocity in front of it, and behind it.
-    jumps : array (m, N)
-        Velocity behind it minus what the reset makes of that in front of it.
-    speeds : array (m,)
-        At which the boundary is reached.
-    smooth : array (m,) of bool
-        Whether there is no jump within rounding.
-    """
-
-    rows: np.ndarray
-    resets: np.ndarray
-    before: np.ndarray
-    velocities: np.ndarray
-    behind: np.ndarray
-    jumps: np.ndarray
-    speeds: np.ndarray
-    smooth: np.ndarray
+    rows: np.ndarray  # (m,) row of the boundary that is reached
+    resets: np.ndarray  # (m,) indices
+    before: np.ndarray  # (m, N + 1) state before the transition, and 1
+    velocities: np.ndarray  # (m, N) velocity before the transition
+    behind: np.ndarray  # (m, N) velocity behind it
+    jumps: np.ndarray  # (m, N) velocity behind, minus the reset's image of that before
+    speeds: np.ndarray  # (m,) at which the boundary is reached
+    smooth: np.ndarray  # (m,) bool: no jump within rounding
 
 
 def field_at(system: PiecewiseLinear, configuration: int, states: np.ndarray) -> np.ndarray:
-    """Vector field (..., N) at states (..., N).
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configuration : int
-    states : array (..., N)
-
-    Returns
-    -------
-    array (..., N)
-        Rates of the states.
-    """
+    """Vector field (..., N) of a configuration at states (..., N)."""
     return np.asarray(extended(states) @ system.fields[configuration].T)
 
 
 def extended(states: np.ndarray) -> np.ndarray:
-    """States (..., N), then 1.
-
-    Parameters
-    ----------
-    states : array (..., N)
-
-    Returns
-    -------
-    array (..., N + 1)
-    """
+    """States (..., N) with a 1 appended: (..., N + 1)."""
     return np.concatenate([states, np.ones((*states.shape[:-1], 1))], axis=-1)
 
 
 def transitions_behind(
     trajectory: Trajectory, first: int = 0, *, together: bool = False
 ) -> Transitions:
-    """What the derivatives of the transitions behind an entry need.
+    """The transitions behind entry `first` of a motion, for their derivatives.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-    first : int
-        Index of the entry.
-    together : bool
-        Take the first of boundaries that are reached at once, which is refused otherwise.
-
-    Raises
-    ------
-    InputError
-        If two boundaries are reached at once, or one tangentially.
+    A boundary that is reached tangentially raises `InputError`, unless nothing jumps there.
+    So do boundaries that are reached at once, unless `together` is set: then the first
+    stands for all.
     """
     system, run = trajectory.system, trajectory.run
     count, size = len(run.times) - first - 1, len(trajectory.names)
@@ -170,18 +123,8 @@ def fitting_resets(
 ) -> np.ndarray:
     """Indices (n,) of the resets that transitions took: those that fit best.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    source, target : int
-        Configurations.
-    reached : int
-        Boundaries that are reached together, as a mask.
-    before, behind : array (n, N)
-
-    Returns
-    -------
-    array (n,) of int
+    The transitions lead from states `before` (n, N) to states `behind` (n, N); `reached` is
+    the mask of the boundaries that are reached together.
     """
     boundaries = frozenset(b for b in range(reached.bit_length()) if reached >> b & 1)
     known = sorted({t.reset for t in system.structure.transitions_to(source, boundaries, target)})

@@ -28,20 +28,11 @@ _MOST_AT_REST = 64  # configurations that one start is tried in
 def visits_behind(
     structure: Structure, configurations: Iterable[int], missing: Iterable[tuple[int, int]] = ()
 ) -> list[Visit]:
-    """What has to be made so that motions go on that ended where nothing is declared.
+    """Visits that a system needs so that motions can go on that ended because nothing is declared.
 
-    Parameters
-    ----------
-    structure : Structure
-    configurations : iterable of int
-        Where they ended.
-    missing : iterable of (int, int)
-        Configurations, and masks of boundaries that are reached together in them.
-
-    Returns
-    -------
-    list of Visit
-        Empty for a system that is listed whole.
+    The motions ended in `configurations`. The pairs `missing` are a configuration and the
+    mask of boundaries that are reached together in it. The list is empty if the system is
+    listed whole.
     """
     names = structure.configurations
     found: list[Visit] = [
@@ -58,20 +49,10 @@ def visits_behind(
 def with_starts(
     kernels: SystemKernels, points: np.ndarray, which: np.ndarray, states: np.ndarray
 ) -> SystemKernels:
-    """A system with the configurations that starts may belong to.
+    """The system, grown by the configurations that starts may belong to.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    points : array (p, parameters)
-    which : array (n,)
-        The point of each start.
-    states : array (n, N)
-
-    Returns
-    -------
-    SystemKernels
-        The same for a system that is listed whole.
+    `which` (n,) is the parameter point, of points (p, parameters), of each start (n, N). A
+    system that is listed whole is returned unchanged.
     """
     growth = growth_of(kernels.module)
     if growth is None:
@@ -137,9 +118,10 @@ def _at_rest(
     extended: np.ndarray,
     regimes: Sequence[Sequence[str]],
 ) -> SystemKernels:
-    """A system with the configurations of a start at rest.
+    """The system, grown by the configurations of a start at rest.
 
-    One after the other is made, as their boundaries lead, till the start stays in one.
+    They are made one after the other, as their boundaries lead, until the start stays in
+    one.
     """
     first = growth.first_of(regimes)
     level = [] if first is None else [first]

@@ -126,18 +126,18 @@ class Check(Shown):
 
 
 class _Kind(NamedTuple):
-    """What is done with a file: proof, record, what that states, claims."""
+    """How one kind of file is checked and read, and which claims its result makes."""
 
-    format: FileFormat[Any]
-    check: Callable[..., None]
-    of: Callable[[Any], Any]
-    entries: Callable[[Any], Any]
-    claims: Callable[[Any], Mapping[str, str]]
+    format: FileFormat[Any]  # of the file
+    check: Callable[..., None]  # proves the claims of the file's content again
+    of: Callable[[Any], Any]  # result that the entries describe
+    entries: Callable[[Any], Any]  # what a file of that result states
+    claims: Callable[[Any], Mapping[str, str]]  # verdicts of the result by name
     divides: bool = False  # its check takes processes, and tells how far it is
 
 
 def _listed(census: Census) -> dict[str, str]:
-    """What is proved again of a census."""
+    """The claims of a census that are proved again: those of the orbits that it lists."""
     every = all(orbit.certificate is not None for orbit in census.orbits)
     return {"listed": "proved" if every else "undecided", "no others": "undecided"}
 
@@ -242,7 +242,7 @@ def check_certificate(
 
 
 def _listed_alone(census: Census) -> Census:
-    """A census without what its search alone tells."""
+    """A census reduced to its certificates, without what only its search shows."""
     certified = (orbit.certificate for orbit in census.orbits)
     return replace(
         census,
@@ -253,7 +253,7 @@ def _listed_alone(census: Census) -> Census:
 
 
 def _without_reasons(found: Any) -> Any:
-    """A record in which no text says why something is not proved: nothing proves such texts."""
+    """A record without the texts that say why something is not proved: nothing proves these."""
     if type(found) is tuple:
         parts = tuple(map(_without_reasons, found))
         return parts if any(x is not y for x, y in zip(parts, found, strict=True)) else found
@@ -272,7 +272,7 @@ def _without_reasons(found: Any) -> Any:
 
 
 def _agrees(told: Any, content: Any) -> bool:
-    """Whether content has all entries that are told, as they are told."""
+    """Whether `content` has all entries of `told`, with the same values."""
     if isinstance(told, Mapping):
         return all(name in content and _agrees(told[name], content[name]) for name in told)
     if isinstance(told, list):
@@ -281,7 +281,7 @@ def _agrees(told: Any, content: Any) -> bool:
 
 
 def _compare_declared(content: Mapping[str, Any], declared: str) -> None:
-    """Failure unless the tables of what a user names are those that the file holds."""
+    """Raise `Failure` unless a declaration, given by name, has the same tables as the file."""
     try:
         system = load_system(declared)
     except InputError:
@@ -292,13 +292,13 @@ def _compare_declared(content: Mapping[str, Any], declared: str) -> None:
 
 
 def _told(content: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """The parts of a file that name a system."""
+    """The parts of a file that name a system: its events, its branches, or the whole."""
     found: list[Mapping[str, Any]] = content.get("events", content.get("branches", [content]))
     return found
 
 
 def _note(content: Mapping[str, Any], found: Proven, compared: bool, *, held: bool) -> str | None:
-    """What was not checked."""
+    """A note on what was not checked; None if there is nothing to note."""
     notes = [_NOT_COUNTED] if isinstance(found, Census) else []
     told = _told(content)
     names = dict.fromkeys(entry["system"] for entry in told if entry["tables"] is not None)

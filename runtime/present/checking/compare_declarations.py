@@ -40,39 +40,19 @@ Content = Mapping[str, Any]
 
 
 def compare(content: Content) -> bool:
-    """Compare what a file proves with the system that it names.
+    """Compare the declarations of a file (read as JSON) with those of the systems it names.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Returns
-    -------
-    bool
-        Whether there was a declaration, and of an orbit by a name that its system knows; of all
-        orbits of the file.
-
-    Raises
-    ------
-    Failure
-        If a declaration is another one.
+    The result is true if each orbit of the file has a declaration, and a name that its
+    system knows. A different declaration raises `Failure`.
     """
     return _COMPARISONS[content["format"]](content)
 
 
 def check_domains(content: Content) -> None:
-    """Refuse values of parameters that are outside of the domains of the system.
+    """Raise `InputError` for a parameter's value outside of its domain.
 
-    Parameters
-    ----------
-    content : dict
-        What names a system in a file.
-
-    Raises
-    ------
-    InputError
-        The message names the value and the domain.
+    `content` is a part of a file that names a system; the message has the value and the
+    domain.
     """
     kernels, given = _named_system(content), _given_values(content["parameters"])
     for table in kernels.parameters:
@@ -81,7 +61,7 @@ def check_domains(content: Content) -> None:
 
 
 def _certificate(content: Content) -> bool:
-    """Compare a certificate."""
+    """Compare a certificate with its system, and the directions of its derivatives."""
     compared = _compare(content, _declared_at_point, "at its parameters")
     directions = content.get("directions", {})
     for name, direction in directions.items():
@@ -90,12 +70,12 @@ def _certificate(content: Content) -> bool:
 
 
 def _box(content: Content) -> bool:
-    """Compare a map."""
+    """Compare a proven map with its system."""
     return _compare(content, _declared_over_box, "over the box")
 
 
 def _events(content: Content) -> bool:
-    """Compare each event that is proved: a box of one parameter."""
+    """Compare each proved event with its system, as a box of one parameter."""
     compared = []
     for number, event in enumerate(content["events"], 1):
         if event["claim"] != "proved":
@@ -113,7 +93,7 @@ def _events(content: Content) -> bool:
 
 
 def _branch(content: Content) -> bool:
-    """Compare a certified branch, a box of one parameter, and those that begin at its events."""
+    """Compare a certified branch, as a box of one parameter, and those that begin at its events."""
     events = [tile["event"] for tile in content["tiles"] if tile["event"] is not None]
     beyond = [each["branch"] for event in events for each in event.get("beyond", [])]
     own = {**content, "box": {content["parameter"]: content["interval"]}}
@@ -133,7 +113,10 @@ def _cascade(content: Content) -> bool:
 
 
 def _census(content: Content) -> bool:
-    """Compare all orbits of a census, and its parameters with theirs."""
+    """Compare all orbits of a census with their system, and its parameters with theirs.
+
+    The result is always true: an orbit that cannot be compared raises `Failure`.
+    """
     named = named_in(content)
     given = _given_values(content["parameters"])
     for found in (orbit["certificate"] for orbit in content["orbits"]):
@@ -157,22 +140,26 @@ def _census(content: Content) -> bool:
 
 
 def _named_system(content: Content) -> SystemKernels:
-    """The built-in system that a file names, or the one that it holds."""
+    """The built-in system that a file names, or the one that the file itself holds."""
     tables = content["tables"]
     return system_in(content["system"], None if tables is None else decode(SavedSystem, tables))
 
 
 def _system_of(content: Content) -> tuple[SystemKernels, EnclosedSystem]:
-    """The system of a file of sets, at its parameters and the working precision."""
+    """The system that a file of sets names, with its enclosure at the file's parameters.
+
+    The enclosure has the file's working precision.
+    """
     kernels = _named_system(content)
     given = system_parameters(kernels, _given_values(content["parameters"]))
     return kernels, enclosed_system(kernels, given)(content["bits"])
 
 
 def _basin(content: Content) -> bool:
-    """Compare the system of a certificate of a basin, and the way around its core with the orbit's.
+    """Compare the system of a basin certificate, and the itinerary of its core with the orbit's.
 
-    The orbit is that through the core: where the system knows the name it has that orbit's phases.
+    The core's orbit has to go through the phases of the declared orbit, if the system knows
+    its name.
     """
     with flint_precision(content["bits"]):
         kernels, system = _system_of(content)
@@ -191,7 +178,7 @@ def _basin(content: Content) -> bool:
 
 
 def _graph(content: Content) -> bool:
-    """Compare the system of a graph of boxes."""
+    """Compare the system of a graph of boxes with the file's declaration."""
     with flint_precision(content["bits"]):
         kernels, system = _system_of(content)
         if listed_declaration(kernels, system) != content["declaration"]:
@@ -200,7 +187,10 @@ def _graph(content: Content) -> bool:
 
 
 def _chaos(content: Content) -> bool:
-    """Compare the system of a certificate of chaos."""
+    """Compare the system of a certificate of chaos with the file's declaration.
+
+    A certificate that is undecided has nothing to compare, and the result is true.
+    """
     with flint_precision(content["bits"]):
         kernels, system = _system_of(content)
         if content["claim"] != "proved":
@@ -227,7 +217,10 @@ def _compare(
     declare: Callable[[NamedOrbit, Content], Mapping[str, Any]],
     where: str,
 ) -> bool:
-    """Compare what is stated of one orbit with what its system declares."""
+    """Compare the file's declaration of one orbit with that of its system.
+
+    The result is false if there is no declaration, or if the system does not know the name.
+    """
     if not content["declaration"]:
         return False
     named = named_in(content)
@@ -238,9 +231,10 @@ def _compare(
 
 
 def _check_direction(named: NamedOrbit, name: str, rates: Mapping[str, Fraction]) -> None:
-    """Refuse a direction along which more changes of what is given for the orbit than one number.
+    """Refuse a direction along which more than one of the numbers given for the orbit changes.
 
-    What its equations do not take may move as it likes: of e1 = ur1 - us1 any of both.
+    Parameters that its equations do not contain may change: if they contain only e1 = ur1 -
+    us1, either of the two may.
     """
     kernels = named.derived
     known = {table.name for table in named.kernels.parameters}
@@ -262,7 +256,7 @@ def _check_direction(named: NamedOrbit, name: str, rates: Mapping[str, Fraction]
 
 
 def _declared_at_point(named: NamedOrbit, content: Content) -> Mapping[str, Any]:
-    """The system and the cycle at the parameters of a certificate."""
+    """The declaration of system and cycle at the parameters of a certificate."""
     values = system_parameters(named.kernels, _given_values(content["parameters"]))
     work = content["bits"] + GUARD
     with flint_precision(work):
@@ -277,7 +271,7 @@ def _declared_at_point(named: NamedOrbit, content: Content) -> Mapping[str, Any]
 
 
 def _declared_over_box(named: NamedOrbit, content: Content) -> Mapping[str, Any]:
-    """The system and the cycle over a box, whose corners are in the domain."""
+    """The declaration of system and cycle over a box; its corners have to be in the domain."""
     box = {name: tuple(map(Fraction, ends)) for name, ends in content["box"].items()}
     given = _given_values(content["parameters"])
     for corner in product(*box.values()):
@@ -293,7 +287,7 @@ def _declared_over_box(named: NamedOrbit, content: Content) -> Mapping[str, Any]
 
 
 def _check_values(named: NamedOrbit, values: dict[str, Value]) -> None:
-    """Refuse names that were not to be given, and values that are in no domain."""
+    """Refuse parameters that must not be given, and values outside of their domains."""
     if named.derived is None:
         own = {name: value for name, value in values.items() if name != named.period}
         system_parameters(named.kernels, own)
@@ -305,7 +299,7 @@ def _check_values(named: NamedOrbit, values: dict[str, Value]) -> None:
 
 
 def _given_values(parameters: Mapping[str, str]) -> dict[str, Value]:
-    """Values as they were written."""
+    """Values of parameters, from the texts of a file."""
     return {name: given_value(name, text) for name, text in parameters.items()}
 
 

@@ -23,49 +23,29 @@ __all__ = ["NamedOrbit", "named_in", "phases_called"]
 
 
 class NamedOrbit(NamedTuple):
-    """What a file names.
-
-    Attributes
-    ----------
-    kernels : SystemKernels
-    orbit : OrbitKernels or None
-        None where the orbit is composed of phases that no declaration names.
-    cycle : ItineraryShape
-    start, dwell : tuple of str
-        Names of the unknowns.
-    called : bool
-        Whether the orbit's name is one that the system knows.
-    """
+    """The system and the orbit that a file names."""
 
     kernels: SystemKernels
-    orbit: OrbitKernels | None
+    orbit: OrbitKernels | None  # None if the orbit is composed of phases that no declaration names
     cycle: ItineraryShape
-    start: tuple[str, ...]
-    dwell: tuple[str, ...]
-    called: bool = True
+    start: tuple[str, ...]  # names of the unknown coordinates of the start
+    dwell: tuple[str, ...]  # names of the dwell times
+    called: bool = True  # whether the system knows the orbit's name
 
     @property
     def derived(self) -> OrbitKernels | None:
-        """The orbit, if its equations are derived."""
+        """The orbit if its equations are derived, else None."""
         return self.orbit if self.orbit is not None and self.orbit.derived else None
 
     @property
     def period(self) -> str:
-        """Name of the period among the parameters that were given."""
+        """Name of the period among the given parameters."""
         return PERIOD if self.derived is None else self.derived.period_name or PERIOD
 
     def check_chosen(self, chosen: list[str]) -> None:
-        """Refuse names of parameters that the orbit does not leave open.
+        """Raise `Failure` for chosen parameters that the orbit does not leave open.
 
-        Parameters
-        ----------
-        chosen : list of str
-            Names that the file gives.
-
-        Raises
-        ------
-        Failure
-            If a name is another parameter's, or they are in another order.
+        They have to stand in the order of those that it leaves open.
         """
         left = () if self.derived is None else left_open(self.derived)
         if chosen != [name for name in left if name in chosen]:
@@ -73,24 +53,10 @@ class NamedOrbit(NamedTuple):
 
 
 def named_in(content: Mapping[str, Any]) -> NamedOrbit:
-    """The system and the orbit that a file names: built in, or held by the file as data.
+    """The system and the orbit that a file (read as JSON) names: built in, or held as data.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Returns
-    -------
-    NamedOrbit
-        With the cycle and the names of its unknowns.
-
-    Raises
-    ------
-    Failure
-        If the system has no such orbit.
-    InputError
-        If it has no such phases, or its data are not in order.
+    A system without such an orbit raises `Failure`. Phases that it does not have, or data
+    that are not in order, raise `InputError`.
     """
     system, label = content["system"], content["orbit"]
     tables = content["tables"]
@@ -123,24 +89,11 @@ def named_in(content: Mapping[str, Any]) -> NamedOrbit:
 def phases_called(
     kernels: SystemKernels, content: Mapping[str, Any]
 ) -> list[tuple[str, str]] | None:
-    """The phases, all of which last, of an orbit that a file names and its built-in system knows.
+    """The pairs (configuration, boundary) of a named orbit that its built-in system declares.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-        Of the system.
-    content : dict
-        The file, read as JSON.
-
-    Returns
-    -------
-    list of (configuration, boundary), or None
-        None where the system is a user's, or no declaration names the orbit.
-
-    Raises
-    ------
-    Failure
-        If a built-in system has no such orbit, or one of its phases lasts no time.
+    `content` is the file, read as JSON. The result is None if the system is a user's, or if
+    no declaration names the orbit. `Failure` is raised if a built-in system has no such
+    orbit, or if one of the orbit's phases lasts no time.
     """
     system, label = content["system"], content["orbit"]
     if content["tables"] is not None or is_saved(label):
@@ -158,9 +111,9 @@ def phases_called(
 def _of_file(
     kernels: SystemKernels, cycle: ItineraryShape, content: Mapping[str, Any]
 ) -> NamedOrbit:
-    """An orbit that was one of a file: unknowns are called as they are here.
+    """An orbit that was taken from a file, with the names of unknowns that this file gives.
 
-    Their names are no other ones of the system, which the checker sees to.
+    The checker sees to it that none of them is another name of the system.
     """
     declared = content.get("declaration")
     if not declared or not is_saved(content["orbit"]):

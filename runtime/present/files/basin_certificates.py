@@ -32,10 +32,10 @@ __all__ = ["BASIN", "basin_entries", "basin_of", "load_basin_certificate", "save
 
 @dataclass(frozen=True, kw_only=True)
 class BasinEntries:
-    """What a file of a basin states.
+    """Entries of the file of a basin certificate.
 
-    Ranks, and of tiles 0, 1 if they were looked at and 2 if they are attracted, are runs: a
-    number, and how often it follows.
+    Ranks of boxes, and verdicts on tiles, are runs: a value, and how many times it follows.
+    A verdict is 1 if the tile was examined, 2 if it is attracted, else 0.
     """
 
     system: str
@@ -74,18 +74,10 @@ BASIN = FileFormat(
 
 
 def save_basin(found: BasinCertificate, path: str | os.PathLike[str]) -> None:
-    """Write a certificate of a basin; what was there stays until it is complete.
+    """Write a basin certificate to a file, which is replaced only when the new one is complete.
 
-    Parameters
-    ----------
-    found : BasinCertificate
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written, or cannot state the contact law that decides.
+    `InputError` is raised if the file cannot be written, or if a law of coupled contacts
+    decides transitions: a file states listed transitions only.
     """
     if found.proved and not found.declaration:
         raise InputError(
@@ -96,13 +88,7 @@ def save_basin(found: BasinCertificate, path: str | os.PathLike[str]) -> None:
 
 
 def basin_entries(found: BasinCertificate) -> BasinEntries:
-    """What a file of a basin states.
-
-    Returns
-    -------
-    BasinEntries
-        Ready to be written.
-    """
+    """Entries of the file of a basin certificate."""
     name, orbit, saved = named(system_of(found), found.orbit)
     core, numbers = found.core, ("iterates", "itinerary", "most", "bits", "widest")
     texts = ("claim", "reason", "configuration", "source", "boundary")
@@ -129,17 +115,9 @@ def basin_entries(found: BasinCertificate) -> BasinEntries:
 
 
 def basin_of(entries: BasinEntries) -> BasinCertificate:
-    """The certificate that a file's entries describe.
+    """The basin certificate that a file's entries describe.
 
-    Parameters
-    ----------
-    entries : BasinEntries
-        As they were read.
-
-    Raises
-    ------
-    InputError
-        If a grid has another number of boxes than is told of.
+    `InputError` is raised if a grid has another number of boxes than the entries list.
     """
     own = {**vars(entries)}
     system_in(entries.system, own.pop("tables"))

@@ -39,7 +39,7 @@ __all__ = [
 
 @dataclass(frozen=True, kw_only=True)
 class FoldEntries:
-    """What a map's file states of two sheets of orbits that meet along a curve."""
+    """Entries for two sheets of orbits that meet along a curve, in the file of a map."""
 
     coordinate: str
     centre: tuple[float, ...]
@@ -50,7 +50,7 @@ class FoldEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class CurveEntries:
-    """What a map's file states of the curve of an event that divides a tile."""
+    """Entries for the curve of an event that divides a tile, in the file of a map."""
 
     kind: str
     phase: int | None
@@ -69,7 +69,7 @@ class CurveEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class TileEntries:
-    """What a map's file states of one tile."""
+    """Entries for one tile, in the file of a map."""
 
     place: tuple[tuple[int, int], ...]
     claims: ClaimEntries
@@ -82,7 +82,7 @@ class TileEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class BoxEntries(OrbitProofEntries):
-    """What a map's file states."""
+    """Entries of the file of a proven map."""
 
     box: Mapping[str, tuple[Fraction, Fraction]]
     claims: ClaimEntries
@@ -107,51 +107,20 @@ BOX = FileFormat(
 
 
 def save_box(found: BoxCertificate, path: str | os.PathLike[str]) -> None:
-    """Write a map to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    found : BoxCertificate
-        The map.
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
+    """Write a map to a file, which is replaced only when the new one is complete."""
     BOX.write(path, box_entries(found))
 
 
 def box_entries(found: BoxCertificate) -> BoxEntries:
-    """What a map's file states.
-
-    Parameters
-    ----------
-    found : BoxCertificate
-        The map.
-
-    Returns
-    -------
-    BoxEntries
-        Ready to be written.
-    """
+    """Entries of the file of a proven map."""
     return stated(BoxEntries, found)
 
 
 def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
     """Read a map that `BoxCertificate.save` wrote; nothing is proved again.
 
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign. The message names it.
+    An `InputError` with the file's name is raised if the file cannot be read, or is cut,
+    edited or foreign.
 
     Examples
     --------
@@ -179,23 +148,7 @@ def load_box_certificate(path: str | os.PathLike[str]) -> BoxCertificate:
 
 
 def box_of(entries: BoxEntries) -> BoxCertificate:
-    """The map that a file's entries describe.
-
-    Parameters
-    ----------
-    entries : BoxEntries
-        As they were read.
-
-    Returns
-    -------
-    BoxCertificate
-        The map.
-
-    Raises
-    ------
-    InputError
-        If its tiles do not fill the box.
-    """
+    """The map that a file's entries describe; `InputError` if its tiles do not fill the box."""
     system_in(entries.system, entries.tables)
     check_exponents(entries.declaration)
     found = BoxCertificate(
@@ -217,24 +170,13 @@ def box_of(entries: BoxEntries) -> BoxCertificate:
 
 
 def check_exponents(declaration: Any) -> None:
-    """Refuse a declaration with exponents that nothing can be computed with.
-
-    Parameters
-    ----------
-    declaration : dict
-        As it was read.
-
-    Raises
-    ------
-    InputError
-        If there is one.
-    """
+    """Raise `InputError` for a declaration (as read) with exponents too large to compute with."""
     if not all(abs(number) <= LARGEST_EXPONENT for number in _integers(declaration)):
         raise InputError(f"its declaration holds an exponent beyond {LARGEST_EXPONENT}")
 
 
 def _integers(entry: Any) -> Iterator[int]:
-    """All integers of a declaration: exponents and places; other numbers are texts."""
+    """Yield all integers of a declaration: exponents and places; other numbers are texts."""
     parts = entry.values() if isinstance(entry, Mapping) else entry
     for part in parts if isinstance(entry, Mapping | list) else ():
         yield from _integers(part)

@@ -24,10 +24,10 @@ __all__ = ["load_branch", "save_branch"]
 
 @dataclass(frozen=True, kw_only=True)
 class BranchEntries:
-    """What a branch's file holds.
+    """Entries of the file of a branch.
 
-    The columns are values of the parameter, unknowns, period, multipliers and trace, row after
-    row; `orbit` is the content of one orbit's file.
+    The arrays have one row for each point: the parameter's value, unknowns, period,
+    multipliers and trace. The entry `orbit` is the content of one orbit's file.
     """
 
     name: str
@@ -48,20 +48,7 @@ _VERDICTS = {"stable", "neutral", "unstable", "undecided"}
 
 
 def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
-    """Write a branch to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    branch : Branch
-        As `continue_orbit` gives it.
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
+    """Write a branch to a file, which is replaced only when the new one is complete."""
     columns = (
         branch.parameter_values,
         branch.unknowns,
@@ -87,16 +74,8 @@ def save_branch(branch: Branch, path: str | os.PathLike[str]) -> None:
 def load_branch(path: str | os.PathLike[str]) -> Branch:
     """Read a branch that `Branch.save` wrote.
 
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, is cut, edited or foreign, or the orbit in it is none of
-        the system that is there. The message names the file.
+    An `InputError` with the file's name is raised if the file cannot be read, is cut,
+    edited or foreign, or if its orbit does not belong to the installed system.
 
     Examples
     --------

@@ -28,7 +28,7 @@ _Certificate = Annotated[CertificateEntries, Codec(CERTIFICATE.content, CERTIFIC
 
 @dataclass(frozen=True, kw_only=True)
 class CountedEntries:
-    """What a census' file states of one orbit."""
+    """Entries for one orbit, in the file of a census."""
 
     unique: Mapping[str, tuple[Exact, Exact]]
     certificate: _Certificate | None
@@ -37,7 +37,7 @@ class CountedEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class OpenEntries:
-    """What a census' file states of a box of which it is not known what it holds."""
+    """Entries for a box whose content is undecided, in the file of a census."""
 
     bounds: Mapping[str, tuple[Exact, Exact]]
     reason: str
@@ -45,7 +45,7 @@ class OpenEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class CensusEntries:
-    """What a census' file states."""
+    """Entries of the file of a census."""
 
     orbit: str
     system: str
@@ -67,18 +67,7 @@ CENSUS = FileFormat(name="nonsmooth census", what="census", entries=CensusEntrie
 
 
 def census_entries(census: Census) -> CensusEntries:
-    """What a census' file states.
-
-    Parameters
-    ----------
-    census : Census
-        As `certify_all` gives it.
-
-    Returns
-    -------
-    CensusEntries
-        Ready to be written.
-    """
+    """Entries of the file of a census."""
     content = entries_of(census)
     for name in ("beyond", "looked"):  # of the search, which nobody can prove again
         content.pop(name, None)
@@ -91,20 +80,7 @@ def census_entries(census: Census) -> CensusEntries:
 def census_of(entries: CensusEntries) -> Census:
     """The census that a file's entries describe.
 
-    Parameters
-    ----------
-    entries : CensusEntries
-        As they were read.
-
-    Returns
-    -------
-    Census
-        The census.
-
-    Raises
-    ------
-    InputError
-        If what is counted does not follow from the orbits.
+    `InputError` is raised if its counts and statements do not follow from its orbits.
     """
     system_in(entries.system, entries.tables)
     census = Census(

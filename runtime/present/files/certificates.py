@@ -33,7 +33,7 @@ __all__ = [
 
 @dataclass(frozen=True, kw_only=True)
 class MultiplierBalls:
-    """Enclosures of the two parts of a multiplier."""
+    """Enclosures of the real and imaginary part of a multiplier."""
 
     re: Ball
     im: Ball
@@ -41,7 +41,7 @@ class MultiplierBalls:
 
 @dataclass(frozen=True, kw_only=True)
 class CertificateEntries(OrbitProofEntries):
-    """What a certificate's file states."""
+    """Entries of the file of an orbit's certificate."""
 
     given_period: BlankValue
     bits: int
@@ -66,34 +66,12 @@ CERTIFICATE = FileFormat(
 
 
 def certificate_entries(certificate: Certificate) -> CertificateEntries:
-    """What a certificate's file states.
-
-    Parameters
-    ----------
-    certificate : Certificate
-        As `certify` gives it.
-
-    Returns
-    -------
-    CertificateEntries
-        Ready to be written.
-    """
+    """Entries of the file of an orbit's certificate."""
     return stated(CertificateEntries, certificate)
 
 
 def certificate_of(entries: CertificateEntries) -> Certificate:
-    """The certificate that a file's entries describe.
-
-    Parameters
-    ----------
-    entries : CertificateEntries
-        As they were read.
-
-    Returns
-    -------
-    Certificate
-        The certificate.
-    """
+    """The orbit's certificate that a file's entries describe."""
     system_in(entries.system, entries.tables)
     if entries.other_multipliers:
         parse(entries.other_multipliers)

@@ -40,7 +40,7 @@ Verdict = Literal["stable", "neutral", "unstable", "not admissible", "undecided"
 
 @dataclass(frozen=True, kw_only=True)
 class BranchEventEntries:
-    """What a file states of one event of a branch."""
+    """Entries for one event of a certified branch."""
 
     kind: str
     phase: FromOne
@@ -56,7 +56,7 @@ class BranchEventEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class BranchTileEntries:
-    """What a file states of one tile of a branch."""
+    """Entries for one tile of a certified branch."""
 
     coordinate: str
     lower: Fraction
@@ -73,14 +73,14 @@ class BranchTileEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class BranchClaimEntries:
-    """The claim about a branch."""
+    """Entry with the claim about a branch."""
 
     branch: Literal["proved", "undecided"]
 
 
 @dataclass(frozen=True, kw_only=True)
 class CertifiedBranchEntries(OrbitProofEntries):
-    """What a certified branch's file states."""
+    """Entries of a certified branch, as files of other results hold it."""
 
     parameter: str
     interval: tuple[Fraction, Fraction]
@@ -96,7 +96,7 @@ class CertifiedBranchEntries(OrbitProofEntries):
 
 @dataclass(frozen=True, kw_only=True)
 class OrbitBeyondEntries:
-    """What a file states of orbits that begin at an event."""
+    """Entries for orbits that begin at an event."""
 
     side: Literal["above", "below"]
     own: Literal["above", "below"]
@@ -106,21 +106,21 @@ class OrbitBeyondEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class FileEventEntries(BranchEventEntries):
-    """What a branch's own file states of an event: what begins there, too."""
+    """Entries for an event in the branch's own file, with the orbits that begin there."""
 
     beyond: tuple[OrbitBeyondEntries, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
 class FileTileEntries(BranchTileEntries):
-    """What a branch's own file states of a tile."""
+    """Entries for a tile in the branch's own file."""
 
     event: FileEventEntries | None
 
 
 @dataclass(frozen=True, kw_only=True)
 class BranchFileEntries(CertifiedBranchEntries):
-    """What a branch's own file states."""
+    """Entries of the file of a certified branch."""
 
     tiles: tuple[FileTileEntries, ...]
 
@@ -134,30 +134,18 @@ BRANCH = FileFormat(
 
 
 def certified_branch_entries(found: CertifiedBranch) -> CertifiedBranchEntries:
-    """What a certified branch's file states.
-
-    Returns
-    -------
-    CertifiedBranchEntries
-        Ready to be written.
-    """
+    """Entries of a certified branch, without the orbits that begin at its events."""
     return stated(CertifiedBranchEntries, _bare(found))
 
 
 def branch_file_entries(found: CertifiedBranch) -> BranchFileEntries:
-    """What a certified branch's own file states: what begins at its events, too.
-
-    Returns
-    -------
-    BranchFileEntries
-        Ready to be written.
-    """
+    """Entries of the file of a certified branch, with the orbits that begin at its events."""
     told = stated(BranchFileEntries, _bare(found))
     return replace(told, tiles=tuple(map(_with_beyond, told.tiles, found.tiles)))
 
 
 def _bare(found: CertifiedBranch) -> CertifiedBranch:
-    """A branch without what begins at its events."""
+    """A branch without the orbits that begin at its events."""
     tiles = (
         tile if tile.event is None else replace(tile, event=replace(tile.event, beyond=()))
         for tile in found.tiles
@@ -166,7 +154,7 @@ def _bare(found: CertifiedBranch) -> CertifiedBranch:
 
 
 def _with_beyond(told: FileTileEntries, tile: BranchTile) -> FileTileEntries:
-    """A tile's entries with what begins at its event."""
+    """A tile's entries, completed by the orbits that begin at its event."""
     if told.event is None or tile.event is None:
         return told
     beyond = tuple(
@@ -177,13 +165,7 @@ def _with_beyond(told: FileTileEntries, tile: BranchTile) -> FileTileEntries:
 
 
 def certified_branch_of(entries: CertifiedBranchEntries) -> CertifiedBranch:
-    """The branch that a file's entries describe.
-
-    Parameters
-    ----------
-    entries : CertifiedBranchEntries
-        As they were read.
-    """
+    """The certified branch that a file's entries describe."""
     system_in(entries.system, entries.tables)
     check_exponents(entries.declaration)
     own = {name: value for name, value in vars(entries).items() if name not in ("tables", "claims")}

@@ -30,7 +30,7 @@ __all__ = [
 
 @dataclass(frozen=True, kw_only=True)
 class DoublingEntries:
-    """What a file states of one doubling; tiles are counted from 1."""
+    """Entries for one doubling; tiles are counted from 1."""
 
     tile: int
     scaled: str
@@ -45,14 +45,14 @@ class DoublingEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class CascadeClaimEntries:
-    """The claim about a cascade."""
+    """Entry with the claim about a cascade."""
 
     doublings: Literal["proved", "undecided"]
 
 
 @dataclass(frozen=True, kw_only=True)
 class CertifiedCascadeEntries:
-    """What a certified cascade's file states."""
+    """Entries of the file of a certified cascade."""
 
     orbit: str
     claims: CascadeClaimEntries
@@ -71,13 +71,7 @@ CASCADE = FileFormat(
 
 
 def certified_cascade_entries(found: CertifiedCascade) -> CertifiedCascadeEntries:
-    """What a certified cascade's file states.
-
-    Returns
-    -------
-    CertifiedCascadeEntries
-        Ready to be written.
-    """
+    """Entries of the file of a certified cascade."""
     branches = tuple(map(certified_branch_entries, found.branches))
     return CertifiedCascadeEntries(
         orbit=_renamed(found, branches[0].system),
@@ -102,19 +96,13 @@ def certified_cascade_entries(found: CertifiedCascade) -> CertifiedCascadeEntrie
 
 
 def _renamed(found: CertifiedCascade, system: str) -> str:
-    """The orbit's name with that of its system as files call it."""
+    """The orbit's name, with its system called as files call it."""
     own = found.orbit.removeprefix(found.system)
     return found.orbit if own == found.orbit else system + own
 
 
 def certified_cascade_of(entries: CertifiedCascadeEntries) -> CertifiedCascade:
-    """The cascade that a file's entries describe.
-
-    Parameters
-    ----------
-    entries : CertifiedCascadeEntries
-        As they were read.
-    """
+    """The certified cascade that a file's entries describe."""
     return CertifiedCascade(
         orbit=entries.orbit,
         asked=entries.asked,

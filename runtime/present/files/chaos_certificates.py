@@ -23,7 +23,7 @@ __all__ = ["CHAOS", "chaos_entries", "chaos_of", "load_chaos_certificate", "save
 
 @dataclass(frozen=True, kw_only=True)
 class HSetEntries:
-    """What a file states of one h-set."""
+    """Entries for one h-set."""
 
     name: str
     centre: tuple[Exact, ...]
@@ -32,7 +32,7 @@ class HSetEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class ChaosEntries:
-    """What a file of chaos states."""
+    """Entries of the file of a certificate of chaos."""
 
     system: str
     tables: SavedSystem | None
@@ -66,18 +66,10 @@ CHAOS = FileFormat(
 
 
 def save_chaos(found: ChaosCertificate, path: str | os.PathLike[str]) -> None:
-    """Write a certificate of chaos; what was there stays until it is complete.
+    """Write a certificate of chaos to a file, which is replaced only when the new one is complete.
 
-    Parameters
-    ----------
-    found : ChaosCertificate
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written, or cannot state the contact law that decides.
+    `InputError` is raised if the file cannot be written, or if a law of coupled contacts
+    decides transitions: a file states listed transitions only.
     """
     if found.proved and not found.declaration:
         raise InputError(
@@ -88,13 +80,7 @@ def save_chaos(found: ChaosCertificate, path: str | os.PathLike[str]) -> None:
 
 
 def chaos_entries(found: ChaosCertificate) -> ChaosEntries:
-    """What a file of chaos states.
-
-    Returns
-    -------
-    ChaosEntries
-        Ready to be written.
-    """
+    """Entries of the file of a certificate of chaos."""
     name, _, saved = named(known_system(found.system, None))
     told = replace(found, system=name).to_json()
     tables = None if saved is None else encode(saved)
@@ -102,13 +88,7 @@ def chaos_entries(found: ChaosCertificate) -> ChaosEntries:
 
 
 def chaos_of(entries: ChaosEntries) -> ChaosCertificate:
-    """The certificate that a file's entries describe.
-
-    Parameters
-    ----------
-    entries : ChaosEntries
-        As they were read.
-    """
+    """The certificate of chaos that a file's entries describe."""
     own = {**vars(entries)}
     system_in(entries.system, own.pop("tables"))
     sets = tuple(HSet(h.name, h.centre, h.sides) for h in entries.h_sets)

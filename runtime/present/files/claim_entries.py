@@ -32,24 +32,13 @@ Itinerary = tuple[tuple[str, str], ...]
 
 @dataclass(frozen=True, kw_only=True)
 class Ball:
-    """An enclosure: decimal texts, exactly."""
+    """An enclosure as decimal texts, which state it exactly."""
 
     mid: Exact
     rad: Exact
 
     def stated(self, bits: int) -> Stated:
-        """The enclosure that the texts state.
-
-        Parameters
-        ----------
-        bits : int
-            Precision of the enclosure.
-
-        Returns
-        -------
-        Stated
-            With the same texts.
-        """
+        """The enclosure that the texts state, with a precision of `bits`, and the texts."""
         return Stated.of(self.mid, self.rad, bits)
 
 
@@ -58,7 +47,7 @@ Enclosures = Mapping[str, Ball]
 
 @dataclass(frozen=True, kw_only=True)
 class OrbitProofEntries:
-    """Which orbit a file proves something of, at which parameters."""
+    """Entries that say of which orbit, at which parameters, a file proves something."""
 
     orbit: str
     system: str
@@ -70,7 +59,7 @@ class OrbitProofEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class ClaimEntries:
-    """The three claims about an orbit."""
+    """Entries with the three claims about an orbit."""
 
     existence: Verdict
     admissibility: Verdict
@@ -78,54 +67,23 @@ class ClaimEntries:
 
 
 def enclosed(enclosures: Enclosures, bits: int) -> dict[str, Stated]:
-    """The enclosures that a file states, by name.
-
-    Parameters
-    ----------
-    enclosures : dict of str to Ball
-        As they were read.
-    bits : int
-        Precision of the enclosures.
-
-    Returns
-    -------
-    dict of str to Stated
-        With the same texts.
-    """
+    """The enclosures that a file states, by name, with a precision of `bits`, and their texts."""
     return {name: ball.stated(bits) for name, ball in enclosures.items()}
 
 
 def stated(kind: type[Record], proof: Any) -> Record:
-    """What a file of a proof states: its JSON, and the system as it was taken.
+    """Record of type `kind` with a proof's entries, its declaration, and what closes its orbit.
 
-    Parameters
-    ----------
-    kind : type
-        The record that the file has.
-    proof : Certificate, BoxCertificate or EventCertificate
-        What is proved.
-
-    Returns
-    -------
-    Record
-        Of that kind, ready to be written.
+    The proof is a certificate of an orbit, a box or an event.
     """
     own = {"declaration": dict(proof.declaration), "closing": dict(proof.closing)}
     return decode(kind, {**entries_of(proof), **own})
 
 
 def entries_of(proof: Any) -> dict[str, Any]:
-    """The JSON of a proof by the names that a file gives system and orbit, with their data.
+    """A proof as JSON, with the names that a file gives its system and orbit, and their data.
 
-    Parameters
-    ----------
-    proof : Certificate, BoxCertificate, EventCertificate or Census
-        What is proved.
-
-    Returns
-    -------
-    dict
-        Ready to be decoded.
+    The proof is a certificate of an orbit, a box or an event, or a census.
     """
     name, orbit, saved = named(system_of(proof), proof.orbit)
     entries: dict[str, Any] = replace(proof, system=name, orbit=orbit).to_json()
@@ -133,17 +91,10 @@ def entries_of(proof: Any) -> dict[str, Any]:
 
 
 def system_of(proof: Any) -> SystemKernels:
-    """The system of a proof of an orbit, as it was loaded for that orbit.
+    """The system of a proof, as it was loaded for the proof's orbit.
 
-    Parameters
-    ----------
-    proof : Certificate, BoxCertificate, EventCertificate, Census or BasinCertificate
-        What is proved.
-
-    Returns
-    -------
-    SystemKernels
-        That of a declared orbit may be derived with its symmetry, unlike the system alone.
+    For a declared orbit it may be derived with the orbit's symmetry, unlike the system
+    alone.
     """
     label = proof.orbit.removeprefix(f"{proof.system}:")
     return known_system(proof.system, None if label == proof.orbit else label)

@@ -20,17 +20,10 @@ _PERIOD = {
 
 
 def declared_table(orbit: Orbit) -> dict[str, Any]:
-    """Phases, names of the unknowns, what closes the orbit, and the orbit as the reference.
+    """The table of a converged orbit, as generated modules hold it.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        Converged.
-
-    Returns
-    -------
-    dict
-        The orbit's table, as generated modules hold it.
+    It has the phases, the names of the unknowns, what closes the orbit, and the orbit as
+    reference.
     """
     part = len(orbit.itinerary)
     symmetry = orbit.symmetry

@@ -22,20 +22,7 @@ _WIDTH = 92
 
 
 def check_declaration(system: str, path: Path) -> None:
-    """Refuse a file that does not declare the system, or cannot be written.
-
-    Parameters
-    ----------
-    system : str
-        The file that declares the system.
-    path : Path
-        The file that is to be changed.
-
-    Raises
-    ------
-    InputError
-        If it is another file, or none that can be written.
-    """
+    """Raise `InputError` unless `path` is the file that declares the system, and can be written."""
     if not (path.suffix == ".py" and path.is_file() and Path(system).is_file()):
         raise InputError(f"{path} is not the FILE.py that declares {system}")
     if not path.samefile(system):
@@ -44,21 +31,13 @@ def check_declaration(system: str, path: Path) -> None:
 
 
 def write_itineraries(found: Found, path: Path) -> tuple[str, ...]:
-    """Append the orbits that were found to the file that declares their system.
+    """Append the orbits that were found to the file that declares their system; give their names.
 
-    An orbit that reaches no boundary has no itinerary to declare, and is left out. The file is
-    replaced once its new content has been executed and declares all others.
-
-    Returns
-    -------
-    tuple of str
-        Names of the itineraries: found-1, found-2, ..., those that are free.
-
-    Raises
-    ------
-    InputError
-        If no orbit reaches a boundary, the file is another one, cannot be written, or would not
-        declare them.
+    The names are found-1, found-2, ..., those that are free. An orbit that reaches no
+    boundary has no itinerary to declare, and is left out. The file is replaced once its new
+    content has been executed and declares all others. `InputError` is raised if no orbit
+    reaches a boundary, or if the file is another one, cannot be written, or would not
+    declare them.
     """
     check_declaration(found.system, path)
     orbits = [e.orbit for e in found.orbits if not e.orbit.tables.cycle.uninterrupted]
@@ -75,14 +54,14 @@ def write_itineraries(found: Found, path: Path) -> tuple[str, ...]:
 
 
 def _free_names(known: Sequence[str], count: int) -> tuple[str, ...]:
-    """Names that no orbit has, numbered on from the largest number."""
+    """As many names as wanted that no orbit has, numbered on from the largest number."""
     numbers = [name.removeprefix(f"{_STEM}-") for name in known]
     last = max((int(number) for number in numbers if number.isdecimal()), default=0)
     return tuple(f"{_STEM}-{last + k + 1}" for k in range(count))
 
 
 def _text(names: Sequence[str], orbits: Sequence[Orbit], more: bool) -> str:
-    """Python source that declares itineraries, after those that are there."""
+    """Python source that declares itineraries, to be put behind the existing ones."""
     entries = "".join(
         _entry(name, declared_table(orbit)) for name, orbit in zip(names, orbits, strict=True)
     )
@@ -111,7 +90,7 @@ def _indented(text: str, count: int) -> str:
 
 
 def _declared_by(content: bytes, path: Path) -> Sequence[Any]:
-    """Orbits that a file would declare with this content, executed beside it."""
+    """Orbits that a file with this content declares; it is executed beside the file."""
     trial = path.with_name(f"{path.stem}_{secrets.token_hex(4)}.py")
     try:
         trial.write_bytes(content)

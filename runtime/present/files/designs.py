@@ -23,7 +23,7 @@ __all__ = ["design_json", "load_design", "save_design"]
 
 @dataclass(frozen=True, kw_only=True)
 class DesignEntries:
-    """What the file of a design holds; `start` and `orbit` are contents of orbits' files."""
+    """Entries of the file of a design; `start` and `orbit` are contents of orbits' files."""
 
     aim: Annotated[str, one_of(AIMS)]
     quantity: str
@@ -51,20 +51,7 @@ _DESIGN = FileFormat(name="nonsmooth design", what="saved design", entries=Desig
 
 
 def save_design(design: Design, path: str | os.PathLike[str]) -> None:
-    """Write a design to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    design : Design
-        As `design` gives it.
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
+    """Write a design to a file, which is replaced only when the new one is complete."""
     _DESIGN.write(path, _entries(design))
 
 
@@ -75,12 +62,9 @@ def _entries(design: Design) -> DesignEntries:
 
 
 def design_json(design: Design) -> dict[str, Any]:
-    """Give a design as JSON, without its orbits' files.
+    """A design as JSON, without its orbits' files.
 
-    Returns
-    -------
-    dict of str to JSON value
-        Numbers are decimal strings; one that is not known is null.
+    Numbers are decimal strings, and null if unknown.
     """
     from nonsmooth.runtime.present.report import orbit_json
 
@@ -94,16 +78,8 @@ def design_json(design: Design) -> dict[str, Any]:
 def load_design(path: str | os.PathLike[str]) -> Design:
     """Read a design that `Design.save` wrote.
 
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, is cut, edited or foreign, or an orbit in it is none of the
-        system that is there. The message names the file.
+    An `InputError` with the file's name is raised if the file cannot be read, is cut,
+    edited or foreign, or if an orbit in it does not belong to the installed system.
 
     Examples
     --------

@@ -24,7 +24,7 @@ __all__ = ["EVENTS", "event_entries", "events_of", "load_event_certificates", "s
 
 @dataclass(frozen=True, kw_only=True)
 class EventCertificateEntries(OrbitProofEntries):
-    """What a file states of one event."""
+    """Entries for one event, in a file of events."""
 
     kind: str
     text: str
@@ -44,7 +44,7 @@ class EventCertificateEntries(OrbitProofEntries):
 
 @dataclass(frozen=True, kw_only=True)
 class EventsEntries:
-    """What a file of events states."""
+    """Entries of a file of certificates of events."""
 
     events: tuple[EventCertificateEntries, ...]
 
@@ -58,48 +58,23 @@ EVENTS = FileFormat(
 
 
 def save_events(found: Sequence[EventCertificate], path: str | os.PathLike[str]) -> None:
-    """Write certificates of events to one file; what was there stays until it is complete.
+    """Write certificates of a branch's events to one file.
 
-    Parameters
-    ----------
-    found : sequence of EventCertificate
-        Of the events of a branch.
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
+    The file is replaced only when the new one is complete.
     """
     EVENTS.write(path, event_entries(found))
 
 
 def event_entries(found: Sequence[EventCertificate]) -> EventsEntries:
-    """What a file of events states.
-
-    Parameters
-    ----------
-    found : sequence of EventCertificate
-        Of the events of a branch.
-
-    Returns
-    -------
-    EventsEntries
-        Ready to be written.
-    """
+    """Entries of the file of certificates of a branch's events."""
     return EventsEntries(events=tuple(stated(EventCertificateEntries, each) for each in found))
 
 
 def load_event_certificates(path: str | os.PathLike[str]) -> tuple[EventCertificate, ...]:
     """Read certificates of events that `EventCertificate.save` or the command wrote.
 
-    Nothing is proved again.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign. The message names it.
+    Nothing is proved again. An `InputError` with the file's name is raised if the file
+    cannot be read, or is cut, edited or foreign.
 
     Examples
     --------
@@ -115,18 +90,7 @@ def load_event_certificates(path: str | os.PathLike[str]) -> tuple[EventCertific
 
 
 def events_of(entries: EventsEntries) -> tuple[EventCertificate, ...]:
-    """The certificates that a file's entries describe.
-
-    Parameters
-    ----------
-    entries : EventsEntries
-        As they were read.
-
-    Returns
-    -------
-    tuple of EventCertificate
-        In the order of the file.
-    """
+    """The certificates of events that a file's entries describe, in the order of the file."""
     return tuple(map(_event, entries.events))
 
 

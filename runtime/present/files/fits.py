@@ -21,7 +21,7 @@ __all__ = ["fit_json", "load_fit", "save_fit"]
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class FitEntries(Fit):
-    """The fit, and its system as data if that is not built in."""
+    """Entries of the file of a fit: the fit, and its system as data if that is not built in."""
 
     tables: SavedSystem | None
 
@@ -30,34 +30,16 @@ _FIT = FileFormat(name="nonsmooth fit", what="saved fit", entries=FitEntries)
 
 
 def save_fit(fit: Fit, path: str | os.PathLike[str]) -> None:
-    """Write a fit; what was there stays until the new content is complete.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
+    """Write a fit to a file, which is replaced only when the new one is complete."""
     system, _, saved = named(known_system(fit.system))
     _FIT.write(path, FitEntries(**{**vars(fit), "system": system, "tables": saved}))
 
 
 def load_fit(path: str | os.PathLike[str]) -> Fit:
-    """Read a fit that `Fit.save` wrote.
+    """Read a fit that `Fit.save` wrote, with every digit.
 
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Returns
-    -------
-    Fit
-        With every digit.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign. The message names it.
+    An `InputError` with the file's name is raised if the file cannot be read, or is cut,
+    edited or foreign.
 
     Examples
     --------
@@ -98,13 +80,7 @@ def load_fit(path: str | os.PathLike[str]) -> Fit:
 
 
 def fit_json(fit: Fit) -> dict[str, Any]:
-    """Give a fit ready for JSON, numbers as decimal strings with every digit.
-
-    Returns
-    -------
-    dict of str to object
-        A number that is not known is null.
-    """
+    """A fit as JSON; numbers are decimal strings with every digit, and null if unknown."""
     found = encode(fit)
     found["standard_errors"] = [repr(each) for each in fit.standard_errors.tolist()]
     found["correlation"] = [[repr(each) for each in row] for row in fit.correlation.tolist()]

@@ -40,7 +40,7 @@ __all__ = [
 
 @dataclass(frozen=True, kw_only=True)
 class FoundPhaseEntries:
-    """A phase of an orbit: where it starts, how long it lasts, and how it is left."""
+    """Entries for a phase of an orbit: its configuration, start, dwell time and boundary."""
 
     configuration: str
     boundary: str
@@ -50,7 +50,7 @@ class FoundPhaseEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class MultiplierEntries:
-    """A multiplier of the section map."""
+    """Entries for a multiplier of the Poincaré map."""
 
     re: AnyDigits
     im: AnyDigits
@@ -59,7 +59,7 @@ class MultiplierEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class EigenvalueEntries:
-    """An eigenvalue of an equilibrium."""
+    """Entries for an eigenvalue of an equilibrium."""
 
     re: Digits
     im: Digits
@@ -67,7 +67,7 @@ class EigenvalueEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class FoundOrbitEntries:
-    """An orbit; `mirror_of` is the number, from 1, of the entry whose mirror image it is."""
+    """Entries for an orbit; `mirror_of` is the number, from 1, of the entry that it mirrors."""
 
     period: Digits
     forcing_periods: tuple[int, ...]
@@ -85,7 +85,7 @@ class FoundOrbitEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class FoundEquilibriumEntries:
-    """An equilibrium; orbits come before it in the numbers of `mirror_of`."""
+    """Entries for an equilibrium; in the numbers of `mirror_of` the orbits come first."""
 
     configuration: str
     stability: str
@@ -99,7 +99,7 @@ class FoundEquilibriumEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class FoundSummary:
-    """Orbits, basins and shares."""
+    """Entries for the orbits, their basins, and the shares of all outcomes."""
 
     system: str
     parameters: Mapping[str, Value]
@@ -116,7 +116,7 @@ class FoundSummary:
 
 @dataclass(frozen=True, kw_only=True)
 class FoundEntries(FoundSummary):
-    """The summary, with every start and its label."""
+    """Entries of the file of found orbits: the summary, with every start and its label."""
 
     tables: SavedSystem | None
     start_states: Table
@@ -133,54 +133,22 @@ FOUND = FileFormat(
 
 
 def found_json(found: Found) -> dict[str, Any]:
-    """Orbits, basins and shares; numbers are decimal strings that give back the same doubles.
-
-    Parameters
-    ----------
-    found : Found
-        What was found from many starts.
-
-    Returns
-    -------
-    dict
-        Ready for JSON.
-    """
+    """Orbits, basins and shares as JSON; numbers are decimal strings of the exact doubles."""
     return encode(_summary(found))
 
 
 def save_found(found: Found, path: str | os.PathLike[str]) -> None:
-    """Write what was found as JSON, with every start and its label.
-
-    Parameters
-    ----------
-    found : Found
-        What was found from many starts.
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
+    """Write the orbits found from many starts to a JSON file, with every start and its label."""
     FOUND.write(path, _entries(found))
 
 
 def load_found(path: str | os.PathLike[str]) -> Found:
-    """Read what `Found.save` wrote, with the same numbers.
+    """Read a result that `Found.save` wrote, with the same numbers.
 
-    Each orbit and equilibrium has to be one still: one that is not is refused, with its reason,
-    where it is asked for, and leaves the others.
-
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Raises
-    ------
-    InputError
-        For a file that cannot be read, is cut, edited or foreign. The message names the file.
+    Each orbit and equilibrium is checked against the installed system. One that fails is
+    replaced by the reason, which is raised when it is asked for; the others stay. An
+    `InputError` with the file's name is raised if the file cannot be read, or is cut,
+    edited or foreign.
 
     Examples
     --------
@@ -198,17 +166,8 @@ def load_found(path: str | os.PathLike[str]) -> Found:
 def found_orbit(path: str | os.PathLike[str], number: int | None = None) -> Orbit:
     """Read one orbit of a file that `Found.save` wrote, whatever the others are.
 
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-    number : int, optional
-        Of the orbit, from 1; needless where there is one.
-
-    Raises
-    ------
-    InputError
-        If there is no such orbit, or as `load_found`.
+    The number counts from 1, and is optional if there is one orbit. `InputError` is raised
+    if there is no such orbit, or as by `load_found`.
     """
     with naming(path) as file:
         entries = FOUND.read(file)
@@ -227,17 +186,9 @@ def found_orbit(path: str | os.PathLike[str], number: int | None = None) -> Orbi
 
 
 def found_system(path: str | os.PathLike[str]) -> tuple[SystemKernels, int]:
-    """Read of which system a file is that `Found.save` wrote, and how many orbits it lists.
+    """Read the system of a file that `Found.save` wrote, and the number of its orbits.
 
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Raises
-    ------
-    InputError
-        As `load_found`.
+    `InputError` is raised as by `load_found`.
     """
     with naming(path) as file:
         entries = FOUND.read(file)
@@ -245,22 +196,9 @@ def found_system(path: str | os.PathLike[str]) -> tuple[SystemKernels, int]:
 
 
 def held_found(path: str | os.PathLike[str]) -> str:
-    """What a file of found orbits says of attractors, as text that a store holds.
+    """The attractors of a file of found orbits, as JSON text that a store holds.
 
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Returns
-    -------
-    str
-        JSON, with no more than the first of the starts.
-
-    Raises
-    ------
-    InputError
-        As `load_found`.
+    Only the first of the starts is kept. `InputError` is raised as by `load_found`.
     """
     with naming(path) as file:
         entries = FOUND.read(file)
@@ -270,21 +208,9 @@ def held_found(path: str | os.PathLike[str]) -> str:
 
 
 def found_held(text: str) -> tuple[SystemKernels, Found]:
-    """The system and what was found of it, of a text.
+    """The system and its found orbits, from a text of `held_found`.
 
-    Parameters
-    ----------
-    text : str
-        As `held_found` gives it.
-
-    Returns
-    -------
-    tuple of SystemKernels, Found
-
-    Raises
-    ------
-    InputError
-        If the data are not in order; the message is one line.
+    `InputError` is raised, with a message of one line, if the data are not in order.
     """
     entries = decode(FoundEntries, json.loads(text))
     kernels = system_in(entries.system, entries.tables)
@@ -307,7 +233,7 @@ def _summary(found: Found) -> FoundSummary:
 
 
 def _shares(found: Found) -> dict[str, Any]:
-    """What follows from the labels of the starts."""
+    """The counts and shares that follow from the labels of the starts."""
     return {
         "starts": len(found.starts),
         "outcomes": {o.name.lower(): found.share(o) for o in found.outcomes},
@@ -378,12 +304,12 @@ def _equilibrium_entries(found: Found, place: int) -> FoundEquilibriumEntries:
 
 
 def _mirror_of(mirror: int | None, place: int, before: int) -> int | None:
-    """Number, from 1, of the entry whose mirror image this one is."""
+    """Number, from 1, of the entry that this one mirrors; None for none or itself."""
     return None if mirror in (None, place) else mirror + before + 1
 
 
 def _found(where: str | Path, entries: FoundEntries, kernels: SystemKernels) -> Found:
-    """What entries tell, with the reason in place of what is none of the system."""
+    """The result that entries describe, with a reason for each orbit that the system lacks."""
     parameters = system_parameters(kernels, entries.parameters)
     orbits: list[FoundOrbit] = []
     for place, orbit in enumerate(entries.orbits):
@@ -429,7 +355,7 @@ def _found(where: str | Path, entries: FoundEntries, kernels: SystemKernels) -> 
 def _orbit(
     entries: FoundEntries, place: int, kernels: SystemKernels, parameters: dict[str, Value]
 ) -> FoundOrbit:
-    """The orbit at a place, with the numbers of the file: it has to be one of the system."""
+    """The orbit at a place, with the file's numbers; `InputError` if the system has none such."""
     entry = entries.orbits[place]
     names = tuple(kernels.table["states"])
     itinerary = tuple((phase.configuration, phase.boundary) for phase in entry.itinerary)
@@ -451,7 +377,7 @@ def _orbit(
 def _equilibrium(
     entries: FoundEntries, place: int, known: Mapping[str, Equilibrium]
 ) -> FoundEquilibrium:
-    """The equilibrium at a place, as it is found again: by its configuration."""
+    """The equilibrium at a place, among those `known` by configuration."""
     entry, before = entries.equilibria[place], len(entries.orbits)
     equilibrium = known.get(entry.configuration)
     try:
@@ -474,7 +400,7 @@ def _same_state(equilibrium: Equilibrium, state: Mapping[str, float]) -> bool:
 def _mirror(
     entry: FoundOrbitEntries | FoundEquilibriumEntries, place: int, before: int
 ) -> int | None:
-    """Place of the entry before this one whose mirror image it is, or its own."""
+    """Place of the earlier entry that this one mirrors, or its own if it is symmetric."""
     if entry.symmetric:
         return place
     if entry.mirror_of is None:

@@ -36,12 +36,12 @@ _MOST = 10**8  # edges
 
 @dataclass(frozen=True, kw_only=True)
 class GraphEntries:
-    """What a file of a graph of boxes states.
+    """Entries of the file of a graph of boxes.
 
-    Which cells of each level of the grid are divided, and what is said of each box, are runs: a
-    number, and how often it follows. Edges are those of one box to boxes of successive numbers:
-    the box, the first of these, and how many there are. Components have numbers, boxes on no
-    cycle -1.
+    The divided cells of each level of the grid, and the properties of each box, are runs: a
+    value, and how many times it follows. Each entry of `edges` leads from one box to boxes
+    with successive numbers: the box, the first of these, and their count. Components have
+    numbers; boxes on no cycle have -1.
     """
 
     system: str
@@ -77,18 +77,10 @@ GRAPH = FileFormat(
 
 
 def save_graph(found: GraphCertificate, path: str | os.PathLike[str]) -> None:
-    """Write a certificate of a graph of boxes; what was there stays until it is complete.
+    """Write a graph's certificate to a file, which is replaced only when the new one is complete.
 
-    Parameters
-    ----------
-    found : GraphCertificate
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written, or cannot state the contact law that decides.
+    `InputError` is raised if the file cannot be written, or if a law of coupled contacts
+    decides transitions: a file states listed transitions only.
     """
     if not found.declaration:
         raise InputError(
@@ -99,13 +91,7 @@ def save_graph(found: GraphCertificate, path: str | os.PathLike[str]) -> None:
 
 
 def graph_entries(found: GraphCertificate) -> GraphEntries:
-    """What a file of a graph states.
-
-    Returns
-    -------
-    GraphEntries
-        Ready to be written.
-    """
+    """Entries of the file of a graph of boxes."""
     name, _, saved = named(known_system(found.system, None))
     graph, components = found.graph, np.full(len(found.graph.grid), -1)
     for number, own in enumerate(graph.components):
@@ -131,22 +117,11 @@ def graph_entries(found: GraphCertificate) -> GraphEntries:
 
 
 def graph_of(entries: GraphEntries) -> GraphCertificate:
-    """The certificate that a file's entries describe.
+    """The graph's certificate that a file's entries describe.
 
-    Parameters
-    ----------
-    entries : GraphEntries
-        As they were read.
-
-    Returns
-    -------
-    GraphCertificate
-        What follows from the edges is not read.
-
-    Raises
-    ------
-    InputError
-        If the grid has another number of boxes than is told of, or an edge leads to none.
+    What follows from the edges is computed, not read. `InputError` is raised if the grid
+    has another number of boxes than the entries list, or if an edge leads to a box that
+    does not exist.
     """
     own = {**vars(entries)}
     system_in(entries.system, own.pop("tables"))
@@ -160,7 +135,7 @@ def graph_of(entries: GraphEntries) -> GraphCertificate:
 
 
 def _divided(entries: GraphEntries) -> DividedGrid:
-    """The grid with its levels."""
+    """The grid with its levels of division."""
     whole = grid_of(entries.grid)
     size, levels = len(whole), []
     for told in entries.divided:
@@ -172,7 +147,7 @@ def _divided(entries: GraphEntries) -> DividedGrid:
 
 
 def _edges(graph: BoxGraph) -> tuple[tuple[int, int, int], ...]:
-    """Edges in order, those to successive boxes together."""
+    """The edges in order, with those to successive boxes joined: box, first target, count."""
     order = np.lexsort((graph.targets, graph.sources))
     source, target = graph.sources[order], graph.targets[order]
     if not len(source):
@@ -187,7 +162,7 @@ def _edges(graph: BoxGraph) -> tuple[tuple[int, int, int], ...]:
 def _listed_edges(
     told: Sequence[tuple[int, int, int]], size: int
 ) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
-    """Sources and targets of all edges."""
+    """Sources and targets of all edges, from those that were joined."""
     source, first, count = np.array(told or np.zeros((0, 3), dtype=int)).T
     fits = (source >= 0) & (source < size) & (first >= 0) & (count > 0) & (first + count <= size)
     if not fits.all() or count.sum() > _MOST:

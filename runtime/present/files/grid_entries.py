@@ -21,7 +21,7 @@ _MOST = 10**8  # boxes of a grid
 
 @dataclass(frozen=True, kw_only=True)
 class GridEntries:
-    """What a file states of a grid of boxes."""
+    """Entries for a grid of boxes."""
 
     exponents: tuple[int, ...]
     first: tuple[int, ...]
@@ -31,30 +31,19 @@ class GridEntries:
 def grid_of(entries: GridEntries) -> BoxGrid:
     """The grid that a file states.
 
-    Raises
-    ------
-    InputError
-        If it has too many boxes, or none, or doubles do not hold them.
+    `InputError` is raised if it has no boxes or too many, or numbers that doubles do not
+    hold.
     """
     return BoxGrid(entries.exponents, entries.first, entries.counts)
 
 
 def grid_entries(grid: BoxGrid) -> GridEntries:
-    """What a file states of a grid."""
+    """Entries for a grid of boxes."""
     return GridEntries(exponents=grid.exponents, first=grid.first, counts=grid.counts)
 
 
 def runs(values: NDArray[Any]) -> Runs:
-    """Numbers, each with how often it follows.
-
-    Parameters
-    ----------
-    values : array of int or bool (B,)
-
-    Returns
-    -------
-    tuple of (int, int)
-    """
+    """Runs of an array (B,) of integers or booleans: each value, and how often it follows."""
     if not values.size:
         return ()
     starts = np.flatnonzero(np.r_[True, values[1:] != values[:-1]])
@@ -63,24 +52,7 @@ def runs(values: NDArray[Any]) -> Runs:
 
 
 def listed(told: Sequence[tuple[int, int]], size: int) -> NDArray[np.int_]:
-    """The numbers of all boxes.
-
-    Parameters
-    ----------
-    told : sequence of (int, int)
-        As `runs` gives them.
-    size : int
-        How many boxes there are.
-
-    Returns
-    -------
-    array of int (size,)
-
-    Raises
-    ------
-    InputError
-        If there are more or fewer.
-    """
+    """The array (size,) of integers that `runs` made; `InputError` for another number of boxes."""
     if size > _MOST or any(n < 1 for _, n in told) or sum(n for _, n in told) != size:
         raise InputError("a grid has another number of boxes than is told of")
     return np.repeat([x for x, _ in told] or [0], [n for _, n in told] or [0])

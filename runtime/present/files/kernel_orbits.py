@@ -33,7 +33,7 @@ __all__ = ["KERNEL_ORBIT", "KernelOrbitEntries", "kernel_entries", "kernel_orbit
 
 @dataclass(frozen=True, kw_only=True)
 class KernelOrbitEntries:
-    """What the file of an orbit with kernels holds."""
+    """Entries of the file of an orbit with kernels."""
 
     orbit: str
     tables: SavedSystem | None
@@ -60,18 +60,7 @@ _SLACK = 100  # times the residual that the stated digits allow
 
 
 def kernel_entries(orbit: Orbit) -> KernelOrbitEntries:
-    """What is in an orbit's file, of one that has kernels.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        Converged.
-
-    Returns
-    -------
-    KernelOrbitEntries
-        Ready to be written.
-    """
+    """Entries of the file of a converged orbit that has kernels."""
     bits = max(map(bits_of, (*orbit.unknowns.values(), orbit.residual)))
     kernels = orbit.kernels
     _, name, saved = named(kernels.system, f"{kernels.system.name}:{kernels.orbit}")
@@ -92,22 +81,10 @@ def kernel_entries(orbit: Orbit) -> KernelOrbitEntries:
 
 
 def kernel_orbit(entries: KernelOrbitEntries) -> Orbit:
-    """The orbit that a file's entries describe, checked against the kernels.
+    """The orbit that a file's entries describe, with the same numbers.
 
-    Parameters
-    ----------
-    entries : KernelOrbitEntries
-        As they were read.
-
-    Returns
-    -------
-    Orbit
-        With the same numbers.
-
-    Raises
-    ------
-    InputError
-        If the numbers are no orbit, or not this one with these kernels.
+    `InputError` is raised if these are no orbit, or not this one with the installed
+    kernels.
     """
     kernels = orbit_in(entries.orbit, entries.tables)
     _check_names(kernels, entries)
@@ -167,7 +144,7 @@ def _solves(orbit: Orbit) -> bool:
     """Whether the equations hold as well as the digits of the unknowns allow.
 
     An error of 10^-digits max(1, |x|) in each number x moves an equation by at most the sum
-    of these, times the absolute values of its derivatives.
+    of these errors, times the absolute values of its derivatives.
     """
     rough = replace(orbit, unknowns={n: float(x) for n, x in orbit.unknowns.items()})
     names = (*orbit.kernels.unknowns, *orbit.kernels.parameter_names)

@@ -95,22 +95,10 @@ Trajectory, tuple of EventCertificate or xarray.Dataset
 
 
 def format_of(path: Path) -> str:
-    """Give the format of a result's file.
+    """The format of a result's JSON file: one of `READERS`.
 
-    Parameters
-    ----------
-    path : Path
-        A JSON file.
-
-    Returns
-    -------
-    str
-        One of `READERS`.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, is no JSON, or names no format that is known.
+    `InputError` is raised if the file cannot be read, is no JSON, or names an unknown
+    format.
     """
     named = format_in(path)
     if named is not None and named in READERS:

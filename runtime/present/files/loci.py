@@ -19,10 +19,10 @@ __all__ = ["load_locus", "save_locus"]
 
 @dataclass(frozen=True, kw_only=True)
 class LocusEntries:
-    """What the file of a curve of events holds.
+    """Entries of the file of a curve of events.
 
-    Values of both parameters and unknowns stand row after row; `orbit` is the content of one
-    orbit's file.
+    The values of both parameters and of the unknowns have one row for each point. The entry
+    `orbit` is the content of one orbit's file.
     """
 
     name: str
@@ -43,20 +43,7 @@ _LOCUS = FileFormat(
 
 
 def save_locus(locus: Locus, path: str | os.PathLike[str]) -> None:
-    """Write a curve of events to a file; what was there stays until the new content is complete.
-
-    Parameters
-    ----------
-    locus : Locus
-        As `continue_event` gives it.
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
-    """
+    """Write a curve of events to a file, which is replaced only when the new one is complete."""
     own = {name: getattr(locus, name) for name in LocusEntries.__dataclass_fields__}
     name = named(locus.orbit.system, locus.name)[1]
     kept = {"name": name, "orbit": (orbit_content(locus.orbit),)}
@@ -66,16 +53,8 @@ def save_locus(locus: Locus, path: str | os.PathLike[str]) -> None:
 def load_locus(path: str | os.PathLike[str]) -> Locus:
     """Read a curve of events that `Locus.save` wrote.
 
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, is cut, edited or foreign, or the orbit in it is none of
-        the system that is there. The message names the file.
+    An `InputError` with the file's name is raised if the file cannot be read, is cut,
+    edited or foreign, or if its orbit does not belong to the installed system.
 
     Examples
     --------

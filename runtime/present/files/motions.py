@@ -49,10 +49,7 @@ _SMALL = 1 << 16  # bytes that may be unpacked of any part
 
 @dataclass(frozen=True, kw_only=True)
 class MotionHeader:
-    """What a motion's file holds beside its table.
-
-    A grazing is its time, configuration, boundary and depth.
-    """
+    """Header of a motion's file: all but the table of its entries."""
 
     system: str
     tables: SavedSystem | None
@@ -63,6 +60,7 @@ class MotionHeader:
     end: AnyDigits
     options: tuple[str, ...]
     open_at: tuple[str, ...]
+    # time, configuration, boundary and depth of each
     grazings: tuple[tuple[Digits, str, str, Digits], ...]
 
 
@@ -73,28 +71,20 @@ MOTION = FileFormat(
 
 @dataclass(frozen=True)
 class _Table:
-    """Times (n,), names of configurations and boundaries (n,), states (n, N) behind and before."""
+    """The entries of a motion, as its file holds them."""
 
-    times: np.ndarray
-    configurations: np.ndarray
-    boundaries: np.ndarray
-    states: np.ndarray
-    before: np.ndarray
+    times: np.ndarray  # (n,)
+    configurations: np.ndarray  # (n,) names
+    boundaries: np.ndarray  # (n,) names of those reached, joined by +
+    states: np.ndarray  # (n, N) behind the transitions
+    before: np.ndarray  # (n, N) before the transitions
 
 
 def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> None:
-    """Write a motion to a file; what was there stays until the new content is complete.
+    """Write a motion to a .npz or .csv file, and make the folders above it.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-    path : str or path
-        A .npz or .csv file; folders above it are made.
-
-    Raises
-    ------
-    InputError
-        For another ending, a motion that is too large, or a file that cannot be written.
+    The file is replaced only when the new one is complete. `InputError` is raised for
+    another ending, for a motion that is too large, or if the file cannot be written.
     """
     target = Path(path)
     ending = _ending(target)
@@ -133,14 +123,10 @@ def save_trajectory(trajectory: Trajectory, path: str | os.PathLike[str]) -> Non
 def load_trajectory(path: str | os.PathLike[str]) -> Trajectory:
     """Read a motion that `Trajectory.save` wrote.
 
-    Kernels of another derivation are accepted if they have the same names, and the motion is
-    one of their system.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, is cut, edited or foreign, or holds what is no motion of
-        the systems that are installed. The message names the file.
+    Kernels of another derivation are accepted if they have the same names, and the motion
+    is one of their system. An `InputError` with the file's name is raised if the file
+    cannot be read, is cut, edited or foreign, or holds what is no motion of the installed
+    systems.
 
     Examples
     --------
@@ -171,7 +157,7 @@ def _grazing_entries(structure: Structure, grazing: Grazing) -> tuple[float, str
 
 
 def _numbers(table: _Table) -> Iterator[bytes]:
-    """What the checksum covers beside the header."""
+    """Yield the bytes of the table, which the checksum covers beside the header."""
     for numbers in (table.times, table.states, table.before):
         yield np.ascontiguousarray(numbers, dtype="<f8").tobytes()
     for names in (table.configurations, table.boundaries):
@@ -235,7 +221,7 @@ def _from_csv(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
 
 
 def _npz(content: Mapping[str, Any], table: _Table) -> bytes:
-    """Arrays in an archive without dates: the same motion gives the same bytes."""
+    """Bytes of an archive of the arrays, without dates: the same motion gives the same bytes."""
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as file:
         for name, array in (("header", np.array(json.dumps(content))), *vars(table).items()):
@@ -248,7 +234,10 @@ def _npz(content: Mapping[str, Any], table: _Table) -> bytes:
 
 
 def _from_npz(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
-    """What an archive holds, each part unpacked when those before it say how large it is."""
+    """Content, header and table of an archive.
+
+    Each part is unpacked only when those before it say how large it is.
+    """
     names = ("header", *_Table.__dataclass_fields__)
     try:
         with zipfile.ZipFile(io.BytesIO(found)) as file:
@@ -279,10 +268,10 @@ def _from_npz(found: bytes) -> tuple[dict[str, Any], MotionHeader, _Table]:
 def _array(
     file: zipfile.ZipFile, name: str, kind: str, shape: tuple[int | None, ...]
 ) -> np.ndarray:
-    """An array of an archive, of that kind and shape (None for any length that is not zero).
+    """An array of an archive, of a given kind and shape; None is any length but zero.
 
-    No more is unpacked than the archive says, nor than is there, nor a thousandfold of what is
-    stored.
+    No more is unpacked than the archive says or contains. Times and the header take at most
+    a fixed multiple of the bytes that are stored for them, but for a small constant.
     """
 
     def expected(found: tuple[int, ...], dtype: np.dtype[Any]) -> bool:
@@ -361,7 +350,7 @@ def _grazing(structure: Structure, entry: tuple[float, str, str, float]) -> Graz
 def _moves(system: PiecewiseLinear, run: Run) -> bool:
     """Whether flows and resets of a system lead from each entry to the next.
 
-    A duration is the difference of two times, so that it errs by their spacing.
+    A duration is the difference of two times, so that its error is their spacing.
     """
     count = len(run.times) - 1
     for configuration in np.unique(run.configurations[:-1]).tolist():

@@ -27,55 +27,28 @@ _DESIGN = "nonsmooth design"
 
 
 def saved_orbit(name: str) -> Orbit:
-    """The orbit that a name ``FILE.json`` or ``FILE.json:N`` stands for.
+    """The orbit that ``FILE.json`` or ``FILE.json:N`` names, with the numbers of the file.
 
-    Parameters
-    ----------
-    name : str
-        ``FILE.json`` or ``FILE.json:N``.
-
-    Returns
-    -------
-    Orbit
-        With the numbers of the file.
-
-    Raises
-    ------
-    InputError
-        If the file holds no such orbit, or as `load_orbit_file` and `found_orbit`.
+    `InputError` is raised if the file holds no such orbit, or as by `load_orbit_file` and
+    `found_orbit`.
     """
     path, number = _place(name)
     return _orbit(path, number)
 
 
 def saved_kernels(name: str) -> OrbitKernels:
-    """Tables and kernels of an orbit in a file; as `saved_orbit`.
+    """Tables and kernels of the orbit that ``FILE.json`` or ``FILE.json:N`` names.
 
-    Parameters
-    ----------
-    name : str
-        ``FILE.json`` or ``FILE.json:N``.
-
-    Returns
-    -------
-    OrbitKernels
-        The same ones as long as the file does not change.
+    As long as the file does not change, the object is the same one. Errors are those of
+    `saved_orbit`.
     """
     return _known(*_place(name))[1]
 
 
 def orbit_to_hold(name: str) -> dict[str, Any]:
-    """The orbit that a name ``FILE.json`` or ``FILE.json:N`` stands for, as its own file has it.
+    """Content of the file of the orbit that ``FILE.json`` or ``FILE.json:N`` names.
 
-    Parameters
-    ----------
-    name : str
-        ``FILE.json`` or ``FILE.json:N``.
-
-    Returns
-    -------
-    dict
-        Ready for JSON; an orbit without a name of its own has that of its kernels here.
+    It is ready for JSON. An orbit without a name takes that of its kernels in this file.
     """
     orbit, kernels = _known(*_place(name))
     if isinstance(orbit.problem, TableProblem):
@@ -84,40 +57,20 @@ def orbit_to_hold(name: str) -> dict[str, Any]:
 
 
 def held_kernels(content: Any, name: str) -> OrbitKernels:
-    """Tables and kernels of an orbit that `orbit_to_hold` gave.
+    """Tables and kernels of an orbit that `orbit_to_hold` gave, read as JSON.
 
-    Parameters
-    ----------
-    content : object
-        Read as JSON.
-    name : str
-        By which it is loaded again.
-
-    Raises
-    ------
-    InputError
-        If it is none; as for `load_orbit_file`, without the name of a file.
+    `name` is the one that loads the orbit again. `InputError` is raised as by
+    `load_orbit_file`, but without the name of a file.
     """
     return _kernels(orbit_in(content), name)
 
 
 def saved_listing(name: str) -> tuple[SystemKernels, dict[str, OrbitKernels | str]]:
-    """The system and all orbits that a name ``FILE.json`` or ``FILE.json:N`` stands for.
+    """The system and all orbits that ``FILE.json`` or ``FILE.json:N`` names.
 
-    Parameters
-    ----------
-    name : str
-        A file of results, perhaps with the place of an orbit in it, from 1.
-
-    Returns
-    -------
-    tuple of SystemKernels, dict
-        By the names that `load_orbit` takes: an orbit, or why an entry of several is none.
-
-    Raises
-    ------
-    InputError
-        If the file holds no orbit, or the one that is named is none; as `load_found`.
+    The keys are the names that `load_orbit` takes. If the file has several orbits, one that
+    fails is replaced by the reason. `InputError` is raised if the file holds no orbit, if
+    the only one named fails, or as by `load_found`.
     """
     path, number = _place(name)
     if number is not None or format_in(path) != finding.FOUND.name:
@@ -136,7 +89,7 @@ def saved_listing(name: str) -> tuple[SystemKernels, dict[str, OrbitKernels | st
 
 
 def _place(name: str) -> tuple[Path, int | None]:
-    """Whole path of the file, and the number that is named."""
+    """Absolute path of the file, and the number N if the name has one."""
     file, text = (name, "") if name.endswith(".json") else name.rsplit(":", 1)
     path = Path(file)
     if not path.is_file():
@@ -167,7 +120,7 @@ def _kernels(orbit: Orbit, address: str) -> OrbitKernels:
 
 
 def _reference(orbit: Orbit) -> dict[str, dict[str, str]]:
-    """A derived orbit as the reference: what is given, exactly, and what was solved for."""
+    """The reference of a derived orbit: its exact given values, and a guess of its unknowns."""
     given = {name: value.text for name, value in orbit.given.items()}
     found = {**{name: repr(float(x)) for name, x in orbit.unknowns.items()}, **given}
     names = orbit.kernels.unknowns

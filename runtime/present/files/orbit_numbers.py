@@ -20,64 +20,29 @@ _LARGEST_EXPONENT, _LEAST_EXPONENT = 308, -10 * MOST_DIGITS  # decimal
 
 
 class OrbitCounts(Protocol):
-    """How an orbit was solved, among the entries of its file."""
+    """The entries of an orbit's file that say how the orbit was solved."""
 
     @property
     def arithmetic(self) -> str:
-        """That of its numbers."""
+        """The arithmetic of the orbit's numbers."""
 
 
 def bits_of(number: Any) -> int:
-    """Precision of a number: of a double, or of the mpmath context that made it.
-
-    Parameters
-    ----------
-    number : float or mpf
-        The number.
-
-    Returns
-    -------
-    int
-        Bits.
-    """
+    """Precision in bits of a number: of a double, or of the mpmath context that made it."""
     if isinstance(number, float):
         return _DOUBLE_BITS
     return max(int(number.man_exp[0]).bit_length(), int(number.context.prec))
 
 
 def number_text(number: Any, bits: int) -> str:
-    """Decimal text that determines a number of so many bits.
-
-    Parameters
-    ----------
-    number : float or mpf
-        The number.
-    bits : int
-        Its precision.
-
-    Returns
-    -------
-    str
-        Decimal.
-    """
+    """Decimal text that determines a number with a precision of `bits`."""
     if isinstance(number, float):
         return float.__repr__(number)
     return decimal_string(number, math.ceil(bits * math.log10(2)))
 
 
 def check_counts(entries: OrbitCounts) -> None:
-    """Refuse counts of bits, digits and iterations that no orbit has.
-
-    Parameters
-    ----------
-    entries : OrbitCounts
-        As they were read.
-
-    Raises
-    ------
-    InputError
-        If a count is out of its range.
-    """
+    """Raise `InputError` for counts of bits, digits and iterations that no orbit has."""
     double = entries.arithmetic == "double"
     allowed = {
         "bits": (_DOUBLE_BITS, _DOUBLE_BITS if double else _MOST_BITS),
@@ -94,24 +59,8 @@ def check_counts(entries: OrbitCounts) -> None:
 def read_number(name: str, text: str, bits: int | None) -> Any:
     """The double, or the mpmath number of so many bits, nearest to a decimal text.
 
-    Parameters
-    ----------
-    name : str
-        What it is, for the message.
-    text : str
-        Decimal.
-    bits : int or None
-        None for a double.
-
-    Returns
-    -------
-    float or mpf
-        Finite.
-
-    Raises
-    ------
-    InputError
-        If the text is no finite decimal of a usual size.
+    It is a double if `bits` is None. `name` is for the message of the `InputError`, which
+    is raised if the text is no finite decimal of a usual size.
     """
     try:
         decimal = Decimal(text)

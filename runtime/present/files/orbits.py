@@ -25,42 +25,18 @@ __all__ = ["load_orbit_file", "orbit_content", "orbit_in", "save_orbit"]
 
 
 def save_orbit(orbit: Orbit, path: str | os.PathLike[str]) -> None:
-    """Write an orbit to a file; what was there stays until the new content is complete.
+    """Write a converged orbit to a JSON file, and make the folders above it.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        A converged one; floats and mpmath numbers come back as they are.
-    path : str or path
-        A JSON file; folders above it are made.
-
-    Raises
-    ------
-    InputError
-        If the orbit has not converged or the file cannot be written.
+    Floats and mpmath numbers keep every digit. The file is replaced only when the new one
+    is complete. `InputError` is raised if the orbit has not converged or the file cannot be
+    written.
     """
     file_format, entries = _entries(orbit)
     file_format.write(path, entries)
 
 
 def orbit_content(orbit: Orbit) -> dict[str, Any]:
-    """What is in an orbit's file; InputError if it has not converged.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        Converged.
-
-    Returns
-    -------
-    dict
-        Ready for JSON.
-
-    Raises
-    ------
-    InputError
-        If the orbit has not converged.
-    """
+    """Content of an orbit's file, ready for JSON; `InputError` if the orbit has not converged."""
     file_format, entries = _entries(orbit)
     return file_format.content(entries)
 
@@ -75,21 +51,12 @@ def _entries(orbit: Orbit) -> tuple[FileFormat[Any], Any]:
 
 
 def load_orbit_file(path: str | os.PathLike[str]) -> Orbit:
-    """Read an orbit that `Orbit.save` wrote.
+    """Read an orbit that `Orbit.save` wrote, with every digit.
 
     Kernels of another derivation are accepted if they have the same unknowns and parameters
-    and the orbit solves their equations.
-
-    Returns
-    -------
-    Orbit
-        With every digit that was saved.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, is cut, edited or foreign, or holds what is no orbit of
-        the kernels that are installed. The message names the file.
+    and the orbit solves their equations. An `InputError` with the file's name is raised if
+    the file cannot be read, is cut, edited or foreign, or holds what is no orbit of the
+    installed kernels.
 
     Examples
     --------
@@ -103,22 +70,9 @@ def load_orbit_file(path: str | os.PathLike[str]) -> Orbit:
 
 
 def orbit_in(content: Any) -> Orbit:
-    """The orbit that the entries of a file describe.
+    """The orbit that the content of a file (read as JSON) describes, with the same numbers.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Returns
-    -------
-    Orbit
-        With the same numbers.
-
-    Raises
-    ------
-    InputError
-        As for `load_orbit_file`, without the name of a file.
+    `InputError` is raised as by `load_orbit_file`, but without the name of a file.
     """
     by_tables = isinstance(content, dict) and content.get("format") == TABLE_ORBIT.name
     if by_tables:

@@ -16,7 +16,7 @@ __all__ = ["load_sweep", "save_sweep"]
 
 @dataclass(frozen=True, kw_only=True)
 class SweepEntries(Sweep):
-    """The diagram, and its system as data if that is not built in."""
+    """Entries of the file of a diagram, with its system as data if that is not built in."""
 
     tables: SavedSystem | None
 
@@ -25,19 +25,9 @@ _SWEEP = FileFormat(name="nonsmooth sweep", what="saved sweep", entries=SweepEnt
 
 
 def save_sweep(diagram: Sweep, path: str | os.PathLike[str]) -> None:
-    """Write a diagram, complete or not; what was there stays until the new content is complete.
+    """Write a diagram, complete or not, to a file.
 
-    Parameters
-    ----------
-    diagram : Sweep
-        The bifurcation diagram.
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written.
+    The file is replaced only when the new one is complete.
     """
     system, _, saved = named(known_system(diagram.system))
     entries = {**vars(diagram), "system": system, "tables": saved}
@@ -47,15 +37,8 @@ def save_sweep(diagram: Sweep, path: str | os.PathLike[str]) -> None:
 def load_sweep(path: str | os.PathLike[str]) -> Sweep:
     """Read a diagram that `Sweep.save` wrote.
 
-    Parameters
-    ----------
-    path : str or path
-        File to read.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, or is cut, edited or foreign. The message names it.
+    An `InputError` with the file's name is raised if the file cannot be read, or is cut,
+    edited or foreign.
 
     Examples
     --------

@@ -38,7 +38,7 @@ __all__ = ["TABLE_ORBIT", "TableOrbitEntries", "check_solves", "table_entries", 
 
 @dataclass(frozen=True, kw_only=True)
 class PhaseEntries:
-    """A phase of an orbit: how it is left, how long it lasts, and where it starts."""
+    """Entries for a phase of an orbit: its boundary, its dwell time, and where it starts."""
 
     configuration: str
     boundary: str
@@ -48,7 +48,7 @@ class PhaseEntries:
 
 @dataclass(frozen=True, kw_only=True)
 class TableOrbitEntries:
-    """What an orbit's file holds; numbers have as many digits as `bits` need."""
+    """Entries of the file of an orbit; numbers have as many digits as `bits` need."""
 
     system: str
     tables: SavedSystem | None
@@ -79,18 +79,7 @@ _MOST_MISSED = 1e-9  # the solver's residual, in units of the data
 
 
 def table_entries(orbit: Orbit) -> TableOrbitEntries:
-    """What is in an orbit's file, of one that was solved with its system's tables.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        Converged.
-
-    Returns
-    -------
-    TableOrbitEntries
-        Ready to be written.
-    """
+    """Entries of the file of a converged orbit that was solved with its system's tables."""
     problem = orbit.problem
     assert isinstance(problem, TableProblem)
     dwell, states = orbit.dwell_times.tolist(), orbit.states.tolist()
@@ -125,22 +114,9 @@ def table_entries(orbit: Orbit) -> TableOrbitEntries:
 
 
 def table_orbit(entries: TableOrbitEntries) -> Orbit:
-    """The orbit that the entries of a file describe.
+    """The orbit that a file's entries describe, with the same numbers.
 
-    Parameters
-    ----------
-    entries : TableOrbitEntries
-        As they were read.
-
-    Returns
-    -------
-    Orbit
-        With the same numbers.
-
-    Raises
-    ------
-    InputError
-        If the system is not there, or what the file holds is no orbit of it.
+    `InputError` is raised if the system is not installed, or if this is no orbit of it.
     """
     kernels = system_in(entries.system, entries.tables)
     check_counts(entries)
@@ -181,19 +157,10 @@ def table_orbit(entries: TableOrbitEntries) -> Orbit:
 
 
 def check_solves(orbit: Orbit, which: str = "") -> None:
-    """Refuse an orbit of a file that is none of the system that is there.
+    """Raise `InputError` unless an orbit of a file is one of the installed system.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        By tables.
-    which : str
-        What the message says of the kernels.
-
-    Raises
-    ------
-    InputError
-        If a dwell time is not positive, or the equations are not solved.
+    The orbit is one by tables. It is refused if a dwell time is not positive, or if the
+    equations are not solved; `which` says something about the kernels in the message.
     """
     if not (orbit.dwell_times > 0).all():
         raise InputError("a dwell time is not positive")

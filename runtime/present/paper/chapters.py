@@ -60,18 +60,7 @@ Formulas = Callable[[str, str], Sequence[tuple[str, str]]]
 
 
 def paper_orbits(begin: Callable[[str], None]) -> dict[str, Orbit]:
-    """The paper's orbits at its data, refined; `begin` is told the name of each.
-
-    Parameters
-    ----------
-    begin : callable
-        Is told each step when it begins.
-
-    Returns
-    -------
-    dict of str to Orbit
-        By their names.
-    """
+    """The paper's orbits at its data, refined, by name; `begin` receives the name of each."""
     found = {}
     for name in ORBITS:
         begin(f"orbit {name}")
@@ -85,21 +74,11 @@ def paper_orbits(begin: Callable[[str], None]) -> dict[str, Orbit]:
 def paper_report(
     orbits: Mapping[str, Orbit], pictures: Mapping[str, ReportFigure], formulas: Formulas
 ) -> Report:
-    """The whole report.
+    """The whole report on the paper: chapters, findings, and the numbers of its JSON.
 
-    Parameters
-    ----------
-    orbits : mapping of str to Orbit
-        As `paper_orbits` gives them.
-    pictures : mapping of str to ReportFigure
-        By their stems.
-    formulas : callable
-        Gives LaTeX and meaning of the formulas in a section of an orbit's document.
-
-    Returns
-    -------
-    Report
-        With chapters, findings and the numbers of its JSON.
+    The orbits are those of `paper_orbits`, and the pictures are named by their stems. The
+    callable `formulas` returns LaTeX and meaning of the formulas in a section of an orbit's
+    document.
     """
     rigid, elastic, symmetric, stick, limit, swapped = (orbits[n] for n in (*ORBITS, EXCHANGED))
     numbers = _numbers(symmetric, stick, swapped)
@@ -232,7 +211,7 @@ def paper_report(
 def _numbers(
     symmetric: Orbit, stick: Orbit, swapped: Orbit
 ) -> tuple[tuple[Comparison, ...], tuple[Comparison, ...], tuple[Comparison, ...]]:
-    """The printed digits of Sec. 3.2, and both readings of those of Sec. 3.3."""
+    """Comparisons with the digits of Sec. 3.2, and with both readings of those of Sec. 3.3."""
     times = {"tau1": "1.568", "tau2": "3.28"}
     start = {"z10": "1.1838", "z20": "-2.6715"}
     return (
@@ -263,7 +242,7 @@ def _equations(formulas: Formulas, orbit: Orbit, section: str) -> tuple[Equation
 
 
 def _orbit_blocks(orbit: Orbit, pictures: Mapping[str, ReportFigure]) -> tuple[Block, ...]:
-    """An orbit's numbers, its strip and its multipliers."""
+    """Blocks for one orbit: its numbers, the strip of its configurations, its multipliers."""
     told = orbit_json(orbit, DIGITS)
     given = {name: value.text for name, value in {**orbit.given, **orbit.opened}.items()}
     known = {**given, **orbit.kernels.required, **told["unknowns"]}

@@ -23,17 +23,10 @@ _STIFFEST = 10  # decades of k3
 
 
 def singular_periods(rigid: Orbit) -> Table:
-    """Periods at which the half-period conditions do not determine the rigid orbit.
+    """Table of the periods at which the half-period conditions leave the rigid orbit undetermined.
 
-    Parameters
-    ----------
-    rigid : Orbit
-        The rigid stop's, at the paper's data.
-
-    Returns
-    -------
-    Table
-        One row for each period, nondimensional.
+    Each row is one period, nondimensional; `rigid` is the orbit of the rigid stop at the
+    paper's data.
     """
     found = singular_values(rigid.name, "T", 0, LONGEST_PERIOD)
     return Table(
@@ -44,17 +37,10 @@ def singular_periods(rigid: Orbit) -> Table:
 
 
 def admissible_periods(rigid: Orbit) -> Table:
-    """Intervals of the period in which the rigid orbit is a motion of the system.
+    """Table of the intervals of the period in which the rigid orbit is a motion of the system.
 
-    Parameters
-    ----------
-    rigid : Orbit
-        The rigid stop's, at the paper's data.
-
-    Returns
-    -------
-    Table
-        One row for each interval, nondimensional.
+    Each row is one interval, nondimensional; `rigid` is the orbit of the rigid stop at the
+    paper's data.
     """
     found = admissible_intervals(rigid.name, "T", 0, LONGEST_PERIOD)
     return Table(
@@ -73,17 +59,10 @@ def _reason(interval: Interval, side: int) -> str:
 
 
 def rigid_limit(rigid: Orbit) -> Finding:
-    """The elastic orbits for ever stiffer stops, and the rate at which they become rigid.
+    """Finding on the elastic orbits for ever stiffer stops, and on their rate of convergence.
 
-    Parameters
-    ----------
-    rigid : Orbit
-        The rigid stop's, at the paper's data.
-
-    Returns
-    -------
-    Finding
-        With the errors, nondimensional, by stiffness.
+    It has the errors, nondimensional, by stiffness; `rigid` is the orbit of the rigid stop
+    at the paper's data.
     """
     target = {name: float(rigid.unknowns[name]) for name in ("y", "u")}
     rows, errors = [], []
@@ -131,17 +110,10 @@ def rigid_limit(rigid: Orbit) -> Finding:
 
 
 def symmetric_portraits(symmetric: Orbit) -> Finding:
-    """Whether both phase portraits of the symmetric orbit are symmetric, and its stability.
+    """Finding on the symmetry of both phase portraits of the symmetric orbit, and its stability.
 
-    Parameters
-    ----------
-    symmetric : Orbit
-        The symmetric orbit, at the paper's data.
-
-    Returns
-    -------
-    Finding
-        With the largest defect of the symmetry in each state, nondimensional.
+    It has the largest defect of the symmetry in each state, nondimensional; the orbit is at
+    the paper's data.
     """
     motion, tau = symmetric.motion(), float(symmetric.values["tau"])
     times = np.linspace(0, motion.period, 2001)
@@ -172,17 +144,10 @@ def symmetric_portraits(symmetric: Orbit) -> Finding:
 
 
 def trace_criterion(stick: Orbit) -> Finding:
-    """The paper's criterion of conditional stability, decided for its data.
+    """Finding on the paper's criterion of conditional stability, decided for its data.
 
-    Parameters
-    ----------
-    stick : Orbit
-        The orbit with global stick, at the paper's data.
-
-    Returns
-    -------
-    Finding
-        With determinant and trace, nondimensional.
+    It has determinant and trace, nondimensional; `stick` is the orbit with global stick at
+    the paper's data.
     """
     stability = stick.stability
     jacobian = stick.evaluate("poincare_jacobian")
@@ -201,17 +166,9 @@ def trace_criterion(stick: Orbit) -> Finding:
 
 
 def saltation_matters(orbits: tuple[Orbit, ...]) -> Table:
-    """Multipliers with and without the saltation matrices, by products of all local maps.
+    """Table of multipliers with and without saltation matrices, as products of all local maps.
 
-    Parameters
-    ----------
-    orbits : tuple of Orbit
-        One row each.
-
-    Returns
-    -------
-    Table
-        Of nondimensional multipliers.
+    Each orbit has a row; the multipliers are nondimensional.
     """
     rows = []
     for orbit in orbits:
@@ -229,7 +186,7 @@ def saltation_matters(orbits: tuple[Orbit, ...]) -> Table:
 
 
 def _without_saltation(orbit: Orbit) -> np.ndarray:
-    """The product of flows and resets, from saltation matrices without their rank-one part."""
+    """The product of flows and resets: saltation matrices without their rank-one part."""
     kernels = orbit.kernels
     parameters = [float(orbit.values[name]) for name in kernels.parameter_names]
     spectrum, _ = kernels.spectrum(parameters)

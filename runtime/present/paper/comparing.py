@@ -18,23 +18,10 @@ AGREES = "agrees within the printed digits"
 def compared(
     orbit: Orbit, where: str, printed: dict[str, str], labels: dict[str, str]
 ) -> tuple[Comparison, ...]:
-    """The printed numbers of one orbit beside those of ours.
+    """Comparisons of the printed numbers of one orbit with ours, one for each.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        Refined to more than `DIGITS` digits.
-    where : str
-        Place in the paper.
-    printed : dict of str to str
-        Digits as printed, by the name of the unknown.
-    labels : dict of str to str
-        LaTeX of the names.
-
-    Returns
-    -------
-    tuple of Comparison
-        One for each printed number.
+    The orbit is refined to more than `DIGITS` digits. `printed` has the printed digits and
+    `labels` the LaTeX, by the names of unknowns; `where` is the place in the paper.
     """
     return tuple(
         _compared(labels[name], where, text, orbit.unknowns[name]) for name, text in printed.items()
@@ -42,18 +29,7 @@ def compared(
 
 
 def digits_of(number: Any) -> str:
-    """A number to 30 decimals, or 30 digits where it is larger than one.
-
-    Parameters
-    ----------
-    number : float or mpf
-        The number.
-
-    Returns
-    -------
-    str
-        Decimal.
-    """
+    """Decimal text of a number to 30 decimals, or to 30 digits if it is larger than one."""
     return decimal_string(number, DIGITS)
 
 
@@ -70,7 +46,7 @@ def _compared(quantity: str, where: str, printed: str, number: Any) -> Compariso
 
 
 def _rounded_up(number: Decimal) -> str:
-    """The next larger number of one digit."""
+    """The next larger number that has one digit."""
     step = Decimal(1).scaleb(number.adjusted())
     text = f"{(number / step).to_integral_value('ROUND_CEILING') * step:f}"
     return text.rstrip("0").rstrip(".") if "." in text else text

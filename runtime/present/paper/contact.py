@@ -21,34 +21,25 @@ _ROUNDING = 1e-9
 
 @dataclass(frozen=True)
 class ContactOrbit:
-    """A solution of the half-phase conditions, and what keeps it from being a motion."""
+    """A solution of the half-phase conditions, and the reason why it is no motion, if any."""
 
-    tau: float
-    y: float
-    u: float
-    w: float
-    failure: str
+    tau: float  # duration of the contact
+    y: float  # second position at the beginning of the contact
+    u: float  # first velocity there
+    w: float  # second velocity there
+    failure: str  # empty if the solution is a motion
 
     @property
     def admissible(self) -> bool:
-        """Whether nothing does."""
+        """Whether the solution is a motion."""
         return not self.failure
 
 
 def contact_orbits(data: Mapping[str, float], last_entry: float) -> tuple[ContactOrbit, ...]:
     """All one-contact solutions with a given entry K1[2, 2] of the contact stiffness.
 
-    Parameters
-    ----------
-    data : mapping of str to float
-        m1, m2, k1, k2, k3 and the period T, in consistent units.
-    last_entry : float
-        K1[2, 2], in the same units.
-
-    Returns
-    -------
-    tuple of ContactOrbit
-        By rising time of contact.
+    `data` has m1, m2, k1, k2, k3 and the period T, in the same consistent units as the
+    entry. The solutions are ordered by the duration of contact.
     """
     from scipy.optimize import brentq
 
@@ -59,7 +50,10 @@ def contact_orbits(data: Mapping[str, float], last_entry: float) -> tuple[Contac
     contact = _ModalMotion(mass, stiffness, np.linalg.solve(stiffness, [k3, 0.0]))
 
     def conditions(tau: float) -> np.ndarray:
-        """Rows on (1, y, u, w): velocities halfway through contact, then free."""
+        """Matrix (4, 4) on (y, u, w, 1) of the velocities that have to vanish.
+
+        They are those halfway through contact, then those halfway through free motion.
+        """
         reflected = np.diag([1.0, 1.0, -1.0, -1.0])
         upper = contact.velocity_rows(tau / 2)
         lower = free.velocity_rows((period - tau) / 2)
@@ -84,7 +78,7 @@ def contact_orbits(data: Mapping[str, float], last_entry: float) -> tuple[Contac
 
 
 class _ModalMotion:
-    """x'' = -M^-1 K (x - d), by its modes."""
+    """Solution of ``x'' = -M^-1 K (x - d)`` by modes."""
 
     def __init__(self, mass: np.ndarray, stiffness: np.ndarray, centre: np.ndarray) -> None:
         root = np.sqrt(mass)
@@ -98,13 +92,13 @@ class _ModalMotion:
         return np.asarray((self.shapes * factors) @ self.inverse)
 
     def velocity_rows(self, time: float) -> np.ndarray:
-        """Velocities after a time as rows on the state at the start, and a constant."""
+        """Rows (2, 5) that give the velocities after a time, on the start and a constant."""
         w = self.frequencies
         by_position, by_velocity = self._mix(-w * np.sin(w * time)), self._mix(np.cos(w * time))
         return np.column_stack([by_position, by_velocity, -by_position @ self.centre])
 
     def positions(self, times: np.ndarray, start: np.ndarray) -> np.ndarray:
-        """Positions of the first mass."""
+        """Positions (n,) of the first mass at times (n,)."""
         phases = np.outer(times, self.frequencies)
         shifted, rates = self.inverse @ (start[:2] - self.centre), self.inverse @ start[2:]
         modes = shifted * np.cos(phases) + rates / self.frequencies * np.sin(phases)

@@ -20,7 +20,7 @@ __all__ = ["Drawing", "drawings"]
 
 @dataclass(frozen=True)
 class Drawing:
-    """A picture and the function that draws it."""
+    """A figure of the report, and the function that draws it."""
 
     picture: ReportFigure
     draw: Callable[[], Figure]
@@ -28,17 +28,17 @@ class Drawing:
 
 @dataclass(frozen=True)
 class _View:
-    """A figure of the paper: of an orbit, the kind of picture, masses and periods."""
+    """A figure of the paper that shows an orbit."""
 
     number: int
     caption: str
     orbit: str
-    kind: str
-    masses: tuple[int, ...] | None = None
+    kind: str  # of picture
+    masses: tuple[int, ...] | None = None  # that are drawn, all if None
     periods: int = 1
 
     def of(self, orbits: Mapping[str, Orbit]) -> Drawing:
-        """Its drawing."""
+        """The figure with the function that draws it from the orbits."""
         picture = ReportFigure(f"figure-{self.number:02}", f"Fig. {self.number}. {self.caption}.")
         draw = partial(
             orbit_figure, orbits[self.orbit], self.kind, periods=self.periods, masses=self.masses
@@ -66,17 +66,9 @@ _SCHEMATICS = (
 
 
 def drawings(orbits: Mapping[str, Orbit]) -> dict[str, Drawing]:
-    """All drawings by their stems: the paper's by number, then two of each orbit.
+    """All drawings by their stems, in the order of the report.
 
-    Parameters
-    ----------
-    orbits : dict of str to Orbit
-        As `paper_orbits` gives them.
-
-    Returns
-    -------
-    dict of str to Drawing
-        In the order of the report.
+    First come those of the paper by number, then two of each orbit of `paper_orbits`.
     """
     numbered = {view.number: view.of(orbits) for view in _VIEWS}
     for number, caption, draw in _SCHEMATICS:

@@ -24,13 +24,7 @@ _SIGNS = tuple("+−±")
 
 
 class Formulas:
-    """Formulas for a page of HTML.
-
-    Raises
-    ------
-    MissingExtra
-        If latex2mathml is not installed.
-    """
+    """Converter of LaTeX to MathML; `MissingExtra` is raised if latex2mathml is not installed."""
 
     def __init__(self) -> None:
         try:
@@ -40,42 +34,16 @@ class Formulas:
         self._convert = convert_to_element
 
     def display(self, latex: str) -> str:
-        """A formula on a line of its own.
+        """HTML of a formula (LaTeX without delimiters) on a line of its own.
 
-        Parameters
-        ----------
-        latex : str
-            Without delimiters.
-
-        Returns
-        -------
-        str
-            HTML with MathML.
-
-        Raises
-        ------
-        ValueError
-            If the LaTeX has a command or an environment that latex2mathml does not know.
+        `ValueError` is raised for a command or an environment that latex2mathml does not know.
         """
         return _html(self._formula(latex, "block"))
 
     def inline(self, latex: str) -> str:
-        """A formula within a line, as pieces between which the line may break.
+        """HTML of a formula (LaTeX without delimiters) in pieces between which a line may break.
 
-        Parameters
-        ----------
-        latex : str
-            Without delimiters.
-
-        Returns
-        -------
-        str
-            HTML with MathML.
-
-        Raises
-        ------
-        ValueError
-            If the LaTeX has a command or an environment that latex2mathml does not know.
+        `ValueError` is raised for a command or an environment that latex2mathml does not know.
         """
         return "".join(map(_html, _pieces(self._formula(latex, "inline"))))
 
@@ -97,7 +65,7 @@ class Formulas:
 
 
 def _known(latex: str) -> str:
-    """LaTeX without what latex2mathml misreads."""
+    """The LaTeX, with what latex2mathml misreads replaced."""
     latex = latex.replace("{aligned}", "{align*}")
     latex = re.sub(r"\\mathrm\{([A-Za-z]+)\}", r"\\text{\1}", latex)
     latex = re.sub(r"(\\begin\{([pbvBV]matrix)\}.*?\\end\{\2\})", r"{\1}", latex, flags=re.DOTALL)
@@ -113,12 +81,12 @@ def _misread(element: Element) -> bool:
 
 
 def _core(element: Element) -> Element:
-    """What an element's indices are attached to, or the element."""
+    """The base of an element with indices, or else the element."""
     return element[0] if element.tag in ("msub", "msup", "msubsup") else element
 
 
 def _space_names(row: Element) -> None:
-    """Set the names of functions with the spaces that TeX gives them."""
+    """Give the names of functions the spaces that TeX gives them."""
     neighbours = [None, *row, None]
     for before, element, after in zip(neighbours, row, neighbours[2:], strict=False):
         name = _core(element)
@@ -130,7 +98,7 @@ def _space_names(row: Element) -> None:
 
 
 def _space_signs(row: Element) -> None:
-    """Set a sign close to what it belongs to, and nothing around a stroke."""
+    """Set a leading sign close to its operand, and no space around a stroke."""
     for before, sign in pairwise(row):
         if before.text in (*_RELATIONS, *_OPENING) and sign.text in _SIGNS:
             sign.set("form", "prefix")
@@ -141,7 +109,7 @@ def _space_signs(row: Element) -> None:
 
 
 def _pair_bars(row: Element) -> None:
-    """Set bars as parentheses: every other one closes."""
+    """Set vertical bars as parentheses: every other one closes."""
     bars = [bar for bar in map(_core, row) if bar.text in _BARS and not bar.get("form")]
     if len(bars) % 2 == 0:
         for number, bar in enumerate(bars):
@@ -151,7 +119,7 @@ def _pair_bars(row: Element) -> None:
 
 
 def _lower(prime: Element) -> None:
-    """Set a prime, which fonts hold raised, as large as beside a letter and no higher."""
+    """Set a prime at the size and height that it has beside a letter; fonts hold it raised."""
     inner = Element("mi", {"class": "prime"})
     prime.tag, inner.text, prime.text = "mpadded", prime.text, ""
     prime.set("voffset", "-0.3em")
@@ -159,7 +127,7 @@ def _lower(prime: Element) -> None:
 
 
 def _pieces(math: Element) -> Iterator[Element]:
-    """Parts of a long formula: each ends with a relation or a sign outside of parentheses."""
+    """Yield parts of a long formula, each up to a relation or sign outside of parentheses."""
     row = math[0] if len(math) else math
     if len(row) < _LONG:
         yield math
@@ -180,7 +148,7 @@ def _pieces(math: Element) -> Iterator[Element]:
 
 
 def _inline(elements: list[Element]) -> Element:
-    """A formula of these elements."""
+    """An inline formula of these elements."""
     math = Element("math", {"display": "inline"})
     math.extend(elements)
     return math

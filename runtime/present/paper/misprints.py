@@ -19,17 +19,9 @@ _CLEAR = 1e-4  # beyond it a difference is no rounding, of the paper's digits or
 
 
 def misprints(rigid: Orbit, elastic: Orbit, symmetric: Orbit, stick: Orbit) -> tuple[Finding, ...]:
-    """All of them, in the order of the paper.
+    """Findings on all misprints, in the order of the paper.
 
-    Parameters
-    ----------
-    rigid, elastic, symmetric, stick : Orbit
-        The paper's orbits at the paper's data; `stick` is the global-stick one.
-
-    Returns
-    -------
-    tuple of Finding
-        One for each misprint.
+    The orbits are those of the paper at its data; `stick` is the one with global stick.
     """
     return (
         _impact_law(rigid),
@@ -252,7 +244,7 @@ def _digits_of_symmetric(symmetric: Orbit) -> Finding:
 
 
 def _turn(orbit: Orbit, last: float | None = None) -> np.ndarray:
-    """N of the Appendix: the flows of the phases behind the global stick phase."""
+    """The matrix N of the Appendix: the product of the flows behind the global stick phase."""
     kernels: OrbitKernels = orbit.kernels
     parameters = [float(orbit.values[name]) for name in kernels.parameter_names]
     spectrum, _ = kernels.spectrum(parameters)
@@ -268,7 +260,7 @@ def _turn(orbit: Orbit, last: float | None = None) -> np.ndarray:
 
 
 def _stick_matrix(time: float, factor: float) -> np.ndarray:
-    """D of Eq. (10), its upper right block times a factor."""
+    """The matrix D of Eq. (10), with its upper right block multiplied by a factor."""
     matrix = np.eye(4)
     matrix[:2, 2:] = factor * float(time) * np.eye(2)
     return matrix
@@ -284,7 +276,10 @@ def _defects(caption: str, header: tuple[str, str], rows: Iterable[tuple[str, fl
 
 
 def _verdict(printed: float, corrected: float) -> str:
-    """A misprint, if what is printed fails clearly where the correction holds."""
+    """The text "misprint" if the printed value clearly fails where the corrected one holds.
+
+    Otherwise it is "undecided".
+    """
     return "misprint" if abs(printed) > _CLEAR > 1e6 * abs(corrected) else "undecided"
 
 

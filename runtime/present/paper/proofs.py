@@ -22,21 +22,10 @@ _BESIDE = 0.05  # of the parameter: from a border collision to an orbit that has
 def with_certificates(
     report: Report, orbits: Mapping[str, Orbit], begin: Callable[[str], None]
 ) -> Report:
-    """The report with a chapter on proofs before the last, and the certificates in its JSON.
+    """A new report, with a chapter on proofs before the last one, and certificates in its JSON.
 
-    Parameters
-    ----------
-    report : Report
-        As `paper_report` gives it.
-    orbits : dict of str to Orbit
-        As `paper_orbits` gives them.
-    begin : callable
-        Is told each step when it begins.
-
-    Returns
-    -------
-    Report
-        A new one.
+    The report is that of `paper_report`, and the orbits are those of `paper_orbits`;
+    `begin` receives the name of each step.
     """
     found: dict[str, Certificate] = {}
     for name, orbit in orbits.items():
@@ -95,7 +84,10 @@ def with_certificates(
 
 
 def _collision(orbit: Orbit) -> EventCertificate:
-    """The border collision that an orbit with a vanishing phase is, on the branch beside it."""
+    """Certificate of the border collision at an orbit with a vanishing phase.
+
+    The collision lies on the branch beside the orbit.
+    """
     kernels = orbit.kernels
     (parameter,) = kernels.solved_for
     (host,) = [

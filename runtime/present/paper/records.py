@@ -31,17 +31,10 @@ class Text:
 
 @dataclass(frozen=True)
 class Equation:
-    """A displayed formula.
-
-    Attributes
-    ----------
-    latex : str
-    note : str
-        What it means, as text; may be empty.
-    """
+    """A displayed formula."""
 
     latex: str
-    note: str = ""
+    note: str = ""  # its meaning as text, may be empty
 
 
 @dataclass(frozen=True)
@@ -55,49 +48,23 @@ class Table:
 
 @dataclass(frozen=True)
 class ReportFigure:
-    """A figure that lies as ``<stem>.svg`` and ``<stem>.png`` beside the report.
+    """A figure in the files ``<stem>.svg`` and ``<stem>.png`` beside the report."""
 
-    Attributes
-    ----------
-    stem : str
-        Name of the files without their ending, e.g. ``figure-02``.
-    caption : str
-        Begins with the paper's number where it has one.
-    """
-
-    stem: str
-    caption: str
+    stem: str  # such as figure-02
+    caption: str  # begins with the paper's number if it has one
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """A number of the paper beside ours.
+    """A number of the paper beside ours."""
 
-    Attributes
-    ----------
-    quantity : str
-        LaTeX.
-    where : str
-        Section or equation of the paper.
-    printed : str
-        The paper's digits.
-    ours : str
-        Decimal string of 30 digits.
-    difference : str
-        Ours less the paper's, three digits.
-    verdict : str
-        "agrees within the printed digits", "agrees within 0.2 %", or "misprint".
-    enclosure : str
-        Proven enclosure; empty where none was asked for.
-    """
-
-    quantity: str
-    where: str
-    printed: str
-    ours: str
-    difference: str
-    verdict: str
-    enclosure: str = ""
+    quantity: str  # LaTeX
+    where: str  # section or equation of the paper
+    printed: str  # the paper's digits
+    ours: str  # decimal string of 30 digits
+    difference: str  # ours less the paper's, three digits
+    verdict: str  # "agrees within the printed digits", "agrees within 0.2 %", or "misprint"
+    enclosure: str = ""  # proven, empty if none was asked for
 
 
 @dataclass(frozen=True)
@@ -110,29 +77,13 @@ class Comparisons:
 
 @dataclass(frozen=True)
 class Finding:
-    """A claim or misprint of the paper, and the computation that decides it.
+    """A claim or misprint of the paper, and the computation that decides it."""
 
-    Attributes
-    ----------
-    title : str
-        e.g. "Eq. (2): the impact law".
-    printed : str
-        What the paper has, as text.
-    verdict : str
-        "misprint", "holds", "does not hold" or "holds with a correction".
-    corrected : str
-        What it has to be; empty where the claim holds.
-    evidence : str
-        What was computed and what came out.
-    table : Table, or None
-        The numbers.
-    """
-
-    title: str
-    printed: str
-    verdict: str
-    corrected: str
-    evidence: str
+    title: str  # such as "Eq. (2): the impact law"
+    printed: str  # text of the paper
+    verdict: str  # "misprint", "holds", "does not hold" or "holds with a correction"
+    corrected: str  # what it has to be, empty if the claim holds
+    evidence: str  # what was computed and what came out
     table: Table | None = None
 
 
@@ -141,36 +92,18 @@ Block = Text | Equation | Table | ReportFigure | Comparisons | Finding
 
 @dataclass(frozen=True)
 class Chapter:
-    """A section of the report.
+    """A section of the report."""
 
-    Attributes
-    ----------
-    anchor : str
-        Lower-case words joined by hyphens, unique in the report.
-    title : str
-    blocks : tuple of Block
-    """
-
-    anchor: str
+    anchor: str  # lower-case words joined by hyphens, unique in the report
     title: str
     blocks: tuple[Block, ...]
 
 
 @dataclass(frozen=True)
 class Report:
-    """The whole report.
-
-    Attributes
-    ----------
-    title : str
-    summary : tuple of str
-        A few paragraphs in front of the chapters.
-    chapters : tuple of Chapter
-    results : dict
-        Every number for ``results.json``: decimal strings, integers, nested dicts and lists.
-    """
+    """The whole report."""
 
     title: str
-    summary: tuple[str, ...]
+    summary: tuple[str, ...]  # paragraphs before the chapters
     chapters: tuple[Chapter, ...]
-    results: dict[str, Any]
+    results: dict[str, Any]  # for results.json: decimal strings, integers, nested dicts and lists

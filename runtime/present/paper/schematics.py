@@ -38,18 +38,10 @@ _BULGE = 0.1  # of the curves between two boundaries
 
 
 def stop_schematic() -> Figure:
-    """Draw the two masses with a stop, Fig. 1 of the paper.
+    """Figure of the two masses with a stop, Fig. 1 of the paper, outside pyplot.
 
-    Returns
-    -------
-    Figure
-        Outside pyplot. From the left: the ground, k2, m2, k1, m1, and the stop, which is held
-        by k3 at the clearance 1 from the first mass.
-
-    Raises
-    ------
-    MissingExtra
-        If matplotlib is not installed.
+    From the left: the ground, k2, m2, k1, m1, and the stop, which is held by k3 at the
+    clearance 1 from the first mass.
     """
     figure, axes = _canvas(1.62)
     left, floor, top = _MARGIN + _HATCH, _MARGIN + _HATCH, 1.54
@@ -79,18 +71,10 @@ def stop_schematic() -> Figure:
 
 
 def belt_schematic() -> Figure:
-    """Draw the two masses on a driving belt, Fig. 6 of the paper.
+    """Figure of the two masses on a driving belt, Fig. 6 of the paper, outside pyplot.
 
-    Returns
-    -------
-    Figure
-        Outside pyplot. From the left: the ground, k1, m1, k2, m2. The friction forces are
-        those on the masses, positive along the belt's velocity.
-
-    Raises
-    ------
-    MissingExtra
-        If matplotlib is not installed.
+    From the left: the ground, k1, m1, k2, m2. The friction forces are those on the masses,
+    positive along the belt's velocity.
     """
     figure, axes = _canvas(2.24)
     radius, left = 0.42, _MARGIN + _HATCH
@@ -120,18 +104,11 @@ def belt_schematic() -> Figure:
 
 
 def poincare_schematic() -> Figure:
-    """Draw a periodic orbit through all configurations and its Poincaré map, Fig. 11.
+    """Figure of a periodic orbit through all configurations and its Poincaré map, Fig. 11.
 
-    Returns
-    -------
-    Figure
-        Outside pyplot. The neighbouring trajectory (dashed) starts in Z and returns to the
-        first boundary in P(Z), nearer to the point Z0 of the periodic orbit (solid).
-
-    Raises
-    ------
-    MissingExtra
-        If matplotlib is not installed.
+    The neighbouring trajectory (dashed) starts in Z and returns to the first boundary in
+    P(Z), nearer to the point Z0 of the periodic orbit (solid). The figure is outside
+    pyplot.
     """
     figure, axes = _canvas(5.37)
     turns = np.radians([0, 66, 143, 217, 294, 360])
@@ -157,15 +134,9 @@ def poincare_schematic() -> Figure:
 def _draw_stage(axes: Axes, stage: str, ends: Point, gaps: Point) -> None:
     """Draw both motions through one configuration; without a name it stands for several.
 
-    Parameters
-    ----------
-    axes : Axes
-    stage : str
-        Index of the configuration and of the local map; may be empty.
-    ends : tuple of float
-        Turns of the boundaries before and behind it.
-    gaps : tuple of float
-        Distances of the trajectory from the orbit at these boundaries.
+    `stage` is the index of the configuration and of the local map, and may be empty. `ends`
+    are the angles, in radians, of the boundaries before and behind it, and `gaps` the
+    distances of the trajectory from the orbit there.
     """
     turn, gap = np.linspace(*ends, 81), np.linspace(*gaps, 81)
     orbit = _ORBIT + _BULGE * np.sin(np.linspace(0, np.pi, 81))
@@ -183,7 +154,7 @@ def _draw_stage(axes: Axes, stage: str, ends: Point, gaps: Point) -> None:
 
 
 def _swirl(turn: Any, radius: Any) -> np.ndarray:
-    """Points of the phase space: turned clockwise from the top, along slightly bent rays."""
+    """Points (n, 2) of the phase space at angles clockwise from the top, on slightly bent rays."""
     turn = turn + 0.12 * (radius - _ORBIT)
     x, y = 1.1 * radius * np.sin(turn), radius * np.cos(turn)
     return np.column_stack((x, y)) + _CENTRE
@@ -202,7 +173,7 @@ def _canvas(height: float) -> tuple[Figure, Axes]:
 
 
 def _write(axes: Axes, place: ArrayLike, text: str, offset: Point = (0, 0), **style: Any) -> None:
-    """Write a formula, or words, about a place or beside it."""
+    """Write a formula or words around a place, or beside it by an offset."""
     shape = {"ha": "center", "va": "center", "fontsize": _LETTERS, "color": "black"}
     face = {"family": "STIXGeneral", "math_fontfamily": "stix"}
     x, y = np.add(place, offset)
@@ -238,7 +209,7 @@ def _draw_head(axes: Axes, points: np.ndarray, color: str) -> None:
 
 
 def _draw_key(axes: Axes, left: float, text: str, color: str, dashes: Any) -> None:
-    """Say in words, at the foot of the figure, what a line is."""
+    """Explain a line in words at the foot of the figure."""
     height = 0.17
     line = [(left, height), (left + 0.45, height)]
     _draw_line(axes, line, color=color, linestyle=dashes)
@@ -276,15 +247,9 @@ def _draw_roller(axes: Axes, hub: Point, radius: float) -> None:
 
 
 def _draw_ground(axes: Axes, face: ArrayLike, *bands: tuple[float, float, float, float]) -> None:
-    """Draw the face of the ground, and hatch the rectangles behind it.
+    """Draw the face of the ground (n, 2), and hatch the rectangles behind it.
 
-    Parameters
-    ----------
-    axes : Axes
-    face : array_like, shape (n, 2)
-        Corners of the face.
-    *bands : tuple of float
-        Left, right, bottom and top of each rectangle; strokes run on from one to the next.
+    Each rectangle has left, right, bottom and top; strokes run on from one to the next.
     """
     _draw_line(axes, face)
     for left, right, bottom, top in bands:
@@ -295,5 +260,5 @@ def _draw_ground(axes: Axes, face: ArrayLike, *bands: tuple[float, float, float,
 
 
 def _arc(hub: Point, radius: float, angle: np.ndarray) -> np.ndarray:
-    """Points of a circle."""
+    """Points of a circle at given angles."""
     return np.column_stack((np.cos(angle), np.sin(angle))) * radius + hub

@@ -39,59 +39,26 @@ _HEADER = ("Quantity", "Where", "Printed", "Ours", "Difference", "Verdict")
 
 
 def to_json(report: Report) -> str:
-    """Every number of a report, in its order; equal results give equal bytes.
+    """JSON of every number of a report, in its order; equal results give equal bytes.
 
-    Parameters
-    ----------
-    report : Report
-        As `paper_report` gives it.
-
-    Returns
-    -------
-    str
-        JSON.
-
-    Raises
-    ------
-    ValueError
-        If a number is infinite or not a number.
+    `ValueError` is raised for a number that is infinite or not a number.
     """
     return json.dumps(report.results, indent=2, allow_nan=False) + "\n"
 
 
 def to_markdown(report: Report) -> str:
-    """Write a report for GitHub and for plain reading; pictures are ``<stem>.svg`` beside it.
-
-    Parameters
-    ----------
-    report : Report
-        As `paper_report` gives it.
-
-    Returns
-    -------
-    str
-        Markdown.
-    """
+    """Markdown of a report, for GitHub and plain reading; pictures are ``<stem>.svg`` beside it."""
     chapters = (part for chapter in report.chapters for part in _chapter_markdown(chapter))
     parts = [f"# {_prose(report.title)}", *map(_paragraph, report.summary), *chapters]
     return "\n\n".join(parts) + "\n"
 
 
 def to_html(report: Report, pictures: Mapping[str, str]) -> str:
-    """Write a report as one page: style, equations as MathML and pictures are inside.
+    """HTML of a report as one page that includes style, equations as MathML, and pictures.
 
-    Parameters
-    ----------
-    report : Report
-    pictures : mapping of str to str
-        The SVG of every picture, by its stem.
-
-    Raises
-    ------
-    MissingExtra
-        If Jinja2 or latex2mathml is not installed.
-    ValueError
-        If a piece of LaTeX has a command or an environment that latex2mathml does not know.
+    `pictures` has the SVG of each picture by its stem. `MissingExtra` is raised if Jinja2
+    or latex2mathml is not installed, and `ValueError` for LaTeX that latex2mathml does not
+    know.
     """
     return _template(_Page(Formulas(), pictures)).render(report=report)
 
@@ -123,7 +90,7 @@ def _block_markdown(block: Block) -> list[str]:
 
 
 def _comparisons_markdown(rows: tuple[Comparison, ...]) -> str:
-    """Comparisons as a table, with enclosures where there is one."""
+    """Markdown table of comparisons, with a column of enclosures if any row has one."""
     enclosed = any(row.enclosure for row in rows)
     cells = [
         (f"${row.quantity.strip()}$", row.where, row.printed, row.ours, row.difference, row.verdict)
@@ -134,7 +101,7 @@ def _comparisons_markdown(rows: tuple[Comparison, ...]) -> str:
 
 
 def _finding_markdown(finding: Finding) -> list[str]:
-    """A finding under a heading of its own."""
+    """Parts of a finding, which has a heading of its own."""
     entries = {
         "Printed": finding.printed,
         "Verdict": finding.verdict,
@@ -147,32 +114,28 @@ def _finding_markdown(finding: Finding) -> list[str]:
 
 
 def _pipes(header: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
-    """Cells between pipes."""
+    """Markdown table of a header and rows."""
     lines = [[_cell(text) for text in row] for row in (header, *rows)]
     lines.insert(1, ["---"] * len(lines[0]))
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
 def _cell(text: str) -> str:
-    """Text without a bare pipe, in maths or outside."""
+    """Text of a cell of a table, without a bare pipe, in maths or outside."""
     return _prose(text, {"|": r"\|"}, {r"\|": r"\Vert ", "|": r"\vert "})
 
 
 def _paragraph(text: str) -> str:
-    """Text that does not begin as a list, a quotation or a heading."""
+    """Text of a paragraph that Markdown does not take for a list, a quotation or a heading."""
     return re.sub(r"^(\d*)([-+#>.)]\s|[#>])", r"\1\\\2", _prose(text))
 
 
 def _prose(
     text: str, words: Mapping[str, str] = _NOTHING, maths: Mapping[str, str] = _NOTHING
 ) -> str:
-    """Text with its marks on one line; what Markdown would take for its own is escaped.
+    """Text with its marks on one line, and all other special characters of Markdown escaped.
 
-    Parameters
-    ----------
-    text : str
-    words, maths : mapping of str to str
-        What else is replaced, in this order, outside and inside of maths.
+    The replacements `words` apply outside of maths, and `maths` inside, each in its order.
     """
     found = []
     for part in _MARKS.split(" ".join(text.split())):
@@ -186,12 +149,12 @@ def _prose(
 
 
 def _escaped(words: str) -> str:
-    """Words without anything that Markdown would take for its own."""
+    """Words with the special characters of Markdown escaped."""
     return re.sub(r"[\\`*_~<$]|&(?=#?\w+;)", r"\\\g<0>", words)
 
 
 def _replaced(text: str, replacements: Mapping[str, str]) -> str:
-    """Text after one replacement after the other."""
+    """The text after all replacements, one after the other."""
     for old, new in replacements.items():
         text = text.replace(old, new)
     return text
@@ -201,7 +164,7 @@ def _replaced(text: str, replacements: Mapping[str, str]) -> str:
 
 
 def _template(page: _Page) -> Template:
-    """The page's template; what it inserts is escaped unless `page` has made it."""
+    """The page's template; inserted text is escaped unless `page` has made it."""
     try:
         from jinja2 import Environment, StrictUndefined
     except ImportError:
@@ -224,7 +187,7 @@ def _template(page: _Page) -> Template:
 
 
 class _Page:
-    """Pieces of a page: text, formulas and pictures as HTML."""
+    """Converter of text, formulas and pictures to the HTML of a page."""
 
     def __init__(self, formulas: Formulas, pictures: Mapping[str, str]) -> None:
         self.formulas = formulas
@@ -232,7 +195,7 @@ class _Page:
         self.numbers = count(1)
 
     def prose(self, text: str) -> Markup:
-        """Text with its marks."""
+        """HTML of a text with marks."""
         from markupsafe import Markup
 
         found = Markup()
@@ -246,19 +209,19 @@ class _Page:
         return _joined(found)
 
     def inline(self, latex: str) -> Markup:
-        """MathML within a line."""
+        """MathML of a formula within a line."""
         from markupsafe import Markup
 
         return Markup(self.formulas.inline(latex))
 
     def display(self, latex: str) -> Markup:
-        """MathML on a line of its own."""
+        """MathML of a formula on a line of its own."""
         from markupsafe import Markup
 
         return Markup(self.formulas.display(latex))
 
     def svg(self, picture: ReportFigure) -> Markup:
-        """A picture that scales, with names that no other picture of the page has."""
+        """SVG of a picture that scales, with ids that no other picture of the page has."""
         drawing = ElementTree.fromstring(self.pictures[picture.stem])
         _simplify(drawing)
         _rename(drawing, f"svg{next(self.numbers)}-")
@@ -273,7 +236,7 @@ class _Page:
 
 
 def _joined(text: Markup) -> Markup:
-    """Text in which no line begins with the full stop after a formula."""
+    """The text with formulas and the punctuation beside them kept on one line."""
     from markupsafe import Markup
 
     formula = r"([(\[]*)(<math\b(?:(?!<math\b).)*?</math>)([.,;:!?)\]]*)"
@@ -281,12 +244,12 @@ def _joined(text: Markup) -> Markup:
 
 
 def _join(found: re.Match[str]) -> str:
-    """A formula and the punctuation beside it, in one piece."""
+    """A formula and the punctuation beside it, as one piece of HTML."""
     return f'<span class="joined">{found[0]}</span>' if found[1] or found[3] else found[0]
 
 
 def _simplify(drawing: ElementTree.Element) -> None:
-    """Leave out metadata and the names of namespaces, which HTML does not have."""
+    """Remove metadata and namespaces, which HTML does not have."""
     for child in drawing.findall(f"{_SVG}metadata"):
         drawing.remove(child)
     for element in drawing.iter():
@@ -313,7 +276,7 @@ def _rename(drawing: ElementTree.Element, prefix: str) -> None:
 
 
 def _markup(element: ElementTree.Element) -> Markup:
-    """An element as HTML."""
+    """HTML of an element."""
     from markupsafe import Markup
 
     return Markup(ElementTree.tostring(element, encoding="unicode"))
@@ -330,7 +293,7 @@ def _plain(text: str) -> str:
 
 
 def _tone(verdict: str) -> str:
-    """Class of a verdict's badge."""
+    """CSS class of a verdict's badge."""
     tones = {
         "agrees": "good",
         "holds with": "changed",

@@ -20,34 +20,15 @@ def reproduce(
     *,
     certified: bool = False,
 ) -> tuple[Path, ...]:
-    """Reproduce the source paper.
+    """Reproduce the source paper in the folder `out`, which is made if need be.
 
-    Writes ``report.html`` (self-contained), ``report.md``, ``results.json`` and each figure
-    as SVG and PNG, all at once when the last is ready. Running it again gives the same
-    ``results.json``, byte by byte.
-
-    Parameters
-    ----------
-    out : Path
-        A folder; it is made if need be.
-    formulas : callable
-        Gives LaTeX and meaning of the formulas in a section of an orbit's document.
-    begin : callable
-        Told the name of each step when it begins.
-    certified : bool
-        Add what ball arithmetic proves of every orbit.
-
-    Returns
-    -------
-    tuple of Path
-        The files that were written.
-
-    Raises
-    ------
-    MissingExtra
-        If matplotlib, Jinja2 or latex2mathml is not installed.
-    InputError
-        If the folder cannot be written; then nothing of it has changed.
+    The files written are ``report.html`` (self-contained), ``report.md``, ``results.json``
+    and each figure as SVG and PNG, all at once when the last is ready. Running it again
+    gives the same ``results.json``, byte by byte. The callable `formulas` returns LaTeX and
+    meaning of the formulas in a section of an orbit's document; `begin` receives the name
+    of each step. `certified` adds what ball arithmetic proves of every orbit.
+    `MissingExtra` is raised if matplotlib, Jinja2 or latex2mathml is not installed.
+    `InputError` is raised if the folder cannot be written; then nothing in it has changed.
     """
     _check_extras()
     check_folder(out)
@@ -86,7 +67,7 @@ def _contents(
 
 
 def _check_extras() -> None:
-    """Ask for what is missing before any work is done."""
+    """Raise an error for a missing package before any work is done."""
     for extra, module in (("plot", "matplotlib"), ("html", "jinja2"), ("html", "latex2mathml")):
         try:
             __import__(module)

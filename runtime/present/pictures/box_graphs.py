@@ -25,20 +25,7 @@ _SHOWN = 7  # components with a colour and a vertex of their own
 
 
 def graph_figure(found: GraphCertificate) -> Figure:
-    """Draw the boxes and the Morse graph into a figure of its own; see `draw_graph`.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        If the section has more than two coordinates.
-    MissingExtra
-        If matplotlib is not installed.
-    """
+    """Figure, outside pyplot, of the boxes and the Morse graph; see `draw_graph`."""
     check_picture("boxes", ("boxes",))
     _check(found)
     from matplotlib.figure import Figure
@@ -54,26 +41,10 @@ def graph_figure(found: GraphCertificate) -> Figure:
 def draw_graph(found: GraphCertificate, axes: Any = None) -> Figure | Axes:
     """Draw the boxes of the components over the largest trapping region, and the Morse graph.
 
-    Of one coordinate the graph of the map is drawn: each box against the boxes that its image
-    may meet.
-
-    Parameters
-    ----------
-    found : GraphCertificate
-    axes : Axes, optional
-        Where the boxes are drawn, without the Morse graph; a figure of its own by default.
-
-    Returns
-    -------
-    Figure or Axes
-        The figure, or the Axes that were given.
-
-    Raises
-    ------
-    InputError
-        If the section has more than two coordinates.
-    MissingExtra
-        If matplotlib is not installed.
+    With one coordinate, the graph of the map is drawn: each box against the boxes that its
+    image may meet. Axes that are given receive the boxes without the Morse graph, and are
+    returned; else the figure is. A section of more than two coordinates raises
+    `InputError`.
     """
     if axes is None:
         return graph_figure(found)
@@ -126,7 +97,7 @@ def _draw_boxes(axes: Axes, found: GraphCertificate) -> None:
 def _fill(
     axes: Axes, found: GraphCertificate, boxes: NDArray[np.int_], color: str, label: str | None
 ) -> None:
-    """Boxes; of one coordinate as strips of the whole height."""
+    """Draw boxes; with one coordinate they are strips of the whole height."""
     if not len(boxes):
         return
     low, high = found.graph.grid.bounds(boxes)
@@ -139,7 +110,7 @@ def _fill(
 def _corners(
     axes: Axes, graph: Any, sources: Any, targets: Any, color: str, label: str | None = None
 ) -> None:
-    """Boxes of one coordinate, each with those that its image may meet, in the plane."""
+    """Draw boxes of one coordinate against those that their images may meet, in the plane."""
     (low, high), (below, above) = graph.grid.bounds(sources), graph.grid.bounds(targets)
     _add(axes, np.hstack([low, below]), np.hstack([high, above]), color, label)
 
@@ -159,7 +130,10 @@ def _add(axes: Axes, low: Any, high: Any, color: str, label: str | None) -> None
 
 
 def _arrows(found: GraphCertificate, count: int) -> list[tuple[int, int]]:
-    """The Morse graph of the first components: what leads to what by others has an arrow too."""
+    """Arrows of the Morse graph of the first components, without those that others imply.
+
+    A path through components that are left out counts as an arrow.
+    """
     size = len(found.components)
     reaches = np.zeros((size, size), dtype=bool)
     for i, j in found.arrows:
@@ -172,7 +146,7 @@ def _arrows(found: GraphCertificate, count: int) -> list[tuple[int, int]]:
 
 
 def _draw_morse(axes: Axes, found: GraphCertificate) -> None:
-    """The first components by how many others are ahead of them, arrows downwards."""
+    """Draw the first components in levels, so that all arrows of the Morse graph point down."""
     from matplotlib.patches import FancyArrowPatch
 
     count = min(len(found.components), _SHOWN)

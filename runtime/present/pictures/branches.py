@@ -64,29 +64,12 @@ def branch_figure(
     over: str | None = None,
     frequency: str = ANGULAR,
 ) -> Figure:
-    """A figure of quantities over the parameter, or over another one, one below the other.
+    """Figure, outside pyplot, of quantities over the parameter or another quantity.
 
-    Parameters
-    ----------
-    branch : Branch
-    quantities : sequence of str
-        As for `Branch.quantity`; by default the amplitude of each coordinate of a forced
-        system, else the period.
-    over : str, optional
-    frequency : {"angular", "cycles"}
-        How frequencies are given: in radians, or in cycles, in a unit of time.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        For a quantity that the branch does not have.
-    MissingExtra
-        If matplotlib is not installed.
+    They stand one below the other, and are named as for `Branch.quantity`. The default is
+    the amplitude of each coordinate of a forced system, else the period. Frequencies are
+    "angular" (radians) or in "cycles" per unit of time. An unknown quantity raises
+    `InputError`.
     """
     shown = tuple(quantities) or usual_quantities(branch)
     figure = _empty_figure()
@@ -114,32 +97,14 @@ def draw_branch(
     over: str | None = None,
     frequency: str = ANGULAR,
 ) -> Any:
-    """Draw one quantity over the parameter, or over another one.
+    """Draw one quantity of a branch over the parameter, or over another quantity.
 
-    Parameters
-    ----------
-    branch : Branch
-    quantity : str, optional
-        As for `Branch.quantity`; by default the amplitude of a coordinate of a forced system,
-        of each of them where no Axes are given, else the period.
-    axes : matplotlib Axes, optional
-        Where to draw; a figure of its own by default.
-    over : str, optional
-        Another quantity in place of the parameter: "energy" below "frequency" is the
-        frequency-energy curve of a conservative family.
-    frequency : {"angular", "cycles"}
-        How frequencies are given: in radians, or in cycles, in a unit of time.
-
-    Returns
-    -------
-    Figure or Axes
-
-    Raises
-    ------
-    InputError
-        For a quantity that the branch does not have.
-    MissingExtra
-        If matplotlib is not installed.
+    The quantity is named as for `Branch.quantity`. The default is the amplitude of a
+    coordinate of a forced system (of each of them if no Axes are given), else the period.
+    The quantity "energy" with "frequency" as `over` is the frequency-energy curve of a
+    conservative family. Frequencies are "angular" (radians) or in "cycles" per unit of
+    time. The result is the Axes that are given, or else a new figure. An unknown quantity
+    raises `InputError`.
     """
     if axes is None:
         return branch_figure(branch, () if quantity is None else (quantity,), over, frequency)
@@ -152,23 +117,7 @@ def draw_branch(
 
 
 def locus_figure(locus: Locus) -> Figure:
-    """A figure of a curve of events in the plane of its parameters.
-
-    Parameters
-    ----------
-    locus : Locus
-        As `continue_event` gives it.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    MissingExtra
-        If matplotlib is not installed.
-    """
+    """Figure, outside pyplot, of a curve of events in the plane of its parameters."""
     figure = _empty_figure()
     _draw_locus(locus, figure.add_subplot())
     return figure
@@ -177,20 +126,8 @@ def locus_figure(locus: Locus) -> Figure:
 def draw_locus(locus: Locus, axes: Any = None) -> Any:
     """Draw a curve of events in the plane of its parameters.
 
-    Parameters
-    ----------
-    locus : Locus
-    axes : matplotlib Axes, optional
-        Where to draw; a figure of its own by default. Several curves fit into the same Axes.
-
-    Returns
-    -------
-    Figure or Axes
-
-    Raises
-    ------
-    MissingExtra
-        If matplotlib is not installed.
+    The result is the Axes that are given, which may hold several curves, or else a new
+    figure.
     """
     if axes is None:
         return locus_figure(locus)
@@ -280,7 +217,7 @@ def _draw(branch: Branch, quantity: str, over: str, axes: Any, frequency: str) -
 
 
 def _widen(axes: Any) -> None:
-    """Show what is constant but for rounding as a constant."""
+    """Widen the range of an axis if the values on it differ by rounding only."""
     low, high = axes.dataLim.intervaly
     size = max(abs(low), abs(high))
     if high - low < _CONSTANT * size:
@@ -290,11 +227,11 @@ def _widen(axes: Any) -> None:
 
 
 class _Shown(NamedTuple):
-    """Values (k,) of a quantity as they are shown, its label, and what it was multiplied by."""
+    """A quantity as it is shown."""
 
-    values: np.ndarray
+    values: np.ndarray  # (k,)
     label: str
-    factor: float = 1.0
+    factor: float = 1.0  # that the values were multiplied by
 
 
 def _shown(branch: Branch, name: str, frequency: str) -> _Shown:
@@ -318,7 +255,7 @@ def _shown(branch: Branch, name: str, frequency: str) -> _Shown:
 
 
 def _at(event: Event, branch: Branch, quantity: str, shown: _Shown) -> float:
-    """A quantity at an event."""
+    """Value of a quantity at an event, as it is shown."""
     known = {**event.unknowns, branch.parameter: event.value}
     if quantity in known:
         return known[quantity] * shown.factor
@@ -326,7 +263,11 @@ def _at(event: Event, branch: Branch, quantity: str, shown: _Shown) -> float:
 
 
 def _between(labels: Sequence[str], events: Sequence[float], begin: float, end: float) -> str:
-    """The label between two places: that of a point up to the first event, or from the last."""
+    """Label of the curve between two places.
+
+    Up to the first event in a step it is the label of the point before, and from the last
+    event on that of the point behind. Otherwise it is the worse of both.
+    """
     step = min(int(begin), len(labels) - 2)
     passed = [place for place in events if step <= place <= step + 1]
     if passed and end <= passed[0]:
@@ -337,6 +278,6 @@ def _between(labels: Sequence[str], events: Sequence[float], begin: float, end: 
 
 
 def _worse(labels: Sequence[str]) -> str:
-    """Of two neighbours' labels the one that promises less."""
+    """The label of two neighbours that promises less."""
     order = (_REFUSED, "undecided", "unstable", "neutral", "stable")
     return min(labels, key=order.index)

@@ -21,22 +21,11 @@ __all__ = ["basin_figure", "draw_basin"]
 
 
 def basin_figure(found: BasinCertificate) -> Figure:
-    """Draw what is proved of a basin into a figure of its own.
+    """Figure, outside pyplot, of what is proved of a basin.
 
-    The section's boxes are coloured by their ranks. Below, over two states each, the share of
-    the tiles there that is proved to be attracted, of those that were looked at.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        If nothing is proved, or the section has more than two coordinates.
-    MissingExtra
-        If matplotlib is not installed.
+    The section's boxes are coloured by their ranks. Below, over two states each, is the
+    share of the examined tiles that is proved to be attracted. `InputError` is raised if
+    nothing is proved, or if the section has more than two coordinates.
     """
     check_picture("basin", ("basin",))
     if not found.proved:
@@ -60,23 +49,8 @@ def basin_figure(found: BasinCertificate) -> Figure:
 def draw_basin(found: BasinCertificate, axes: Any = None) -> Figure | Axes:
     """Draw what is proved of a basin; see `basin_figure`.
 
-    Parameters
-    ----------
-    found : BasinCertificate
-    axes : Axes, optional
-        Where the boxes of the section are drawn, alone; a figure of its own by default.
-
-    Returns
-    -------
-    Figure or Axes
-        The figure, or the Axes that were given.
-
-    Raises
-    ------
-    InputError
-        If nothing is proved, or the section has more than two coordinates.
-    MissingExtra
-        If matplotlib is not installed.
+    Axes that are given receive the boxes of the section alone, and are returned; else the
+    figure is.
     """
     if axes is None:
         return basin_figure(found)
@@ -89,7 +63,7 @@ def draw_basin(found: BasinCertificate, axes: Any = None) -> Figure | Axes:
 
 
 def _pairs(found: BasinCertificate) -> list[tuple[int, int]]:
-    """Places of neighbouring states, two by two."""
+    """Pairs of neighbouring states, as their indices; none if no tiles were examined."""
     count = len(found.states) if found.looked.any() else 0
     return [(k, k + 1) for k in range(0, count - 1, 2)]
 

@@ -31,25 +31,8 @@ def draw_certified_branch(
 ) -> Any:
     """Draw an unknown over the parameter, by the polynomials of the tubes.
 
-    Parameters
-    ----------
-    found : CertifiedBranch
-    quantity : str, optional
-        The unknown that is drawn; the last dwell time by default.
-    axes : Axes, optional
-        What is drawn into; a figure of its own by default.
-
-    Returns
-    -------
-    Figure or Axes
-        The figure, or the Axes that were given.
-
-    Raises
-    ------
-    InputError
-        If the branch has no such unknown.
-    MissingExtra
-        If matplotlib is not installed.
+    The default is the last dwell time. The result is the Axes that are given, or else a new
+    figure. An unknown name raises `InputError`.
     """
     return drawn_alone("branch", (7.2, 5.0), lambda own: _draw(found, quantity, own), axes)
 
@@ -65,21 +48,10 @@ def _draw(found: CertifiedBranch, quantity: str | None, axes: Axes) -> None:
 
 
 def draw_tiles(found: CertifiedBranch, name: str, axes: Axes, shown: set[str]) -> None:
-    """Draw the tiles of a branch in the colours of their verdicts.
+    """Draw the unknown `name` along the tiles of a branch, in the colours of their verdicts.
 
-    Parameters
-    ----------
-    found : CertifiedBranch
-    name : str
-        The unknown that is drawn.
-    axes : Axes
-    shown : set of str
-        Verdicts that have a label; those that get one are added.
-
-    Raises
-    ------
-    InputError
-        If the branch has no such unknown.
+    Verdicts in `shown` have a label already; those that get one are added. `InputError` is
+    raised if the branch has no such unknown.
     """
     if name not in found.unknown_names:
         raise unknown_name("unknown", name, found.unknown_names)
@@ -102,15 +74,7 @@ def draw_tiles(found: CertifiedBranch, name: str, axes: Axes, shown: set[str]) -
 
 
 def mark_events(branches: Sequence[CertifiedBranch], name: str, axes: Axes) -> None:
-    """Mark the events of branches along one parameter.
-
-    Parameters
-    ----------
-    branches : sequence of CertifiedBranch
-    name : str
-        The unknown that is drawn.
-    axes : Axes
-    """
+    """Mark the events of branches along one parameter on the curves of the unknown `name`."""
     events = [event for branch in branches for event in branch.events]
     kinds = list(dict.fromkeys(event.kind for event in events))
     for place, kind in enumerate(kinds):
@@ -126,7 +90,7 @@ def mark_events(branches: Sequence[CertifiedBranch], name: str, axes: Axes) -> N
 
 
 def _points(found: CertifiedBranch, tile: BranchTile, name: str) -> tuple[np.ndarray, np.ndarray]:
-    """Parameter and unknown along a tile."""
+    """Values of the parameter and of the unknown along a tile."""
     import numpy as np
 
     e = np.linspace(-1, 1, _POINTS)

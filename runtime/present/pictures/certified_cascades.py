@@ -23,26 +23,9 @@ _POINTS = 60  # of the orbits beside a flip
 def draw_cascade(found: CertifiedCascade, quantity: str | None = None, axes: Any = None) -> Any:
     """Draw an unknown of all branches over the parameter, by the polynomials of the tubes.
 
-    Parameters
-    ----------
-    found : CertifiedCascade
-    quantity : str, optional
-        A coordinate of the start; the one in which the first doubled orbits are told apart,
-        or the first one, by default.
-    axes : Axes, optional
-        What is drawn into; a figure of its own by default.
-
-    Returns
-    -------
-    Figure or Axes
-        The figure, or the Axes that were given.
-
-    Raises
-    ------
-    InputError
-        If the branches have no such unknown.
-    MissingExtra
-        If matplotlib is not installed.
+    It is a coordinate of the start: by default the one in which the first doubled orbits
+    differ, or else the first one. The result is the Axes that are given, or else a new
+    figure. An unknown name raises `InputError`.
     """
     return drawn_alone("cascade", (7.2, 5.0), lambda own: _draw(found, quantity, own), axes)
 

@@ -37,24 +37,11 @@ _COLORS = {
 
 
 def chart_figure(chart: Dataset) -> Figure:
-    """Draw a chart of one or two parameters.
+    """Figure, outside pyplot, of a chart of one or two parameters.
 
-    Parameters
-    ----------
-    chart : xarray.Dataset
-        As `chart` and `load_chart` give it; one plane of a larger one by its `isel`.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        If it is no chart, or has more than two dimensions of more than one value.
-    MissingExtra
-        If matplotlib is not installed.
+    The chart is that of `chart` or `load_chart`; its method `isel` gives one plane of a
+    larger one. `InputError` is raised for another dataset, or for more than two dimensions
+    of more than one value.
     """
     check_picture("chart", ("chart",))
     from matplotlib.figure import Figure
@@ -120,7 +107,7 @@ def _draw_map(axes: Axes, chart: Dataset, parts: list[Part], colors: list[str]) 
 
 
 def _outlines(labels: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Sides (n, 2, 2) between cells of different parts: boundaries go along the cells."""
+    """Sides (n, 2, 2) between neighbouring cells that belong to different parts."""
     left, below = _sides(x), _sides(y)
     i, j = np.nonzero(labels[1:] != labels[:-1])
     upright = np.stack(
@@ -142,14 +129,14 @@ def _outlines(labels: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
 
 
 def _sides(values: np.ndarray) -> np.ndarray:
-    """Where cells (n,) begin and end (n + 1,): halfway between their values."""
+    """Edges (n + 1,) of cells (n,), halfway between their values."""
     middles = (values[1:] + values[:-1]) / 2
     first, last = 2 * values[0] - middles[0], 2 * values[-1] - middles[-1]
     return np.concatenate([[first], middles, [last]])
 
 
 def _label(axes: Axes, x: np.ndarray, y: np.ndarray, part: Part, color: str) -> None:
-    """Write a part's name where it is widest, if it is wide enough."""
+    """Write a part's name where the part is widest, if it is wide enough."""
     from matplotlib.patheffects import withStroke
     from scipy.ndimage import distance_transform_edt
 

@@ -29,22 +29,9 @@ _POINTS = 61
 
 
 def design_figure(design: Design) -> Figure:
-    """A figure of a design: its iterates, and its quantities along each parameter or its branch.
+    """Figure, outside pyplot, of a design's iterates, and of its quantities.
 
-    Parameters
-    ----------
-    design : Design
-        As `design` gives it.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    MissingExtra
-        If matplotlib is not installed.
+    The quantities are drawn along each parameter, or along the design's branch.
     """
     check_picture("all", ("all",))
     from matplotlib.figure import Figure
@@ -62,22 +49,9 @@ def design_figure(design: Design) -> Figure:
 
 
 def draw_design(design: Design, axes: Any = None) -> Any:
-    """Draw a design: all of it, or its iterates alone where Axes are given.
+    """Draw a design, or its iterates alone if Axes are given.
 
-    Parameters
-    ----------
-    design : Design
-    axes : matplotlib Axes, optional
-        Where to draw; a figure of its own by default.
-
-    Returns
-    -------
-    Figure or Axes
-
-    Raises
-    ------
-    MissingExtra
-        If matplotlib is not installed.
+    The result is the Axes that are given, or else a new figure.
     """
     if axes is None:
         return design_figure(design)
@@ -111,7 +85,7 @@ def _along(design: Design, name: str, axes: Any) -> None:
 
 
 def _along_branch(design: Design, axes: Any) -> None:
-    """The quantities along the branch before and after, and where they are worst."""
+    """Draw the quantities along the branch before and after the design, with their worst places."""
     values, before, after = along_branch(design, _POINTS)
     (name,) = design.worst_over
     for place, quantity in enumerate(design.quantities):

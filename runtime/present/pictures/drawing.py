@@ -57,35 +57,14 @@ _CONFIGURATIONS = (
 
 
 def configuration_color(place: int) -> str:
-    """Colour of a configuration by its place in the system.
-
-    Parameters
-    ----------
-    place : int
-        Number of the configuration.
-
-    Returns
-    -------
-    str
-        A colour of matplotlib.
-    """
+    """Colour (of matplotlib) of a configuration by its index in the system."""
     return shaded(_CONFIGURATIONS, place)
 
 
 def shaded(colors: Sequence[str], place: int) -> str:
-    """A colour by its place: those that are given, then the same darker, then paler.
+    """Colour (of matplotlib) number `place`, from 0.
 
-    Parameters
-    ----------
-    colors : sequence of str
-        As "#RRGGBB".
-    place : int
-        From 0.
-
-    Returns
-    -------
-    str
-        A colour of matplotlib.
+    It is one of those given as "#RRGGBB", then the same darker, then paler.
     """
     turn, number = divmod(place, len(colors))
     other, share = ((0, 0.0), (0, 0.4), (255, 0.55))[turn % SHADES]
@@ -94,35 +73,14 @@ def shaded(colors: Sequence[str], place: int) -> str:
 
 
 def check_picture(kind: str, kinds: Sequence[str]) -> None:
-    """Refuse an unknown kind of picture, and say so if matplotlib is not installed.
-
-    Parameters
-    ----------
-    kind : str
-        The kind that is asked for.
-    kinds : sequence of str
-        Those there are.
-
-    Raises
-    ------
-    InputError
-        If there is no such kind.
-    MissingExtra
-        If matplotlib is not installed.
-    """
+    """Raise `InputError` for an unknown kind of picture, and `MissingExtra` without matplotlib."""
     if kind not in kinds:
         raise unknown_name("kind of picture", kind, kinds)
     check_matplotlib()
 
 
 def check_matplotlib() -> None:
-    """Say so if matplotlib is not installed.
-
-    Raises
-    ------
-    MissingExtra
-        If matplotlib is not installed.
-    """
+    """Raise `MissingExtra` if matplotlib is not installed."""
     try:
         import matplotlib  # noqa: F401 (is it there?)
     except ImportError:
@@ -130,26 +88,10 @@ def check_matplotlib() -> None:
 
 
 def chosen_masses(masses: Iterable[int] | None, count: int, name: str) -> tuple[int, ...]:
-    """Masses that are drawn; all when none are given.
+    """Indices, from 0, of the masses that are drawn, in the order given; None stands for all.
 
-    Parameters
-    ----------
-    masses : iterable of int, optional
-        Numbers of masses, from 0.
-    count : int
-        How many masses there are.
-    name : str
-        Of what is drawn, for the message.
-
-    Returns
-    -------
-    tuple of int
-        In the order in which they were given.
-
-    Raises
-    ------
-    InputError
-        If there is no such mass, or none is chosen.
+    `name` is what is drawn, for the message of the `InputError` that is raised if there is
+    no such mass, or if none is chosen.
     """
     every = range(count)
     drawn = tuple(every if masses is None else masses)
@@ -159,26 +101,9 @@ def chosen_masses(masses: Iterable[int] | None, count: int, name: str) -> tuple[
 
 
 def given_axes(axes: Any, kind: str, counts: Sequence[int]) -> list[Axes]:
-    """Axes that a caller gave, as many as the kind takes.
+    """List of the Axes that a caller gave: one of them, or an array of them.
 
-    Parameters
-    ----------
-    axes : Axes or an array of them
-        What the caller gave.
-    kind : str
-        Kind of picture, for the message.
-    counts : sequence of int
-        How many Axes it takes: one of these numbers.
-
-    Returns
-    -------
-    list of Axes
-        In their order.
-
-    Raises
-    ------
-    InputError
-        If they are not as many, or no Axes.
+    Their number has to be one of `counts`, or `InputError` is raised.
     """
     places: list[Axes] = list(np.ravel(np.asarray(axes, dtype=object)))
     if len(places) not in counts or not all(hasattr(place, "plot") for place in places):
@@ -192,29 +117,10 @@ def given_axes(axes: Any, kind: str, counts: Sequence[int]) -> list[Axes]:
 def drawn_alone(
     kind: str, size: tuple[float, float], draw: Callable[[Axes], None], axes: Any = None
 ) -> Any:
-    """Draw into Axes that a caller gave, or into those of a figure of its own.
+    """Draw into one Axes that a caller gave, or else into those of a new figure outside pyplot.
 
-    Parameters
-    ----------
-    kind : str
-        Kind of picture, for the message.
-    size : tuple of (float, float)
-        Of the figure, in inches.
-    draw : callable
-        Takes the Axes.
-    axes : Axes, optional
-
-    Returns
-    -------
-    Figure or Axes
-        The figure, outside pyplot, or the Axes that were given.
-
-    Raises
-    ------
-    InputError
-        If these are not one.
-    MissingExtra
-        If matplotlib is not installed.
+    `draw` takes the Axes, and `size` is that of the figure in inches. The result is the
+    Axes that were given, or the figure.
     """
     check_matplotlib()
     if axes is not None:
@@ -230,17 +136,7 @@ def drawn_alone(
 
 
 def draw_levels(axes: Axes, levels: Mapping[float, str], *, upright: bool = False) -> None:
-    """Draw lines where boundaries lie: across the Axes, or upright; near ones share a label.
-
-    Parameters
-    ----------
-    axes : Axes
-        What is drawn into.
-    levels : dict of float to str
-        Label of each level.
-    upright : bool, default False
-        Whether the lines stand upright.
-    """
+    """Draw lines where boundaries lie, horizontal or upright; near ones share a label."""
     line: dict[str, Any] = {"color": "0.3", "linewidth": 0.9, "linestyle": ":", "zorder": 1.4}
     low, high = axes.dataLim.intervalx if upright else axes.dataLim.intervaly
     nearest = (_WIDTH if upright else _HEIGHT) * (high - low)
@@ -263,18 +159,10 @@ def draw_levels(axes: Axes, levels: Mapping[float, str], *, upright: bool = Fals
 
 
 def draw_arrow(axes: Axes, x: np.ndarray, v: np.ndarray, style: Mapping[str, Any]) -> None:
-    """Show the direction of the motion, where the velocity is lowest.
+    """Draw an arrow in the direction of the motion, where the velocity is lowest.
 
-    Parameters
-    ----------
-    axes : Axes
-        What is drawn into.
-    x : array (n,)
-        Positions along the motion, in the Axes' units.
-    v : array (n,)
-        Velocities there, in the Axes' units.
-    style : dict
-        Of the line; its colour is taken.
+    Positions (n,) and velocities (n,) are in the units of the Axes; the colour is that of
+    `style`.
     """
     place = min(max(int(np.argmin(v)), 1), len(v) - 1)
     arrow = {"arrowstyle": "-|>", "color": style["color"], "linewidth": 0, "mutation_scale": 16}
@@ -282,15 +170,7 @@ def draw_arrow(axes: Axes, x: np.ndarray, v: np.ndarray, style: Mapping[str, Any
 
 
 def finish(axes: Axes, title: str) -> None:
-    """Numbers, title, and a legend between it and the frame, where it covers no curve.
-
-    Parameters
-    ----------
-    axes : Axes
-        What is drawn into.
-    title : str
-        Empty for none.
-    """
+    """Add numbers, the title (if not empty), and a legend above the frame, off the curves."""
     from nonsmooth.runtime.present.pictures.ticks import number_axes
 
     number_axes(axes)
@@ -318,22 +198,22 @@ def finish(axes: Axes, title: str) -> None:
 
 
 def within(title: str, room: float) -> str:
-    """A title in as many lines as fit into some inches."""
+    """The title, broken into lines that fit into so many inches."""
     return textwrap.fill(title, max(int(room / _TITLE), 10)) if title.strip() else title
 
 
 def fits(label: str, axes: Axes, share: float) -> bool:
-    """Whether a label in small print is shorter than a share of the width of Axes."""
+    """Whether a label in small print is shorter than a share of the Axes' width."""
     return _LETTER * _letters(label) <= share * axes.bbox.width / axes.figure.dpi
 
 
 def _letters(label: str) -> int:
-    """About how many letters a label has that may be a formula."""
+    """Approximate number of letters of a label, which may be a formula."""
     return len(re.sub(r"[$\\{}_^]|mathrm", "", re.sub(r"\\(?!mathrm)[a-z]+", "x", label)))
 
 
 def _columns(axes: Axes, labels: Sequence[str]) -> int:
-    """As many columns of a legend as are about as wide as the Axes."""
+    """Number of columns of a legend that is about as wide as the Axes."""
     square = axes.get_aspect() == 1  # the layout makes it as narrow as it is low
     room = (min(axes.bbox.size) if square else axes.bbox.width) / axes.figure.dpi
     inches = [_HANDLE + _LETTER * _letters(label) for label in labels]
@@ -344,75 +224,34 @@ def _columns(axes: Axes, labels: Sequence[str]) -> int:
 
 
 def line_style(mass: int) -> dict[str, Any]:
-    """Colour and dashes of a mass.
-
-    Parameters
-    ----------
-    mass : int
-        Its number, from 0.
-
-    Returns
-    -------
-    dict
-        Arguments of matplotlib's `plot`.
-    """
+    """Colour and dashes of a mass (numbered from 0), as arguments of matplotlib's `plot`."""
     color, dashes = LINES[mass % len(LINES)]
     return {"color": color, "linestyle": dashes, "linewidth": 1.6}
 
 
 def mark_style(place: int) -> dict[str, Any]:
-    """Colour and marker of one of several points.
-
-    Parameters
-    ----------
-    place : int
-        Its number, from 0.
-
-    Returns
-    -------
-    dict
-        Arguments of matplotlib's `plot`.
-    """
+    """Colour and marker of one of several points, as arguments of matplotlib's `plot`."""
     marker = _MARKS[(place % 4 + place // 4) % len(_MARKS)]
     return {"color": _HUES[place % 4], "marker": marker, "linestyle": "none"}
 
 
 def band_style(color: str) -> dict[str, Any]:
-    """Style of the parts in which a mass sticks.
-
-    Parameters
-    ----------
-    color : str
-        Of the mass.
-
-    Returns
-    -------
-    dict
-        Arguments of matplotlib's `plot`.
-    """
+    """Style of the parts in which a mass sticks, as arguments of matplotlib's `plot`."""
     shape = {"linewidth": 6, "alpha": 0.3, "solid_capstyle": "butt", "zorder": 1.5}
     return {**shape, "color": color}
 
 
 def dot_style(style: Mapping[str, Any]) -> dict[str, Any]:
-    """Style of the marks at the transitions.
+    """Style of the marks at transitions, as arguments of matplotlib's `plot`.
 
-    Parameters
-    ----------
-    style : dict
-        Of the line; its colour is taken.
-
-    Returns
-    -------
-    dict
-        Arguments of matplotlib's `plot`.
+    Their colour is that of the line in `style`.
     """
     shape = {"linestyle": "none", "marker": "o", "markersize": 4.5, "zorder": 3}
     return {**shape, "markerfacecolor": "white", "markeredgecolor": style["color"]}
 
 
 def tex_number(value: float) -> str:
-    """A number in TeX's notation, short where it has an exponent."""
+    """A number in TeX's notation, with fewer digits if it has an exponent."""
     text = f"{value:.6g}"
     if "e" not in text:
         return text
@@ -421,19 +260,6 @@ def tex_number(value: float) -> str:
 
 
 def noun(kind: str, labels: Sequence[str]) -> str:
-    """Position, velocity or state, in the number that the labels have, and the labels.
-
-    Parameters
-    ----------
-    kind : {"position", "velocity", "state"}
-        What is drawn.
-    labels : sequence of str
-        Of the states.
-
-    Returns
-    -------
-    str
-        For an axis.
-    """
+    """Label of an axis: the kind of state, in the plural for several labels, and the labels."""
     plural = {"position": "positions", "velocity": "velocities", "state": "states"}[kind]
     return f"{kind if len(labels) == 1 else plural} {', '.join(labels)}"

@@ -32,13 +32,7 @@ _TOLD = 3  # estimates in a title
 
 
 def fit_figure(fit: Fit) -> Figure:
-    """Draw a fit outside pyplot: a column for each of the first experiments.
-
-    Raises
-    ------
-    MissingExtra
-        If matplotlib is not installed.
-    """
+    """Figure, outside pyplot, of a fit, with a column for each of the first experiments."""
     check_picture("fit", ("fit",))
     from matplotlib.figure import Figure
 
@@ -56,26 +50,10 @@ def fit_figure(fit: Fit) -> Figure:
 
 
 def plot_fit(fit: Fit, axes: Any = None, experiment: int = 0) -> Any:
-    """Draw one experiment of a fit into two Axes.
+    """Draw one experiment of a fit into two Axes, and give these: motion and residuals.
 
-    Parameters
-    ----------
-    fit : Fit
-    axes : sequence of two matplotlib Axes, optional
-        For the motion and the residuals; of a new figure when omitted.
-    experiment : int
-        Its number, from 0.
-
-    Returns
-    -------
-    array of matplotlib Axes
-
-    Raises
-    ------
-    InputError
-        If there is no such experiment, or not two Axes.
-    MissingExtra
-        If matplotlib is not installed.
+    Without Axes a figure of pyplot is made. The experiment counts from 0. `InputError` is
+    raised if there is no such experiment, or if there are not two Axes.
     """
     check_picture("fit", ("fit",))
     fit.experiment(experiment)
@@ -98,7 +76,7 @@ def plot_fit(fit: Fit, axes: Any = None, experiment: int = 0) -> Any:
 
 
 def _draw(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
-    """One experiment: its motion or responses with the measurements, and the residuals."""
+    """Draw one experiment: its motion or responses with the measurements, and the residuals."""
     if fit.experiments[number].responses:
         _draw_responses(fit, number, upper, lower)
         return
@@ -148,7 +126,7 @@ def _draw(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
 
 
 def _draw_responses(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
-    """Steady responses: what was measured over the curves on which the fitted ones lie."""
+    """Draw measured steady responses over the curves of the fitted ones."""
     experiment = fit.experiments[number]
     values, curves = response_curves(fit, number)
     for place, series in enumerate(experiment.series):
@@ -165,7 +143,7 @@ def _draw_responses(fit: Fit, number: int, upper: Axes, lower: Axes) -> None:
 
 
 def _finish(fit: Fit, number: int, upper: Axes, lower: Axes, along: str) -> None:
-    """Band of usual residuals, labels and titles."""
+    """Draw the band of usual residuals, labels and titles."""
     lower.axhspan(-_USUAL, _USUAL, color="#DDDDDD", zorder=0)
     low, high = lower.get_ylim()
     lower.set_ylim(min(low, -1.2 * _USUAL), max(high, 1.2 * _USUAL))
@@ -188,7 +166,7 @@ def _title(fit: Fit) -> str:
 
 
 def _draw_events(upper: Axes, series: FittedSeries, place: int) -> None:
-    """Recorded times as marks along the lower edge."""
+    """Draw recorded times as marks along the lower edge."""
     upper.plot(
         series.values,
         np.full(len(series.values), 0.03 + 0.06 * place),
@@ -201,6 +179,6 @@ def _draw_events(upper: Axes, series: FittedSeries, place: int) -> None:
 
 
 def _positions(motion: Trajectory) -> dict[str, str]:
-    """The positions, where no output was measured."""
+    """The positions that are drawn if no output was measured, by name."""
     places = [place for place, _ in motion.structure.coordinates] or [0]
     return {motion.names[place]: motion.names[place] for place in places[: len(LINES)]}

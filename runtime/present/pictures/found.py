@@ -25,28 +25,11 @@ _WIDTHS = {"phase": 4.6, "time": 6.8, "velocity": 6.8}
 
 
 def found_figure(found: Found, kind: str = "all", *, periods: int = 1) -> Figure:
-    """Draw the orbits that were found, outside pyplot: those with the largest basins.
+    """Figure, outside pyplot, of the found orbits with the largest basins.
 
-    Parameters
-    ----------
-    found : Found
-    kind : {"all", "time", "velocity", "phase"}
-        Positions or velocities over time, phase portraits of all masses in one, or portraits
-        and positions.
-    periods : int
-        How many to draw against time.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        For another kind, or where no orbit was found.
-    MissingExtra
-        If matplotlib is not installed.
+    The kind is "time" or "velocity" (positions or velocities over so many periods), "phase"
+    (portraits of all masses in one), or "all" (portraits and positions). `InputError` is
+    raised for another kind, or if no orbit was found.
     """
     check_picture(kind, KINDS)
     known = [k for k, entry in enumerate(found.orbits) if not isinstance(entry.solved, str)]

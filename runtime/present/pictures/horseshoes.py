@@ -23,19 +23,10 @@ _AROUND = 2.5  # sets are shown with so much about them, in units of their exten
 
 
 def chaos_figure(found: ChaosCertificate) -> Figure:
-    """Draw the sets and the graph into a figure of its own; see `draw_chaos`.
+    """Figure, outside pyplot, of the h-sets and the graph of coverings; see `draw_chaos`.
 
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        If nothing is proved, or the section has more than two coordinates.
-    MissingExtra
-        If matplotlib is not installed.
+    `InputError` is raised if nothing is proved, or if the section has more than two
+    coordinates.
     """
     check_picture("sets", ("sets",))
     _check(found)
@@ -50,25 +41,10 @@ def chaos_figure(found: ChaosCertificate) -> Figure:
 
 
 def draw_chaos(found: ChaosCertificate, axes: Any = None) -> Figure | Axes:
-    """Draw the h-sets, what contains their images, and the graph of the coverings.
+    """Draw the h-sets, the enclosures of their images, and the graph of the coverings.
 
-    Parameters
-    ----------
-    found : ChaosCertificate
-    axes : Axes, optional
-        Where the sets are drawn, without the graph; a figure of its own by default.
-
-    Returns
-    -------
-    Figure or Axes
-        The figure, or the Axes that were given.
-
-    Raises
-    ------
-    InputError
-        If nothing is proved, or the section has more than two coordinates.
-    MissingExtra
-        If matplotlib is not installed.
+    Axes that are given receive the sets without the graph, and are returned; else the
+    figure is. `InputError` is raised as by `chaos_figure`.
     """
     if axes is None:
         return chaos_figure(found)
@@ -146,7 +122,7 @@ def _draw_parts(axes: Axes, parts: Any, color: str) -> None:
 
 
 def _draw_graph(axes: Axes, found: ChaosCertificate) -> None:
-    """Vertices on a circle, an arrow for each covering."""
+    """Draw the graph of coverings: vertices on a circle, and an arrow for each covering."""
     from matplotlib.patches import Circle, FancyArrowPatch
 
     count = len(found.h_sets)

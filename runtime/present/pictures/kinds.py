@@ -9,26 +9,17 @@ __all__ = ["KINDS", "Kind"]
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of picture.
+    """A kind of picture, and the functions that draw it.
 
-    Attributes
-    ----------
-    size : (float, float)
-        Of a new figure, or of each of its phase portraits, in inches.
-    draw : str
-        The function that draws it, of a Scene and a list of Axes, with its module in this
-        package, which is imported when it is first drawn.
-    draw_view : str
-        The same of a View: a motion, or an orbit without kernels. `draw` does both when this
-        is empty.
-    of_motions : bool
-        Whether a motion that is no orbit has it too.
+    A function is named with its module in this package, which is imported when it is first
+    drawn.
     """
 
-    size: tuple[float, float]
-    draw: str
+    size: tuple[float, float]  # in inches, of a new figure or of each of its phase portraits
+    draw: str  # function of a Scene and a list of Axes
+    # the same of a View (a motion, or an orbit without kernels); if empty, draw takes both
     draw_view: str = ""
-    of_motions: bool = True
+    of_motions: bool = True  # whether a motion that is no orbit has this kind too
 
 
 KINDS = {

@@ -22,14 +22,7 @@ __all__ = ["draw", "draw_all", "draw_into", "figure_of"]
 def draw(scene: Scene | View, kind: str, places: Sequence[Axes]) -> None:
     """Draw one kind of picture into as many Axes as it takes.
 
-    Parameters
-    ----------
-    scene : Scene or View
-        What is drawn.
-    kind : str
-        Kind of picture, as for `plot_orbit`.
-    places : sequence of Axes
-        What is drawn into.
+    The kinds are those of `plot_orbit`.
     """
     entry = KINDS[kind]
     place = entry.draw if isinstance(scene, Scene) else entry.draw_view or entry.draw
@@ -38,15 +31,7 @@ def draw(scene: Scene | View, kind: str, places: Sequence[Axes]) -> None:
 
 
 def draw_all(scene: Scene | View, places: Sequence[Axes]) -> None:
-    """Draw positions, velocities, configurations, portraits, and the multipliers of an orbit.
-
-    Parameters
-    ----------
-    scene : Scene or View
-        What is drawn.
-    places : sequence of Axes
-        What is drawn into.
-    """
+    """Draw positions, velocities, configurations, portraits, and the multipliers of an orbit."""
     figure = places[0].figure
     figure.suptitle(within(scene.title, figure.bbox.width / figure.dpi))
     part = replace(scene, composed=True)
@@ -58,26 +43,9 @@ def draw_all(scene: Scene | View, places: Sequence[Axes]) -> None:
 
 
 def draw_into(scene: Scene | View, kind: str, axes: Any) -> list[Axes]:
-    """Draw into Axes that are given, or into a new figure of pyplot; gives the Axes.
+    """Draw into the Axes that are given, or into a new figure of pyplot, and return the Axes.
 
-    Parameters
-    ----------
-    scene : Scene or View
-        What is drawn.
-    kind : str
-        Kind of picture, as for `plot_orbit`.
-    axes : Axes, an array of them or None
-        None for a new figure.
-
-    Returns
-    -------
-    list of Axes
-        Those that were drawn into.
-
-    Raises
-    ------
-    InputError
-        If the Axes that are given are not as many as the kind takes.
+    The kinds are those of `plot_orbit`. `InputError` is raised for a wrong number of Axes.
     """
     if axes is None:
         from matplotlib import pyplot
@@ -91,20 +59,7 @@ def draw_into(scene: Scene | View, kind: str, axes: Any) -> list[Axes]:
 
 
 def figure_of(scene: Scene | View, kind: str) -> Figure:
-    """Draw into a figure of its own, outside pyplot.
-
-    Parameters
-    ----------
-    scene : Scene or View
-        What is drawn.
-    kind : str
-        Kind of picture, as for `plot_orbit`.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-    """
+    """Figure, outside pyplot, of one kind of picture; the kinds are those of `plot_orbit`."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=_size(scene, kind))
@@ -118,7 +73,7 @@ def _size(scene: Scene | View, kind: str) -> tuple[float, float]:
 
 
 def _beside(scene: Scene | View) -> int:
-    """How many Axes "all" has beside the histories: portraits, and multipliers of an orbit."""
+    """Number of Axes that "all" has beside the histories: portraits, and an orbit's multipliers."""
     return scene.portraits + (scene.orbit is not None)
 
 

@@ -45,32 +45,11 @@ def basin_figure(
     axes_labels: tuple[str, str] = ("x", "y"),
     title: str = "",
 ) -> Figure:
-    """Draw a map of which attractor a start leads to.
+    """Figure, outside pyplot, of the attractors that starts lead to.
 
-    Parameters
-    ----------
-    x : array (n,)
-    y : array (m,)
-        What is varied, strictly increasing.
-    labels : array (m, n) of int
-        Which of the names; -1 where a start is not classified.
-    names : sequence of str
-        Of the attractors.
-    axes_labels : tuple of str
-        Names of the two states or parameters, or any other texts.
-    title : str
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        For shapes that do not fit, coordinates that do not increase, or labels without name.
-    MissingExtra
-        If matplotlib is not installed.
+    `labels` (m, n) are indices of `names`, or -1 if a start is not classified. The
+    coordinates `x` (n,) and `y` (m,) are strictly increasing. `InputError` is raised for
+    shapes that do not fit, coordinates that do not increase, or labels without name.
     """
     check_picture("basin", ("basin",))
     from matplotlib.colors import ListedColormap
@@ -119,31 +98,11 @@ def bifurcation_figure(
     state: str = "",
     title: str = "",
 ) -> Figure:
-    """Draw the points of a state at each return to a section, over a parameter.
+    """Figure, outside pyplot, of a state at each return to a section, over a parameter.
 
-    Parameters
-    ----------
-    parameter : str
-        Its name.
-    values : array (n,)
-    samples : array (n, k), sequence of n sequences, or mapping of str to one of these
-        Points at each value; NaN is left out. A mapping names several sweeps, such as up and
-        down.
-    state : str
-        Name of what is sampled.
-    title : str
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        For counts that do not fit, or values that are not finite.
-    MissingExtra
-        If matplotlib is not installed.
+    `samples` has the points at each of the values (n,): an array (n, k), n sequences, or a
+    mapping that names several sweeps, such as up and down. NaN is left out. `InputError` is
+    raised for counts that do not fit, or values that are not finite.
     """
     check_picture("bifurcation", ("bifurcation",))
     from matplotlib.figure import Figure
@@ -171,7 +130,7 @@ def bifurcation_figure(
 
 
 def _draw_sweep(axes: Any, across: np.ndarray, points: np.ndarray, name: str, place: int) -> None:
-    """Draw the points of one sweep: the smaller, the more there are."""
+    """Draw the points of one sweep: the more there are, the smaller they are."""
     size = float(np.clip(60.0 / np.sqrt(1 + len(points)), 1.1, 4.0))
     style = mark_style(place)
     axes.plot(
@@ -188,17 +147,9 @@ def _draw_sweep(axes: Any, across: np.ndarray, points: np.ndarray, name: str, pl
 
 
 def draw_basins(plane: Basins) -> Figure:
-    """Draw a plane of starts: the attractors in their order, then how else motions end.
+    """Figure, outside pyplot, of a plane of starts from `basins`.
 
-    Parameters
-    ----------
-    plane : Basins
-        As `basins` gives it.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
+    The attractors come in their order, then the other outcomes.
     """
     names = label_names(plane.found)
     ends = [outcome for outcome in Outcome if outcome != Outcome.UNCLASSIFIED]
@@ -219,18 +170,7 @@ def draw_basins(plane: Basins) -> Figure:
 
 
 def draw_sweep(diagram: Sweep) -> Figure:
-    """Draw a bifurcation diagram.
-
-    Parameters
-    ----------
-    diagram : Sweep
-        The bifurcation diagram.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-    """
+    """Figure, outside pyplot, of a bifurcation diagram."""
     units = units_of(diagram.system)
     return bifurcation_figure(
         units.label(diagram.parameter),
@@ -255,5 +195,5 @@ def _percent(part: float) -> str:
 
 
 def _label(name: str) -> str:
-    """A name as a formula; other texts as they are."""
+    """A label: a name as a formula, any other text as it is."""
     return f"${symbol(name)}$" if name.isalnum() else name

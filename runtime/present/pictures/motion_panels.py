@@ -35,33 +35,20 @@ _JUMP = 1e-9  # relative change of a state in an impact
 
 
 def draw_positions(view: View, places: Sequence[Axes]) -> None:
-    """Draw the positions over time.
-
-    Parameters
-    ----------
-    view : View
-        What is drawn.
-    places : sequence of Axes
-        What is drawn into.
-    """
+    """Draw the positions over time into the first Axes."""
     _draw_history(view, places[0], moving=False)
 
 
 def draw_velocities(view: View, places: Sequence[Axes]) -> None:
-    """Draw the velocities over time.
-
-    Parameters
-    ----------
-    view : View
-        What is drawn.
-    places : sequence of Axes
-        What is drawn into.
-    """
+    """Draw the velocities over time into the first Axes."""
     _draw_history(view, places[0], moving=True)
 
 
 def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
-    """Draw all positions over time, or all velocities; alone all states of the first order."""
+    """Draw all positions over time, or all velocities.
+
+    Of a system of the first order, a picture of its own has all states.
+    """
     drawn = view.drawn(moving=moving)
     if not (view.oscillates or view.composed):
         drawn = list(dict.fromkeys([*drawn, *view.drawn(moving=True)]))
@@ -89,7 +76,7 @@ def _draw_history(view: View, axes: Axes, *, moving: bool) -> None:
 def _draw_range(
     view: View, axes: Axes, values: np.ndarray, label: str, style: dict[str, Any]
 ) -> None:
-    """Draw which range a curve fills in each bin of time."""
+    """Draw the range of a curve in each bin of time."""
     edges = np.linspace(0, view.end, BINS + 1)
     starts = np.clip(np.searchsorted(view.times, edges[:-1]), 0, len(values) - 1)
     low, high = np.minimum.reduceat(values, starts), np.maximum.reduceat(values, starts)
@@ -101,7 +88,7 @@ def _draw_range(
 
 
 def _draw_background(view: View, axes: Axes) -> None:
-    """Colour the background by configuration; below the curves the shares of time in each."""
+    """Colour the background by configuration; with many transitions, draw shares of time below."""
     names = view.trajectory.structure.configurations
     upright = axes.get_xaxis_transform()
     shape: dict[str, Any] = {"transform": upright, "linewidth": 0, "zorder": 0.5}
@@ -128,14 +115,9 @@ def _draw_background(view: View, axes: Axes) -> None:
 
 
 def draw_strip(view: View, places: Sequence[Axes]) -> None:
-    """Draw a row for each configuration, with a bar where, or as far as, it is the present one.
+    """Draw a row for each configuration, with bars for the time in it.
 
-    Parameters
-    ----------
-    view : View
-        What is drawn.
-    places : sequence of Axes
-        What is drawn into.
+    With many transitions, the bars are as high as the share of time in each bin.
     """
     axes = places[0]
     names = view.trajectory.structure.configurations
@@ -167,15 +149,7 @@ def draw_strip(view: View, places: Sequence[Axes]) -> None:
 
 
 def draw_portraits(view: View, places: Sequence[Axes]) -> None:
-    """Draw the phase portraits, all in one or each in Axes of its own.
-
-    Parameters
-    ----------
-    view : View
-        What is drawn.
-    places : sequence of Axes
-        What is drawn into.
-    """
+    """Draw the phase portraits, all in one Axes or each in its own."""
     for place, mass in enumerate(view.masses):
         _draw_portrait(view, places[place % len(places)], place, mass)
     for place, axes in enumerate(places):
@@ -232,7 +206,7 @@ def _draw_portrait(view: View, axes: Axes, place: int, mass: int) -> None:
 def _draw_lines(
     axes: Axes, parts: list[np.ndarray], label: str, style: dict[str, Any], *, dense: bool
 ) -> None:
-    """Draw curves (n, 2); where they are dense, each so faint that the density is seen."""
+    """Draw curves (n, 2); if they are dense, each is so faint that the density shows."""
     if not dense:
         gap = np.full((1, 2), np.nan)
         joined = [piece for part in parts for piece in (part, gap)][:-1]
@@ -249,12 +223,12 @@ def _draw_lines(
 
 
 def _short(curve: np.ndarray) -> list[np.ndarray]:
-    """Pieces of a long curve, which overlap by a point."""
+    """Pieces of a long curve, each of which begins with the last point of the one before."""
     return [curve[low : low + _PIECE + 1] for low in range(0, max(len(curve) - 1, 1), _PIECE)]
 
 
 def _riding(view: View, points: np.ndarray, held: np.ndarray) -> np.ndarray:
-    """Points at which a mass is held and moves, with NaN in between."""
+    """Points (n, 2) at which a mass is held and moves, with NaN between the phases."""
     times = view.trajectory.times
     phase = np.searchsorted(times, view.times, side="right") - 1
     # the first of the two points at a transition ends a phase
@@ -265,7 +239,7 @@ def _riding(view: View, points: np.ndarray, held: np.ndarray) -> np.ndarray:
 
 
 def _levels(view: View, drawn: Sequence[tuple[int, str]]) -> dict[float, str]:
-    """Values, and labels, at which boundaries in one of the drawn states alone lie."""
+    """Values, with labels, of boundaries that depend on one of the drawn states alone."""
     system, found = view.trajectory.system, dict[float, list[str]]()
     rows = {b.row for shapes in system.structure.boundaries for b in shapes}
     for state, label in drawn:
@@ -283,7 +257,10 @@ def _level(system: PiecewiseLinear, row: int, state: int) -> float:
 
 
 def _parameter(view: View, row: int, state: int) -> str:
-    """Parameter, or minus it, that a level is, and stays when it changes; empty if none."""
+    """Symbol of the parameter that a level equals, with a minus if it is the negative.
+
+    The level has to follow the parameter when that changes; the text is empty if none fits.
+    """
     system = view.trajectory.system
     kernels = view.kernels
     if kernels is None:

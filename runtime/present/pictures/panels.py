@@ -48,23 +48,23 @@ _CONSTANT = 1e-9  # relative change of a velocity that is held
 
 @dataclass(frozen=True)
 class Scene:
-    """What every picture of one orbit needs."""
+    """An orbit with its samples, as all its pictures need it."""
 
     orbit: Orbit
     motion: Motion
     samples: Samples
     masses: tuple[int, ...]
-    composed: bool = False
+    composed: bool = False  # whether the picture is one part of several
     portraits = 1  # in a new figure
 
     @property
     def title(self) -> str:
-        """What the picture shows; empty in one part of several."""
+        """Title of the picture; empty if it is one part of several."""
         return "" if self.composed else shown_name(self.orbit.name)
 
     @property
     def units(self) -> Units:
-        """Those that the system declares."""
+        """Units that the system declares."""
         return units_of(self.orbit.system)
 
     @property
@@ -83,17 +83,9 @@ class Scene:
         return [f"${symbol(self.motion.names[mass])}'$" for mass in self.masses]
 
     def levels(self, *, moving: bool) -> dict[float, str]:
-        """Values, and their labels, at which boundaries in the drawn states lie.
+        """Values, with labels, of boundaries in the drawn positions, or velocities if `moving`.
 
-        Parameters
-        ----------
-        moving : bool
-            Whether velocities are drawn; else positions.
-
-        Returns
-        -------
-        dict of float to str
-            Label of each value, in the state's units.
+        The values are in the state's units.
         """
         found = {}
         table = self.orbit.kernels.table["levels"]
@@ -107,29 +99,15 @@ class Scene:
         return found
 
     def color(self, phase: int) -> str:
-        """Colour of a phase's configuration, the same in all pictures of the system.
-
-        Parameters
-        ----------
-        phase : int
-            Its number in the orbit, from 0.
-
-        Returns
-        -------
-        str
-            A colour of matplotlib.
-        """
+        """Colour of the configuration of a phase (from 0), the same in all pictures of a system."""
         known = self.orbit.system.configurations
         place = known.index(self.motion.configurations[phase])
         return configuration_color(place)
 
     def phases(self) -> Iterator[tuple[int, float, float]]:
-        """Each phase that is drawn against time: its number, start and end.
+        """Yield each phase that is drawn against time: its number, start and end.
 
-        Yields
-        ------
-        tuple of (int, float, float)
-            Times in the system's units.
+        Times are in the system's units.
         """
         breaks, period = self.motion.breaks, self.motion.period
         for start in np.arange(round(self.samples.times[-1] / period)) * period:
@@ -138,28 +116,12 @@ class Scene:
 
 
 def draw_positions(scene: Scene, places: Sequence[Axes]) -> None:
-    """Draw the positions over time.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is drawn.
-    places : sequence of Axes
-        What is drawn into.
-    """
+    """Draw the positions over time into the first Axes."""
     _draw_history(scene, places[0], moving=False)
 
 
 def draw_velocities(scene: Scene, places: Sequence[Axes]) -> None:
-    """Draw the velocities over time.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is drawn.
-    places : sequence of Axes
-        What is drawn into.
-    """
+    """Draw the velocities over time into the first Axes."""
     _draw_history(scene, places[0], moving=True)
 
 
@@ -188,15 +150,7 @@ def _draw_history(scene: Scene, axes: Axes, *, moving: bool) -> None:
 
 
 def draw_portraits(scene: Scene, places: Sequence[Axes]) -> None:
-    """Draw the phase portraits, all in one or each in Axes of its own.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is drawn.
-    places : sequence of Axes
-        What is drawn into.
-    """
+    """Draw the phase portraits, all in one Axes or each in its own."""
     positions, velocities = scene.positions, scene.velocities
     samples = scene.motion.sample(_PHASE_POINTS)
     switches = np.flatnonzero(np.diff(samples.times, prepend=samples.times[0] - 1) == 0)
@@ -226,15 +180,7 @@ def draw_portraits(scene: Scene, places: Sequence[Axes]) -> None:
 
 
 def draw_strip(scene: Scene, places: Sequence[Axes]) -> None:
-    """Draw a row for each configuration, with a bar where it is the present one.
-
-    Parameters
-    ----------
-    scene : Scene
-        What is drawn.
-    places : sequence of Axes
-        What is drawn into.
-    """
+    """Draw a row for each configuration, with bars for the time in it."""
     axes = places[0]
     rows = list(dict.fromkeys(scene.motion.configurations))
     dwell_times = scene.orbit.dwell_time_names
@@ -260,15 +206,7 @@ def draw_strip(scene: Scene, places: Sequence[Axes]) -> None:
 
 
 def draw_multipliers(scene: Scene | View, places: Sequence[Axes]) -> None:
-    """Draw the multipliers of an orbit and the unit circle.
-
-    Parameters
-    ----------
-    scene : Scene or View
-        What is drawn.
-    places : sequence of Axes
-        What is drawn into.
-    """
+    """Draw the multipliers of an orbit and the unit circle into the first Axes."""
     assert scene.orbit is not None
     axes = places[0]
     angle = np.linspace(0, 2 * np.pi, 361)

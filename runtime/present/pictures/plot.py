@@ -42,43 +42,19 @@ def plot_orbit(
     points_per_period: int = 600,
     masses: Iterable[int] | None = None,
 ) -> Any:
-    """Draw an orbit.
+    """Draw an orbit, and give the Axes: several for "all", or for several portraits.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    kind : str
-        An entry of `kinds.KINDS`: "time", "velocity", "phase", "strip", "multipliers" or "all".
-        Positions or velocities of all masses over time; phase portraits (x, x'); which
-        configuration when; multipliers in the unit circle; or all of them.
-    axes : Axes or sequence of Axes, optional
-        Where to draw: one Axes; for "phase" also one for each mass; for "all" those of time,
-        velocity and strip, of portraits, and of multipliers. An orbit with kernels takes one
-        Axes for all its portraits then, one without kernels one for each mass. A new figure
-        when omitted.
-    periods : int
-        How many to draw against time.
-    points_per_period : int
-        At least about so many.
-    masses : iterable of int, optional
-        Which to draw, counted from 0; all when omitted.
+    The kinds are those of `kinds.KINDS`: "time" or "velocity" (positions or velocities of
+    all masses over time), "phase" (portraits (x, x')), "strip" (configurations over time),
+    "multipliers" (in the unit circle) or "all". One Axes may be given; for "phase" also one
+    for each mass; for "all" those of time, velocity and strip, of portraits, and of
+    multipliers. An orbit with kernels then takes one Axes for all its portraits, one
+    without kernels takes one for each mass. Without Axes a new figure is made.
 
-    Returns
-    -------
-    Axes or tuple of Axes
-        A tuple for "all", and for "phase" where there are several.
-
-    Raises
-    ------
-    InputError
-        For an unknown kind or mass, a wrong number of points or Axes, or an orbit that has not
-        converged.
-    MissingExtra
-        If matplotlib is not installed.
-
-    Notes
-    -----
-    Positions and time are those of the orbit's equations.
+    `points_per_period` is a lower bound. The masses count from 0, and None stands for all.
+    Positions and time are those of the orbit's equations. `InputError` is raised for an
+    unknown kind or mass, a wrong number of points or Axes, or an orbit that has not
+    converged.
     """
     places = draw_into(_scene(orbit, kind, periods, points_per_period, masses), kind, axes)
     one = hasattr(axes, "plot") or (axes is None and len(places) == 1)
@@ -93,50 +69,14 @@ def orbit_figure(
     points_per_period: int = 600,
     masses: Iterable[int] | None = None,
 ) -> Figure:
-    """Draw an orbit into a figure of its own, outside pyplot; arguments as for `plot_orbit`.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        Converged.
-    kind : str, default "all"
-        As for `plot_orbit`.
-    periods : int, default 1
-        How many are drawn against time.
-    points_per_period : int, default 600
-        About how many points a period has at least.
-    masses : iterable of int, optional
-        Numbers of the masses that are drawn, from 0; all by default.
-
-    Returns
-    -------
-    Figure
-        Not shown.
-
-    Raises
-    ------
-    InputError
-        As for `plot_orbit`.
-    MissingExtra
-        If matplotlib is not installed.
-    """
+    """Figure, outside pyplot, of a converged orbit; the arguments are those of `plot_orbit`."""
     return figure_of(_scene(orbit, kind, periods, points_per_period, masses), kind)
 
 
 def save_figure(figure: Figure, path: str | os.PathLike[str]) -> None:
-    """Write a figure as PNG, SVG or PDF; the same figure gives the same bytes.
+    """Write a figure of matplotlib as PNG, SVG or PDF; the same figure gives the same bytes.
 
-    Parameters
-    ----------
-    figure : Figure
-        Of matplotlib.
-    path : str or path
-        The file.
-
-    Raises
-    ------
-    InputError
-        For another ending, or a file that cannot be written.
+    `InputError` is raised for another ending, or if the file cannot be written.
     """
     target = Path(path)
     check_ending(target, tuple(_METADATA))
@@ -144,18 +84,9 @@ def save_figure(figure: Figure, path: str | os.PathLike[str]) -> None:
 
 
 def figure_bytes(figure: Figure, ending: str) -> bytes:
-    """Content of a file of a figure; the same figure gives the same bytes.
+    """Content of a figure's file; the same figure gives the same bytes.
 
-    Parameters
-    ----------
-    figure : Figure
-    ending : str
-        ".png", ".svg" or ".pdf".
-
-    Returns
-    -------
-    bytes
-        Content of the file.
+    The ending is ".png", ".svg" or ".pdf".
     """
     from matplotlib import rc_context
 
@@ -172,7 +103,7 @@ def _scene(
     points_per_period: int,
     masses: Iterable[int] | None,
 ) -> Scene | View:
-    """Check what can be checked before anything is drawn."""
+    """The orbit as it is drawn, after all checks that need no drawing."""
     check_picture(kind, tuple(KINDS))
     if orbit.problem.has_trajectory:
         return orbit_view(orbit, periods, points_per_period, masses)
@@ -184,28 +115,10 @@ def _scene(
 def orbit_view(
     orbit: Orbit, periods: int, points_per_period: int, masses: Iterable[int] | None
 ) -> View:
-    """The trajectory along an orbit, as motions are drawn.
+    """The trajectory along a converged orbit, as motions are drawn.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        Converged.
-    periods : int
-        How many are drawn.
-    points_per_period : int
-        About how many points a period has at least.
-    masses : iterable of int or None
-        Numbers of masses, from 0; None for all.
-
-    Returns
-    -------
-    View
-        Of the whole trajectory.
-
-    Raises
-    ------
-    InputError
-        If there is no such mass.
+    It has at least about so many points for each of the periods. The masses count from 0,
+    and None stands for all; `InputError` is raised if there is no such mass.
     """
     motion = orbit.trajectory(periods)
     drawn = chosen_masses(masses, len(coordinates_of(motion)), orbit.name)

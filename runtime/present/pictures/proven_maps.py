@@ -33,24 +33,8 @@ _STYLES = ("-", "--", "-.", ":")
 def draw_box(found: BoxCertificate, axes: Any = None) -> Any:
     """Draw the tiles of a map of two parameters, or the trace over one.
 
-    Parameters
-    ----------
-    found : BoxCertificate
-        The map.
-    axes : Axes, optional
-        What is drawn into; a figure of its own by default.
-
-    Returns
-    -------
-    Figure or Axes
-        The figure, or the Axes that were given.
-
-    Raises
-    ------
-    InputError
-        If the box has more than two parameters.
-    MissingExtra
-        If matplotlib is not installed.
+    The result is the Axes that are given, or else a new figure. `InputError` is raised if
+    the box has more than two parameters.
     """
     return drawn_alone("map", (7.2, 5.6), lambda own: _draw(found, own), axes)
 
@@ -70,7 +54,7 @@ def _draw(found: BoxCertificate, own: Axes) -> None:
 
 
 def _areas(found: BoxCertificate) -> dict[str, float]:
-    """Percents of the box by verdict; of a plane about, where curves divide tiles."""
+    """Percentages of the box by verdict; for a plane approximate, as curves divide tiles."""
     areas: dict[str, float] = {}
     if len(found.box) == _PLANE:
         for region in found.regions:
@@ -84,7 +68,7 @@ def _areas(found: BoxCertificate) -> dict[str, float]:
 
 
 def _draw_curves(axes: Axes, found: BoxCertificate) -> None:
-    """Lines where verdicts change, each kind of event in a style of its own."""
+    """Draw curves at which verdicts change, each kind of event in a style of its own."""
     kinds = list(dict.fromkeys(curve.event.kind for curve in found.curves))
     for curve in found.curves:
         number = kinds.index(curve.event.kind)
@@ -161,7 +145,7 @@ def _draw_plane(axes: Axes, found: BoxCertificate) -> None:
 
 
 def _draw_line(axes: Axes, found: BoxCertificate) -> None:
-    """The trace's enclosures over the parameter."""
+    """Draw the trace's enclosures over the parameter."""
     (name,) = found.box
     for tile in found.tiles:
         left, right = map(float, found.where(tile)[name])

@@ -21,48 +21,23 @@ Drawn = tuple[dict[str, str], "Figure"]  # what was drawn: the name of the orbit
 
 
 class BranchView(NamedTuple):
-    """What is drawn of a branch, as `branch_figure` takes it.
-
-    Attributes
-    ----------
-    quantities : tuple of str
-    over : str or None
-    frequency : {"angular", "cycles"}
-    """
+    """What is drawn of a branch, as arguments of `branch_figure`."""
 
     quantities: tuple[str, ...]
     over: str | None
-    frequency: str
+    frequency: str  # "angular" or "cycles"
 
 
 def figure_of(path: Path, kind: str, periods: int, view: BranchView | None = None) -> Drawn:
-    """Read a file and draw what is in it.
+    """Read a file, and give what it names (the orbit or the system) with its figure.
 
-    Parameters
-    ----------
-    path : Path
-        JSON of an orbit, one of several as ``FILE.json:N``, a branch, a curve of events, a
-        proven map, found orbits, a sweep, a fit or a design; .npz or .csv of a motion; folder
-        of a chart. A certificate, certificates of events and a census have no picture.
-    kind : str
-        As for `plot_orbit`; found orbits have "all", "time", "velocity" and "phase",
-        and what is drawn in one way only "all".
-    periods : int
-        How many periods of an orbit to draw against time.
-    view : BranchView, optional
-        What is drawn of a branch; for what is usual, and for other files, None.
-
-    Returns
-    -------
-    dict of str
-        What was drawn: the name of the orbit or of the system.
-    Figure
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read or is cut, edited or foreign, or for a kind or a quantity that
-        it has not.
+    The file is JSON of an orbit, one of several as ``FILE.json:N``, a branch, a curve of
+    events, a proven map, found orbits, a sweep, a fit or a design; .npz or .csv of a
+    motion; or the folder of a chart. A certificate, certificates of events and a census
+    have no picture. The kinds are those of `plot_orbit`; found orbits have "all", "time",
+    "velocity" and "phase", and results that are drawn in one way have "all" only. `view` is
+    for a branch, and None for its defaults. `InputError` is raised if the file cannot be
+    read or is cut, edited or foreign, or if it has no such kind or quantity.
     """
     if view is not None and (path.exists() or ":" in path.name):
         if path.is_dir() or format_in(path) != _BRANCH:

@@ -32,39 +32,18 @@ def plot_trajectory(
     masses: Iterable[int] | None = None,
     points: int = 2000,
 ) -> Any:
-    """Draw a motion.
+    """Draw a motion, and give the Axes: several for "all", or for several portraits.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-    kind : {"time", "velocity", "phase", "strip", "all"}
-        Positions or velocities over time; a phase portrait (x, x') of each mass; which
-        configuration when; or all of them.
-    axes : Axes or sequence of Axes, optional
-        Where to draw: one Axes; for "phase" one for each mass, or one for all; for "all"
-        those of time, velocity and strip, then one for each mass. A new figure when omitted.
-    masses : iterable of int, optional
-        Which to draw, counted from 0; all when omitted.
-    points : int
-        At least about so many are drawn, more where the motion needs them.
+    The kind is "time" or "velocity" (positions or velocities over time), "phase" (a
+    portrait (x, x') of each mass), "strip" (configurations over time), or "all". One Axes
+    may be given; for "phase" one for each mass, or one for all; for "all" those of time,
+    velocity and strip, then one for each mass. Without Axes a new figure is made.
 
-    Returns
-    -------
-    Axes or tuple of Axes
-        A tuple for "all", and for "phase" unless one Axes was given.
-
-    Raises
-    ------
-    InputError
-        For an unknown kind or mass, a wrong number of points or Axes, or a motion that is
-        not finite.
-    MissingExtra
-        If matplotlib is not installed.
-
-    Notes
-    -----
-    The background has the colour of the configuration. Dotted lines are boundaries that
-    depend on the position or the velocity of one mass alone; dashed ones are impacts.
+    The masses count from 0, and None stands for all. `points` is a lower bound; there are
+    more where the motion needs them. The background has the colour of the configuration.
+    Dotted lines are boundaries that depend on the position or the velocity of one mass
+    alone; dashed ones are impacts. `InputError` is raised for an unknown kind or mass, a
+    wrong number of points or Axes, or a motion that is not finite.
     """
     places = draw_into(_view(trajectory, kind, masses, points), kind, axes)
     single = kind not in ("all", "phase") or hasattr(axes, "plot")
@@ -78,36 +57,12 @@ def trajectory_figure(
     masses: Iterable[int] | None = None,
     points: int = 2000,
 ) -> Figure:
-    """Draw a motion into a figure of its own, outside pyplot; as `plot_trajectory` does.
-
-    Parameters
-    ----------
-    trajectory : Trajectory
-        The motion.
-    kind : str, default "all"
-        As for `plot_trajectory`.
-    masses : iterable of int, optional
-        Numbers of the masses that are drawn, from 0; all by default.
-    points : int, default 2000
-        About how many points the motion has at least.
-
-    Returns
-    -------
-    Figure
-        Outside pyplot.
-
-    Raises
-    ------
-    InputError
-        As for `plot_trajectory`.
-    MissingExtra
-        If matplotlib is not installed.
-    """
+    """Figure, outside pyplot, of a motion; the arguments are those of `plot_trajectory`."""
     return figure_of(_view(trajectory, kind, masses, points), kind)
 
 
 def _view(trajectory: Trajectory, kind: str, masses: Iterable[int] | None, points: int) -> View:
-    """Check what can be checked before anything is drawn."""
+    """The motion as it is drawn, after all checks that need no drawing."""
     check_picture(kind, KINDS)
     drawn = chosen_masses(masses, len(coordinates_of(trajectory)), trajectory.name)
     return view_of(trajectory, drawn, points)

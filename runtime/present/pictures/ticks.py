@@ -17,12 +17,7 @@ _MOST = 9  # intervals between labels
 
 
 def number_axes(axes: Axes) -> None:
-    """Number the axes of a picture; those that are not linear, or numbered otherwise, stay.
-
-    Parameters
-    ----------
-    axes : Axes
-    """
+    """Number the linear axes of a picture; those with other scales or labels stay as they are."""
     for axis in (axes.xaxis, axes.yaxis):
         own = axis.get_major_locator(), axis.get_major_formatter()
         if [type(one) for one in own] == [AutoLocator, ScalarFormatter]:
@@ -31,10 +26,10 @@ def number_axes(axes: Axes) -> None:
 
 
 class _InFull(ScalarFormatter):
-    """Numbers in full: what they have in common is not written beside the axis.
+    """Formatter that writes each number in full, without an offset beside the axis.
 
-    Where they are tiny, or differ in late digits, matplotlib writes it there, where a legend
-    may be.
+    For tiny numbers, or numbers that differ in late digits, matplotlib would write one,
+    where a legend may be.
     """
 
     def __init__(self) -> None:
@@ -42,12 +37,12 @@ class _InFull(ScalarFormatter):
         self._places = np.zeros(0)
 
     def set_locs(self, locs: Any) -> None:
-        """Take the places that are numbered."""
+        """Set the places that are numbered."""
         self._places = np.asarray(locs, dtype=float)
         super().set_locs(locs)
 
     def __call__(self, number: float, pos: int | None = None) -> str:
-        """A number with as many digits as tell it from those beside it."""
+        """A number with as many digits as distinguish it from its neighbours."""
         if not super().get_offset():
             return super().__call__(number, pos)
         step = np.diff(self._places).min(initial=np.inf)
@@ -57,19 +52,19 @@ class _InFull(ScalarFormatter):
         return self.fix_minus(f"{number:.{digits}g}")
 
     def get_offset(self) -> str:
-        """Nothing: the labels say all."""
+        """An empty text, as the labels are complete."""
         return ""
 
 
 class _Apart(MaxNLocator):
-    """Round places, so few that their labels do not touch."""
+    """Locator of round places, so few that their labels do not touch."""
 
     def __init__(self) -> None:
         super().__init__(_MOST, steps=[1, 2, 2.5, 5, 10])
         self._last: tuple[Any, Any] = (None, ())
 
     def tick_values(self, vmin: float, vmax: float) -> Any:
-        """Places of the labels between two ends; a layout asks often for the same."""
+        """Places of the labels between two ends, cached as a layout asks often for the same."""
         room = self._room()
         asked = (vmin, vmax, *room)
         if self._last[0] != asked:
@@ -83,7 +78,7 @@ class _Apart(MaxNLocator):
         return self._last[1]
 
     def _room(self) -> tuple[Any, ...]:
-        """What writes the labels, their size in points, dots per inch, pixels along the axis."""
+        """The formatter, the size of labels in points, dots per inch, and pixels along the axis."""
         axis: Any = self.axis
         if axis is None or not hasattr(axis, "get_major_ticks"):
             return ()

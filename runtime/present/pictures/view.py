@@ -30,58 +30,47 @@ _LARGEST = 1e150  # state: sums of squares are doubles, and so are the ends of a
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """What every picture of one motion needs: its points, each transition twice.
+    """A motion with its sampled points, as all its pictures need it.
 
-    Attributes
-    ----------
-    trajectory : Trajectory
-    times, states : array (n,), (n, N)
-    masses : tuple of int
-        Which are drawn.
-    orbit : Orbit or None
-        Whose motion it is, without start and end.
-    name : str
-        Instead of the system's and the number of transitions.
-    composed : bool
-        Whether the picture is a part of several.
+    Each transition has two points: before and behind it.
     """
 
     trajectory: Trajectory
-    times: np.ndarray
-    states: np.ndarray
-    masses: tuple[int, ...]
-    orbit: Orbit | None = None
-    name: str = ""
-    composed: bool = False
+    times: np.ndarray  # (n,)
+    states: np.ndarray  # (n, N)
+    masses: tuple[int, ...]  # that are drawn, from 0
+    orbit: Orbit | None = None  # whose motion it is; start and end are not marked then
+    name: str = ""  # in the title, instead of the system's and the number of transitions
+    composed: bool = False  # whether the picture is one part of several
 
     @property
     def kernels(self) -> SystemKernels | None:
-        """Those of the system, where they are known."""
+        """Kernels of the system if they are known."""
         return self.trajectory.system.structure.kernels if self.orbit is None else self.orbit.system
 
     @property
     def units(self) -> Units:
-        """Those that the system declares."""
+        """Units that the system declares."""
         return units_of(self.kernels or self.trajectory.name)
 
     @property
     def portraits(self) -> int:
-        """How many phase portraits a new figure has."""
+        """Number of phase portraits in a new figure."""
         return len(self.masses)
 
     @property
     def coordinates(self) -> tuple[tuple[int, int], ...]:
-        """Position and velocity of every mass, as states; neighbours where there are none."""
+        """Indices of position and velocity of every mass; see `coordinates_of`."""
         return coordinates_of(self.trajectory)
 
     @property
     def oscillates(self) -> bool:
-        """Whether there are positions and velocities, and not states of the first order."""
+        """Whether the states are positions and velocities, not those of a first-order system."""
         return bool(self.trajectory.structure.coordinates)
 
     @property
     def end(self) -> float:
-        """Time at which the motion ends; 1 if that is its start."""
+        """Time at which the motion ends; 1 if it takes no time."""
         return self.trajectory.end or 1.0
 
     @property
@@ -100,40 +89,24 @@ class View:
         return self.trajectory.names[self.coordinates[mass][which]]
 
     def drawn(self, *, moving: bool) -> list[tuple[int, str]]:
-        """States that are drawn as positions, or as velocities, with their labels.
+        """Indices and labels of the states drawn as positions, or as velocities if `moving`.
 
-        Several positions, of a mass and a slider, may have one velocity.
-
-        Parameters
-        ----------
-        moving : bool
-            Whether velocities are drawn; else positions.
-
-        Returns
-        -------
-        list of (int, str)
+        Several positions, as those of a mass and a slider, may have one velocity.
         """
         labels = self.velocities if moving else self.positions
         states = [self.coordinates[mass][moving] for mass in self.masses]
         return list(zip(states, labels, strict=True))
 
     def noun(self, *, moving: bool) -> str:
-        """What these states are.
+        """The kind of the states drawn as positions, or as velocities if `moving`.
 
-        Parameters
-        ----------
-        moving : bool
-            Whether velocities are drawn; else positions.
-
-        Returns
-        -------
-        {"position", "velocity", "state"}
+        It is "position", "velocity" or "state".
         """
         return "state" if not self.oscillates else "velocity" if moving else "position"
 
     @property
     def present(self) -> list[int]:
-        """Configurations in the order in which they first occur for some time."""
+        """Configurations that last for some time, in the order in which they first occur."""
         run = self.trajectory.run
         lasting = np.diff(run.times, append=self.trajectory.end) > 0
         found = run.configurations[lasting] if lasting.any() else run.configurations
@@ -141,7 +114,7 @@ class View:
 
     @property
     def title(self) -> str:
-        """What the picture shows; empty in one part of several."""
+        """Title of the picture; empty if it is one part of several."""
         count = self.trajectory.transitions
         plural = "" if count == 1 else "s"
         text = self.name or f"{shown_name(self.trajectory.name)}, {count:,} transition{plural}"
@@ -158,30 +131,16 @@ class View:
         return self.many or _angle(self.trajectory) > 2 * math.pi * MANY
 
     def bars(self, configuration: int) -> list[tuple[float, float]]:
-        """Begin and length of each phase in a configuration.
-
-        Parameters
-        ----------
-        configuration : int
-            Its number.
-
-        Returns
-        -------
-        list of (float, float)
-            Times in the system's units.
-        """
+        """Begin and length of each phase in a configuration, in the system's unit of time."""
         run = self.trajectory.run
         ends = np.append(run.times[1:], self.trajectory.end)
         here = (run.configurations == configuration) & (ends > run.times)
         return list(zip(run.times[here], (ends - run.times)[here], strict=True))
 
     def shares(self) -> tuple[np.ndarray, np.ndarray]:
-        """Edges (n + 1,) of bins, and the share of each spent in the present ones (n, present).
+        """Edges (n + 1,) of bins, and the share of time (n, present) in each configuration.
 
-        Returns
-        -------
-        tuple of (array, array)
-            Edges in the system's unit of time, and nondimensional shares.
+        The edges are in the system's unit of time. The configurations are those of `present`.
         """
         run = self.trajectory.run
         breaks = np.append(run.times, self.trajectory.end)
@@ -193,17 +152,9 @@ class View:
 
 
 def coordinates_of(trajectory: Trajectory) -> tuple[tuple[int, int], ...]:
-    """Position and velocity of every mass; neighbouring states where there is no velocity.
+    """Indices of position and velocity of every mass.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-        The motion.
-
-    Returns
-    -------
-    tuple of (int, int)
-        Numbers of the two states, for each mass.
+    States without a velocity are paired with their neighbours.
     """
     structure = trajectory.structure
     if structure.coordinates:
@@ -220,30 +171,11 @@ def view_of(
     orbit: Orbit | None = None,
     name: str = "",
 ) -> View:
-    """Points of a motion as dense as a picture needs them.
+    """A motion with points as dense as a picture needs them, at least about `points`.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-        The motion.
-    masses : tuple of int
-        Numbers of the masses that are drawn, from 0.
-    points : int
-        About how many there are at least.
-    orbit : Orbit, optional
-        The orbit that the motion runs along.
-    name : str, optional
-        Shown above the picture.
-
-    Returns
-    -------
-    View
-        With the sampled states.
-
-    Raises
-    ------
-    InputError
-        If the motion is not finite, or beyond what axes hold.
+    The masses count from 0; `orbit` is the one that the motion runs along, and `name` is
+    shown above the picture. `InputError` is raised if the motion is not finite, or beyond
+    what axes hold.
     """
     if not (math.isfinite(trajectory.end) and np.isfinite(trajectory.states).all()):
         raise InputError("the motion is not finite")
@@ -259,6 +191,6 @@ def view_of(
 
 
 def _angle(trajectory: Trajectory) -> float:
-    """Radians of the fastest oscillation that occurs."""
+    """Radians of the fastest oscillation that occurs in the motion."""
     present = np.unique(trajectory.run.configurations).tolist()
     return trajectory.end * max(fastest(trajectory.system, c) for c in present)
