@@ -174,7 +174,8 @@ def load_chart(path: str | Path) -> Dataset:
     """A chart from its folder, complete or not, with the parameters as dimensions.
 
     Its numbers are read when they are used. Where nothing is computed yet, `status` is -128.
-    Raises `InputError` if there is no chart, or if its metadata is damaged or edited.
+    Raises `InputError` if there is no chart, or if its metadata is damaged or edited, and
+    `MissingExtra` if Zarr or xarray are not installed.
 
     Examples
     --------
@@ -201,7 +202,10 @@ def load_chart(path: str | Path) -> Dataset:
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Turn errors that damaged numbers of a chart cause into `InputError`, which names `path`."""
+    """A context in which errors from damaged numbers of a chart become `InputError`.
+
+    Messages name `path`.
+    """
     try:
         yield
     except NonsmoothError:
@@ -279,7 +283,7 @@ def is_begun(name: str) -> bool:
 
 
 def _check_corner(problem: ChartProblem, axes: tuple[Axis, ...]) -> None:
-    """Compute one corner of the grid: what is wrong in the whole grid shows there."""
+    """Compute one corner of the grid, so that an error that is the same everywhere shows first."""
     corner = Grid(axes, (1,) * len(axes)).corner()
     problem.compute(corner.block(0), problem.prepare(corner))
 
@@ -293,12 +297,13 @@ def work_on(
     threads: int | None,
     progress: Progress = lambda done, total: None,
 ) -> Work:
-    """Compute the missing chunks of a chart in a store.
+    """Compute the missing chunks of a chart in a store, and return how much was computed.
 
     `scheduler` is the address of a Dask scheduler; None computes in this process. `chunk` is
     roughly the number of points of a chunk; None takes the store's chunks, or the usual ones.
     `threads` None takes all processors. `progress` gets the number of chunks that are done and
-    of all. Raises `InputError` as `chart` does.
+    of all. Raises `InputError` as `chart` does, and `MissingExtra` if Dask is needed and not
+    installed.
     """
     _check_corner(problem, axes)
     usual = _usual(problem, axes, chunk)

@@ -28,7 +28,8 @@ _AHEAD = 3  # chunks in the queue for each thread of the workers
 def connected(address: str | None) -> Iterator[Any]:
     """A context with a client of a Dask scheduler, or with None if there is no address.
 
-    Raises `InputError` if no scheduler answers at the address (``tcp://host:port``).
+    Raises `InputError` if no scheduler answers at the address (``tcp://host:port``), and
+    `MissingExtra` if Dask is not installed.
     """
     if address is None:
         yield None

@@ -92,9 +92,10 @@ def orbits_beside(
 ) -> tuple[Orbit, ...]:
     """Admissible orbits of other itineraries on both sides of a border collision, very near it.
 
-    Unlike `next_itineraries` all that converge are returned, those nearest to the collision
-    first: one itinerary may have several orbits nearby, of which one begins at the collision.
-    `parameters` are those of the system that the orbit leaves open; absent ones are chosen.
+    Unlike `next_itineraries` all that converge are returned. Those nearest to the collision,
+    whose new phases are shortest, come first: one itinerary may have several orbits nearby, of
+    which one begins at the collision. `parameters` are those of the system that the orbit
+    leaves open; absent ones are chosen.
     """
     base, system_at = _neighbour(branch, event, parameters)
     span = float(np.ptp(branch.parameter_values)) or abs(event.value) or 1.0

@@ -117,7 +117,7 @@ class OrbitFamily:
         return self._equations.motion_at(self._full(z), self._given(z))
 
     def moved(self, name: str, value: float) -> OrbitFamily:
-        """A copy of the family with another value of a given number other than its parameter."""
+        """A copy of the family with another value of a given number, which is not its parameter."""
         other = copy(self)
         other._base = self._base.copy()
         other._base[self._equations.names.index(name)] = value

@@ -48,7 +48,7 @@ class QuantityValues(NamedTuple):
 
 
 def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> QuantityValues:
-    """Quantities `of` an orbit with their derivatives by the given parameters `by`.
+    """The quantities named in `of` at an orbit, with derivatives by the given parameters `by`.
 
     The names are those of `OrbitDerivatives.quantity`. A quantity that is unknown or does not
     exist is refused, and so is an orbit without derivatives.

@@ -50,7 +50,7 @@ def pursue(
 ) -> Pursued:
     """Motions (n,) of as many systems, followed for at least as many transitions again.
 
-    They are followed as long as they grow. They have to have ended after a number of
+    They are followed further as long as they grow. They have to have ended after a number of
     transitions that is the same for all. `threads` None takes all processors.
     """
     count, kept = motions.last_times.shape
