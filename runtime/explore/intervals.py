@@ -24,19 +24,12 @@ _APART = 2.0**-40, 2.0**-32  # of a value: so far beyond an end it is looked why
 
 @dataclass(frozen=True)
 class Interval:
-    """Values of a parameter for which an orbit is admissible.
-
-    Attributes
-    ----------
-    lower, upper : float
-    below, above : str
-        What fails beyond either end; empty at an end of the range that was searched.
-    """
+    """Values of a parameter for which an orbit is admissible."""
 
     lower: float
     upper: float
-    below: str
-    above: str
+    below: str  # what fails below the lower end, empty at an end of the searched range
+    above: str  # what fails above the upper end, empty at an end of the searched range
 
 
 def admissible_intervals(
@@ -48,33 +41,13 @@ def admissible_intervals(
     *,
     points: int = 4000,
 ) -> tuple[Interval, ...]:
-    """Intervals of one parameter in which an orbit exists and is admissible.
+    """Intervals of one parameter, in increasing order, in which an orbit exists and is admissible.
 
-    Whether it is is found on an even grid; the ends between neighbours that differ are
-    bisected to the last bit. An interval between two points of the grid is not seen. Open
-    parameters are taken as large as it needs.
-
-    Parameters
-    ----------
-    orbit : str
-        ``system/orbit``.
-    parameter : str
-        The one that varies, from `lower` to `upper`.
-    lower, upper : float
-    parameters : mapping of str to number, optional
-        The others; absent ones take the reference point's values.
-    points : int
-        Of the grid.
-
-    Returns
-    -------
-    tuple of Interval
-        In increasing order, each end with the reason why it is one.
-
-    Raises
-    ------
-    InputError
-        For a wrong name, an empty range, or too few points.
+    They are detected on an even grid of `points`; the ends between neighbours that differ are
+    bisected to the last bit, each with its reason. An interval between two points of the grid
+    is not seen. Open parameters are taken as large as needed. `orbit` is ``system/orbit``;
+    parameters that are not given take the values of the reference point. Refused are wrong
+    names, an empty range, and too few points.
 
     Examples
     --------
@@ -116,35 +89,10 @@ def singular_values(
     *,
     points: int = 4000,
 ) -> tuple[float, ...]:
-    """Values of one parameter at which an explicit orbit is not determined.
+    """Values of one parameter, in increasing order, at which an explicit orbit is not determined.
 
-    They are the sign changes of the determinants of the linear equations that give it;
-    arguments as for `admissible_intervals`.
-
-    Parameters
-    ----------
-    orbit : str
-        ``system/orbit``.
-    parameter : str
-        The one that varies, from `lower` to `upper`.
-    lower : float
-        In the unit of the parameter.
-    upper : float
-        In the unit of the parameter.
-    parameters : mapping of str to number, optional
-        The others; absent ones take the reference point's values.
-    points : int
-        Of the grid.
-
-    Returns
-    -------
-    tuple of float
-        In increasing order.
-
-    Raises
-    ------
-    InputError
-        As there, and for an orbit that is not explicit.
+    They are the sign changes of the determinants of the linear equations that give it. The
+    arguments are those of `admissible_intervals`; an orbit that is not explicit is refused too.
     """
     kernels, others, grid = _line(orbit, parameter, lower, upper, parameters, points)
     if kernels.reduced:
@@ -200,7 +148,7 @@ def _bisected(
     above: np.ndarray,
     at_below: np.ndarray,
 ) -> list[tuple[float, float]]:
-    """Neighbouring doubles between which an answer changes."""
+    """Pairs of neighbouring floating-point numbers between which a decision changes."""
     for _ in range(_HALVINGS if len(below) else 0):
         middle = (below + above) / 2
         same = decide(middle) == at_below
@@ -211,7 +159,7 @@ def _bisected(
 def _failure(
     kernels: OrbitKernels, others: Mapping[str, Any], parameter: str, inside: float, beyond: float
 ) -> str:
-    """What fails beyond an end: at the next number, or where it is more than rounding."""
+    """Text of what fails beyond an end: at the next number, or where it is more than rounding."""
     for apart in (0.0, *_APART):
         value = beyond + np.sign(beyond - inside) * apart * max(abs(beyond), abs(inside))
         try:
@@ -226,7 +174,7 @@ def _failure(
 def _failure_at(
     kernels: OrbitKernels, others: Mapping[str, Any], parameter: str, value: float
 ) -> str:
-    """What fails at a point; nothing where that is within the rounding."""
+    """Text of what fails at a point; empty where that is within the rounding."""
     orbit = solve_kernels(kernels, {**others, parameter: value}, throw=False)
     if orbit.status == SINGULAR:
         return "the equations are singular"

@@ -34,27 +34,20 @@ _ROUNDS = 2  # in which anchors give way to most of their neighbours
 
 @dataclass(frozen=True)
 class Solver:
-    """How orbits are found at points (n,).
+    """A solver for the orbits at points (n,) of a grid."""
 
-    Attributes
-    ----------
-    solve : callable
-        From values of the axes (n,) and starts (n, m), or from its own ones where that is
-        None, to columns: "status", "admissible", "margin" among them.
-    starts_of : callable
-        Starts (n, m) that lead to the same orbits; NaN where there is none.
-    usual : array (m,)
-        Sizes of what starts are made of, at the reference orbit; 0 of dwell times.
-    """
-
+    # values of the axes (n,) and starts (n, m), None for the solver's own starts, to columns with
+    # "status", "admissible" and "margin" among them
     solve: Callable[[Mapping[str, np.ndarray], np.ndarray | None], Columns]
+    # columns to starts (n, m) that lead to the same orbits, NaN without an orbit
     starts_of: Callable[[Columns], np.ndarray]
+    # sizes (m,) of the entries of a start at the reference orbit, 0 for dwell times
     usual: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
 class _Field:
-    """Orbits at all points of a lattice of some shape; arrays are flat, and are improved."""
+    """The orbits at all points of a lattice; the arrays are flat and are improved in place."""
 
     shape: tuple[int, ...]
     values: Mapping[str, np.ndarray]
@@ -63,7 +56,7 @@ class _Field:
     ranks: np.ndarray
 
     def improve(self, solver: Solver, places: np.ndarray, starts: np.ndarray | None) -> np.ndarray:
-        """Solve anew at some places, keep what is better there and give the places of that."""
+        """Solve again at some places, keep the better orbits and return the places of these."""
         if starts is not None:
             there = np.isfinite(starts).all(axis=-1)
             places, starts = places[there], starts[there]
@@ -77,7 +70,7 @@ class _Field:
         return np.asarray(places[better])
 
     def put(self, solver: Solver, places: np.ndarray, columns: Columns) -> None:
-        """Keep what was found at some places."""
+        """Store the columns of some places, with their starts and ranks."""
         for name, column in columns.items():
             self.columns[name][places] = column
         self.starts[places] = solver.starts_of(columns)
@@ -87,16 +80,7 @@ class _Field:
 def anchor_starts(grid: Grid, solver: Solver) -> np.ndarray:
     """Starts (..., m) at all anchors of a grid; NaN where there is no orbit.
 
-    Parameters
-    ----------
-    grid : Grid
-    solver : Solver
-        Finds orbits at points, from given starts or from none.
-
-    Returns
-    -------
-    array (..., m)
-        Leading axes are those of the anchors; m is 0 for explicit equations.
+    The leading axes are those of the lattice of anchors; m is 0 for explicit equations.
     """
     field = _field(grid.anchor_values, solver, None)
     if field.starts.shape[-1] == 0:
@@ -113,19 +97,9 @@ def anchor_starts(grid: Grid, solver: Solver) -> np.ndarray:
 
 
 def solve_block(block: Block, anchors: np.ndarray, solver: Solver) -> Columns:
-    """All columns at the points of a chunk, in its shape.
+    """All columns at the points of a chunk, by name and in the chunk's shape.
 
-    Parameters
-    ----------
-    block : Block
-    anchors : array (..., m)
-        As `anchor_starts` gives them.
-    solver : Solver
-
-    Returns
-    -------
-    dict of str to array
-        By the columns' names.
+    `anchors` (..., m) are the starts at the anchors of the whole grid (`anchor_starts`).
     """
     if anchors.shape[-1] == 0:  # explicit equations, which start from nothing
         found = _field(block.values, solver, None)
@@ -158,7 +132,10 @@ def _ranks(columns: Columns) -> np.ndarray:
 
 
 def _told(field: _Field, solver: Solver, tell: np.ndarray, steps: int) -> np.ndarray:
-    """Let points tell those next to them what is better; give which have improved."""
+    """Offer each point the better orbits of its neighbours; returns a mask of the improved points.
+
+    Only points in `tell` pass on their orbit. It is continued to the neighbour in `steps` steps.
+    """
     improved = np.zeros_like(tell)
     for here, there in _pairs(field.shape):
         asks = tell[there] & (field.ranks[there] > field.ranks[here])
@@ -173,7 +150,7 @@ def _told(field: _Field, solver: Solver, tell: np.ndarray, steps: int) -> np.nda
 
 
 def _next_ones(shape: tuple[int, ...]) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Flat places of points and of the next ones, along one axis after the other."""
+    """Flat places of points and of their upper neighbours, for one axis after the other."""
     places = np.arange(int(np.prod(shape))).reshape(shape)
     for axis in range(len(shape)):
         lower = np.delete(places, -1, axis=axis).ravel()
@@ -181,18 +158,19 @@ def _next_ones(shape: tuple[int, ...]) -> Iterator[tuple[np.ndarray, np.ndarray]
 
 
 def _pairs(shape: tuple[int, ...]) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """The same, each as the neighbour of the other."""
+    """Flat places of all pairs of neighbours, in both orders."""
     for lower, upper in _next_ones(shape):
         yield upper, lower
         yield lower, upper
 
 
 def _reconsider(field: _Field, solver: Solver, among: np.ndarray) -> None:
-    """Where a point does not go with those next to it, try what they have.
+    """Try the orbits of the neighbours where a point disagrees with them.
 
-    That is where nothing was found though it was at most of them, where something better was,
-    or where most have another branch. Then what most of them lead to, of the best rank, is
-    taken. All try from what was known before.
+    A point disagrees if it has no orbit though most of its neighbours have one, if a
+    neighbour has a better rank, or if most neighbours are on another branch. Among the orbits
+    of the best rank the one that most starts lead to is kept. All points try the orbits that
+    were known before this round.
     """
     count = len(field.ranks)
     beside, there, near = (np.zeros(count, int) for _ in range(3))
@@ -224,7 +202,7 @@ def _reconsider(field: _Field, solver: Solver, among: np.ndarray) -> None:
 
 
 def _agreed(starts: np.ndarray, found: list[Columns], usual: np.ndarray) -> np.ndarray:
-    """Which of several orbits at each point has the best rank, then the most that agree."""
+    """Number of the orbit at each point with the best rank and, among these, the most agreement."""
     size = _sizes(np.abs(starts), usual)
     votes = [
         (np.abs(starts - one) <= _SAME * size).all(axis=-1).sum(axis=0) for one in starts
@@ -234,7 +212,7 @@ def _agreed(starts: np.ndarray, found: list[Columns], usual: np.ndarray) -> np.n
 
 
 def _sizes(starts: np.ndarray, usual: np.ndarray) -> np.ndarray:
-    """Units of measure of starts (..., m): a short dwell time counts as part of the longest."""
+    """Scales of starts (..., m): a short dwell time is measured by a share of the longest one."""
     longest = np.zeros(starts.shape[:-1])
     for k in np.flatnonzero(usual == 0).tolist():  # far quicker than a reduction of a short axis
         longest = np.maximum(longest, starts[..., k])
@@ -245,10 +223,11 @@ def _sizes(starts: np.ndarray, usual: np.ndarray) -> np.ndarray:
 def _starts_between(
     block: Block, anchors: np.ndarray, usual: np.ndarray
 ) -> tuple[list[np.ndarray], np.ndarray]:
-    """Starts (n, m) in the order in which they are tried; NaN where there is none.
+    """Starts (n, m) in the order in which they are tried, and a mask (n,) of mixed cells.
 
-    First what lies between the anchors around, where these are on one branch, or what the
-    nearest of them has; then what the others have. Also where they are not on one (n,).
+    A cell is mixed if its corners are not all on one branch. The first start is interpolated
+    between the corners, or is that of the nearest corner in a mixed cell. The other starts are
+    those of the remaining corners. NaN stands for a start that does not exist.
     """
     corners = _corners(block, anchors)
     shape = corners.shape[1:-1]
@@ -275,7 +254,7 @@ def _starts_between(
 
 
 def _corners(block: Block, anchors: np.ndarray) -> np.ndarray:
-    """What the corners of each point's cell have (2^d, ..., m), lower sides first."""
+    """Starts at the corners of each point's cell (2^d, ..., m), lower sides first."""
     sides = [
         (cell, np.minimum(cell + 1, count - 1))
         for cell, count in zip(block.cells, anchors.shape[:-1], strict=True)

@@ -30,24 +30,13 @@ _POINTS = 1 << 11  # of a chunk: about a second
 
 @dataclass(frozen=True)
 class AttractorProblem:
-    """Motions from one start over a grid of parameters.
-
-    Attributes
-    ----------
-    system : str
-    fixed : tuple of (name, value)
-    start : tuple of float
-    transitions : int
-        After which the motions are looked at.
-    data : str or None
-        The system as `held_text` writes it, where a store holds it.
-    """
+    """The chart problem of the motions from one start over a grid of parameters."""
 
     system: str
     fixed: tuple[tuple[str, float], ...]
     start: tuple[float, ...]
-    transitions: int
-    data: str | None = None
+    transitions: int  # number of transitions before the motions are examined
+    data: str | None = None  # the system as `held_text` writes it, if a store holds it
 
     @property
     def kernels(self) -> SystemKernels:
@@ -56,22 +45,16 @@ class AttractorProblem:
 
     @property
     def points(self) -> int:
-        """Points of a chunk, unless a user says otherwise."""
+        """Usual number of points of a chunk."""
         return _POINTS
 
     @property
     def seconds(self) -> float:
-        """Of one processor for one point, at least."""
+        """Processor time for one point in seconds, as a lower bound."""
         return self.transitions * SECONDS["transition"]
 
     def identity(self) -> dict[str, Any]:
-        """All that the numbers depend on but the grid.
-
-        Returns
-        -------
-        dict of str to number, text, list or dict
-            As JSON takes it.
-        """
+        """All that the numbers depend on except the grid, as data for JSON."""
         kernels = self.kernels
         compiled = kernels.compiled is not None and compiled_engine() is not None
         return {
@@ -87,11 +70,11 @@ class AttractorProblem:
         }
 
     def held(self) -> dict[str, Any]:
-        """What a store holds beside: the system as data."""
+        """Further data that a store holds: the system as text."""
         return {"of": held_text(self.kernels)}
 
     def variables(self) -> tuple[Variable, ...]:
-        """What is computed."""
+        """The variables of the chart."""
         told = {str(status.value): status.message for status in Status}
         status = {
             "long_name": "why the simulation ended",
@@ -131,47 +114,17 @@ class AttractorProblem:
         )
 
     def axis_attributes(self, name: str) -> dict[str, str]:
-        """Unit of a parameter, where the system states it.
-
-        Parameters
-        ----------
-        name : str
-            Of the parameter.
-
-        Returns
-        -------
-        dict of str to str
-            Empty where no unit is stated.
-        """
+        """Unit of a parameter as an attribute; empty where the system states none."""
         return units_of(self.kernels).attributes(name)
 
     def prepare(self, grid: Grid) -> np.ndarray:
-        """Nothing: each point is on its own.
-
-        Parameters
-        ----------
-        grid : Grid
-            Not looked at.
-
-        Returns
-        -------
-        array (0,)
-        """
+        """An empty array (0,), because the points do not depend on each other."""
         return np.empty(0)
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
-        """All variables at the points of a chunk.
+        """All variables at the points of a chunk, by name and in the chunk's shape.
 
-        Parameters
-        ----------
-        block : Block
-        prepared : array
-            Not looked at.
-
-        Returns
-        -------
-        dict of str to array
-            In the shape of the chunk, by the variables' names.
+        `prepared` is ignored.
         """
         parameters = {**dict(self.fixed), **block.values}
         motions = simulate_many(
@@ -199,26 +152,11 @@ def attractor_problem(
     start: Mapping[str, object] | Sequence[object],
     transitions: int,
 ) -> AttractorProblem:
-    """Check names and values.
+    """A chart of motions over the parameters `swept`, with all names and values checked.
 
-    Parameters
-    ----------
-    system : str
-        Its name, or the file that declares it.
-    given : mapping of str to number, text or Value
-        Values of the parameters that are not swept.
-    swept : sequence of str
-        Names of the others.
-    start : mapping of str to number, or sequence of number
-        In the units of the states.
-    transitions : int
-        After which the motions are looked at.
-
-    Raises
-    ------
-    InputError
-        For an unknown system, names or values that are wrong or missing, or fewer
-        transitions than two of the longest cycles have.
+    `system` is a name or a file with a declaration; the start is in the units of the states.
+    Refused are unknown names, values that are wrong or missing, and fewer transitions than two
+    of the longest cycles have.
     """
     kernels = load_system(system)
     most = checked_count("transitions", transitions, 1)
@@ -236,19 +174,9 @@ def attractor_problem(
 def held_attractor_problem(
     identity: Mapping[str, Any], held: Mapping[str, Any]
 ) -> AttractorProblem:
-    """The problem of a store, from what it holds.
+    """The chart problem of a store, from its identity (with the dimensions) and its held data.
 
-    Parameters
-    ----------
-    identity : mapping of str to object
-        As `AttractorProblem.identity` gave it, with the dimensions.
-    held : mapping of str to object
-        As `AttractorProblem.held` gave it.
-
-    Raises
-    ------
-    InputError
-        If they are not in order.
+    Raises `InputError` if these are not in order.
     """
     kernels, swept = kernels_held(held["of"]).system, identity["dimensions"]
     fixed = fixed_values(kernels.parameters, identity["parameters"], swept, {}, kernels.name)

@@ -36,18 +36,10 @@ _FOUND = "nonsmooth found orbits"
 
 @dataclass(frozen=True)
 class BasinProblem:
-    """Starts over a grid of states, and the attractors that they may lead to.
+    """The chart problem of starts over a grid of states and the attractors that they lead to."""
 
-    Attributes
-    ----------
-    data : str
-        What was found, as `held_found` writes it.
-    start : tuple of float
-        All states; those that are swept take the grid's values.
-    """
-
-    data: str
-    start: tuple[float, ...]
+    data: str  # the attractors, as `held_found` writes them
+    start: tuple[float, ...]  # values of all states; the grid replaces those that are swept
 
     @property
     def kernels(self) -> SystemKernels:
@@ -56,27 +48,24 @@ class BasinProblem:
 
     @property
     def found(self) -> Found:
-        """The attractors, without the starts that found them."""
+        """The attractors, without the starts that led to them."""
         return _known(self.data)[1]
 
     @property
     def points(self) -> int:
-        """Points of a chunk, unless a user says otherwise."""
+        """Usual number of points of a chunk."""
         return _POINTS
 
     @property
     def seconds(self) -> float:
-        """Of one processor for one point, at least: most settle long before the end."""
+        """Processor time for one point in seconds, as a lower bound.
+
+        Most motions settle long before the last transition.
+        """
         return self.found.transitions / 16 * SECONDS["transition"]
 
     def identity(self) -> dict[str, Any]:
-        """All that the numbers depend on but the grid.
-
-        Returns
-        -------
-        dict of str to number, text, list or dict
-            As JSON takes it.
-        """
+        """All that the numbers depend on except the grid, as data for JSON."""
         kernels = self.kernels
         compiled = kernels.compiled is not None and compiled_engine() is not None
         return {
@@ -93,11 +82,11 @@ class BasinProblem:
         }
 
     def held(self) -> dict[str, Any]:
-        """What a store holds beside: the system and its attractors as data."""
+        """Further data that a store holds: the system and its attractors as text."""
         return {"of": self.data}
 
     def variables(self) -> tuple[Variable, ...]:
-        """What is computed."""
+        """The variables of the chart."""
         status = {
             "long_name": "whether it is computed",
             "meanings": {str(MISSING): "not computed", "0": "computed"},
@@ -120,47 +109,17 @@ class BasinProblem:
         )
 
     def axis_attributes(self, name: str) -> dict[str, str]:
-        """Unit of a state, where the system states it.
-
-        Parameters
-        ----------
-        name : str
-            Of the state.
-
-        Returns
-        -------
-        dict of str to str
-            Empty where no unit is stated.
-        """
+        """Unit of a state as an attribute; empty where the system states none."""
         return units_of(self.kernels).attributes(name)
 
     def prepare(self, grid: Grid) -> np.ndarray:
-        """Nothing: each start is on its own.
-
-        Parameters
-        ----------
-        grid : Grid
-            Not looked at.
-
-        Returns
-        -------
-        array (0,)
-        """
+        """An empty array (0,), because the starts do not depend on each other."""
         return np.empty(0)
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
-        """All variables at the points of a chunk.
+        """All variables at the points of a chunk, by name and in the chunk's shape.
 
-        Parameters
-        ----------
-        block : Block
-        prepared : array
-            Not looked at.
-
-        Returns
-        -------
-        dict of str to array
-            In the shape of the chunk, by the variables' names.
+        `prepared` is ignored.
         """
         kernels, found, attractors = _known(self.data)
         values = np.broadcast_arrays(*block.values.values())
@@ -173,7 +132,7 @@ class BasinProblem:
 
 
 def _numbered(labels: Any) -> Any:
-    """Numbers of attractors as people and files count them, from 1; outcomes as they are."""
+    """Labels with the attractors counted from 1, as files count them; outcomes stay the same."""
     return labels + (labels >= 0)
 
 
@@ -184,7 +143,7 @@ def _known(data: str) -> tuple[SystemKernels, Found, Attractors]:
 
 
 def is_found(name: str) -> bool:
-    """Whether a name is that of a file of found orbits, all of it."""
+    """Whether a name is that of a whole file of found orbits (without the number of an orbit)."""
     return name.endswith(".json") and format_in(Path(name)) == _FOUND
 
 
@@ -194,24 +153,11 @@ def basin_problem(
     swept: Sequence[str],
     start: Mapping[str, object] | Sequence[object] | None,
 ) -> BasinProblem:
-    """Check names and values.
+    """A chart of basins over the states `swept`, with all names and values checked.
 
-    Parameters
-    ----------
-    file : str
-        Of found orbits.
-    given : mapping of str to object
-        Has to be empty: parameters are those of the file.
-    swept : sequence of str
-        States.
-    start : mapping of state to number, or sequence, or None
-        The other states; 0 for those that are not named.
-
-    Raises
-    ------
-    InputError
-        For a file that cannot be read, names or values that are wrong, or a file in which
-        nothing was found.
+    `file` holds found orbits. `start` gives the other states; those that it does not name
+    are 0. `given` has to be empty, because the parameters are those of the file. A file
+    without orbit or equilibrium is refused.
     """
     data = registered("held_found")(file)
     kernels, found, _ = _known(data)
@@ -234,18 +180,8 @@ def basin_problem(
 
 
 def held_basin_problem(identity: Mapping[str, Any], held: Mapping[str, Any]) -> BasinProblem:
-    """The problem of a store, from what it holds.
+    """The chart problem of a store, from its identity (with the dimensions) and its held data.
 
-    Parameters
-    ----------
-    identity : mapping of str to object
-        As `BasinProblem.identity` gave it, with the dimensions.
-    held : mapping of str to object
-        As `BasinProblem.held` gave it.
-
-    Raises
-    ------
-    InputError
-        If they are not in order.
+    Raises `InputError` if these are not in order.
     """
     return BasinProblem(held["of"], tuple(map(float, identity["start"])))

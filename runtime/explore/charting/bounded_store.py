@@ -29,17 +29,9 @@ _CODECS = ["bytes", "blosc", "crc32c"]
 
 
 def chunk_bytes(metadata: bytes) -> int:
-    """Size of the chunks of an array, as its metadata has it.
+    """Size in bytes of the chunks of an array, from its metadata (JSON).
 
-    Parameters
-    ----------
-    metadata : bytes
-        JSON of an array of a chart.
-
-    Raises
-    ------
-    InputError
-        If it is no array of a chart, or its chunks are larger than the memory.
+    Raises `InputError` if this is no array of a chart or if a chunk does not fit in memory.
     """
     try:
         found = json.loads(metadata)
@@ -55,58 +47,32 @@ def chunk_bytes(metadata: bytes) -> int:
 
 
 class BoundedStore(LocalStore):
-    """A folder with the objects of a chart, for reading.
+    """A folder with the objects of a chart, for reading, that refuses objects above a size.
 
-    Attributes
-    ----------
-    root : Path
-    sizes : mapping of str to int
-        Bytes of a chunk of each array, by its name.
+    `root` is the folder.
     """
 
-    sizes: Mapping[str, int] = {}
+    sizes: Mapping[str, int] = {}  # bytes of a chunk of each array, by name
 
     @classmethod
     def of(cls, root: Path, sizes: Mapping[str, int]) -> BoundedStore:
-        """The store in a folder."""
+        """The store in a folder, with the sizes of the chunks of its arrays."""
         found = cls(root, read_only=True)
         found.sizes = sizes
         return found
 
     async def get(self, key: str, *arguments: Any, **options: Any) -> Any:
-        """An object, as Zarr asks for it; see `LocalStore.get`.
-
-        Parameters
-        ----------
-        key : str
-        *arguments, **options
-            Handed on.
-
-        Returns
-        -------
-        Buffer or None
-        """
+        """An object of the store, as `LocalStore.get` returns it, after a check of its size."""
         await asyncio.to_thread(self._check, key)
         return await super().get(key, *arguments, **options)
 
     def get_sync(self, key: str, **options: Any) -> Any:
-        """The same at once, as later versions of Zarr ask for it.
-
-        Parameters
-        ----------
-        key : str
-        **options
-            Handed on.
-
-        Returns
-        -------
-        Buffer or None
-        """
+        """The same as `get`, synchronously, as later versions of Zarr ask for it."""
         self._check(key)
         return super().get_sync(key, **options)
 
     def _check(self, key: str) -> None:
-        """Refuse an object that is no file, or is or claims to be larger than a chunk."""
+        """Refuse an object that is no file, or that is or claims to be larger than a chunk."""
         name, _, place = key.partition("/")
         if name not in self.sizes or not place.startswith("c/"):
             return

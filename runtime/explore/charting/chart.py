@@ -68,24 +68,12 @@ _HELD: dict[str, Callable[..., ChartProblem]] = {
 
 @dataclass(frozen=True)
 class Work:
-    """What was done.
+    """How much of a chart was computed."""
 
-    Attributes
-    ----------
-    chunks : int
-        Of the whole chart.
-    computed : int
-        Of them, now.
-    damaged : int
-        Of those, because they were damaged.
-    leftovers : int
-        Files that a killed writer had left.
-    """
-
-    chunks: int
-    computed: int
-    damaged: int
-    leftovers: int
+    chunks: int  # of the whole chart
+    computed: int  # chunks computed this time
+    damaged: int  # of the computed chunks those that were damaged before
+    leftovers: int  # files that a killed writer had left
 
 
 def chart(
@@ -183,26 +171,11 @@ def chart(
 
 
 def load_chart(path: str | Path) -> Dataset:
-    """Open a chart, complete or not; its numbers are read when they are used.
+    """A chart from its folder, complete or not, with the parameters as dimensions.
 
-    Where nothing is computed yet, `status` is -128.
-
-    Parameters
-    ----------
-    path : str or path
-        Folder of the chart.
-
-    Returns
-    -------
-    xarray.Dataset
-        With the parameters as dimensions.
-
-    Raises
-    ------
-    InputError
-        If there is no chart, or its metadata is damaged or edited.
-    MissingExtra
-        If Zarr or xarray are not installed.
+    Its numbers are read when they are used. Where nothing is computed yet, `status` is -128.
+    Raises `InputError` if there is no chart, or if its metadata is damaged or edited, and
+    `MissingExtra` if Zarr or xarray are not installed.
 
     Examples
     --------
@@ -229,17 +202,9 @@ def load_chart(path: str | Path) -> Dataset:
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Read numbers of a chart; InputError where they are damaged.
+    """A context in which errors from damaged numbers of a chart become `InputError`.
 
-    Parameters
-    ----------
-    path : Path
-        What a message names.
-
-    Raises
-    ------
-    InputError
-        If the numbers are damaged.
+    Messages name `path`.
     """
     try:
         yield
@@ -258,29 +223,11 @@ def chart_problem(
     start: Mapping[str, object] | Sequence[object] | None,
     transitions: int,
 ) -> tuple[ChartProblem, tuple[Axis, ...]]:
-    """What is to be computed, its names checked.
+    """The problem and the axes of a chart, with all names checked.
 
-    Parameters
-    ----------
-    name : str
-        Of an orbit; of a system where it is to be simulated; of a file of found orbits.
-    parameters : mapping of str to number, array or Axis
-        Arrays and axes are swept.
-    simulate : bool
-        Whether motions are simulated in place of an orbit.
-    start : mapping of str to number, sequence of number, or None
-        Of the motions.
-    transitions : int
-        After which the motions are looked at.
-
-    Returns
-    -------
-    tuple of ChartProblem, tuple of Axis
-
-    Raises
-    ------
-    InputError
-        As for `chart`.
+    `name` is that of an orbit, of a system if motions are simulated, or of a file of found
+    orbits. Parameters that are arrays or an `Axis` are swept. `start` and `transitions` belong
+    to the simulated motions. Raises `InputError` as `chart` does.
     """
     swept = {n: v for n, v in parameters.items() if isinstance(v, Axis) or np.ndim(v)}
     if not swept:
@@ -308,21 +255,10 @@ def chart_problem(
 
 
 def begun_problem(path: Path) -> tuple[ChartProblem, tuple[Axis, ...]]:
-    """What a chart in a store computes, from what the store holds: no other file is read.
+    """The problem and the axes of a chart in a store, from the store alone.
 
-    Parameters
-    ----------
-    path : Path
-        Of the store.
-
-    Returns
-    -------
-    tuple of ChartProblem, tuple of Axis
-
-    Raises
-    ------
-    InputError
-        If it is no chart, damaged or edited, or its kernels were compiled elsewhere.
+    Raises `InputError` if it is no chart, if it is damaged or edited, or if its kernels were
+    compiled elsewhere.
     """
     identity, held = read_identity(path)
     problem: ChartProblem
@@ -342,12 +278,12 @@ def begun_problem(path: Path) -> tuple[ChartProblem, tuple[Axis, ...]]:
 
 
 def is_begun(name: str) -> bool:
-    """Whether a name is that of a folder with a chart that is begun."""
+    """Whether a name is that of a folder with a chart that has been begun."""
     return Path(name, "zarr.json").is_file()
 
 
 def _check_corner(problem: ChartProblem, axes: tuple[Axis, ...]) -> None:
-    """Compute one corner of the grid: what is wrong there is wrong everywhere."""
+    """Compute one corner of the grid, so that an error that is the same everywhere shows first."""
     corner = Grid(axes, (1,) * len(axes)).corner()
     problem.compute(corner.block(0), problem.prepare(corner))
 
@@ -361,29 +297,13 @@ def work_on(
     threads: int | None,
     progress: Progress = lambda done, total: None,
 ) -> Work:
-    """Compute what is missing in a store.
+    """Compute the missing chunks of a chart in a store, and return how much was computed.
 
-    Parameters
-    ----------
-    path : Path
-        Of the store.
-    problem : ChartProblem
-    axes : tuple of Axis
-    scheduler : str or None
-        Address of a Dask scheduler; None computes here.
-    chunk : int or None
-        Points of a chunk, about; None takes what is there, or what is usual.
-    threads : int or None
-        As many as processors when None.
-    progress : callable
-        Told how many chunks are done, and of how many.
-
-    Raises
-    ------
-    InputError
-        As for `chart`.
-    MissingExtra
-        If Dask is asked for and not installed.
+    `scheduler` is the address of a Dask scheduler; None computes in this process. `chunk` is
+    roughly the number of points of a chunk; None takes the store's chunks, or the usual ones.
+    `threads` None takes all processors. `progress` gets the number of chunks that are done and
+    of all. Raises `InputError` as `chart` does, and `MissingExtra` if Dask is needed and not
+    installed.
     """
     _check_corner(problem, axes)
     usual = _usual(problem, axes, chunk)

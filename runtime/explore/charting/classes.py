@@ -35,36 +35,17 @@ _BLOCK = 1 << 20  # points that are counted at a time
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """Some of the points of a chart.
+    """The points of a chart that share one kind of result."""
 
-    Attributes
-    ----------
-    kind : str
-        "stable", "neutral", "unstable", "admissible" (where stability is not told), "limit",
-        "none", "missing", "periodic", "rest", "other".
-    name : str
-        For people.
-    where : array of bool
-    """
-
+    # "stable", "neutral", "unstable", "admissible" (unknown stability), "limit", "none", "missing",
+    # "periodic", "rest" or "other"
     kind: str
-    name: str
-    where: np.ndarray
+    name: str  # text for people
+    where: np.ndarray  # mask in the shape of the chart
 
 
 def parts_of(chart: Dataset) -> list[Part]:
-    """Cut a chart into parts: every point is in one of them.
-
-    Returns
-    -------
-    list of Part
-        The last one holds the points that are not computed yet.
-
-    Raises
-    ------
-    InputError
-        If the Dataset is no chart.
-    """
+    """Parts of a chart, of which each point is in one; the last one is not computed yet."""
     kind = _identity(chart).get("kind")
     cut = {"attractors": _motions, "basins": _basins}.get(str(kind), _orbits)
     found = list(cut(chart))
@@ -73,18 +54,7 @@ def parts_of(chart: Dataset) -> list[Part]:
 
 
 def counts_of(chart: Dataset) -> dict[str, int]:
-    """Points of each kind of part, counted with little memory.
-
-    Returns
-    -------
-    dict of str to int
-        By the kinds of the parts; of basins by their names.
-
-    Raises
-    ------
-    InputError
-        If the Dataset is no chart.
-    """
+    """Number of points of each kind of part (for basins: of each name), in bounded memory."""
     counts: dict[str, int] = {}
     by_name = _identity(chart).get("kind") == "basins"
     steps = [max(1, n) for n in chart.sizes.values()]
@@ -100,18 +70,7 @@ def counts_of(chart: Dataset) -> dict[str, int]:
 
 
 def title_of(chart: Dataset) -> str:
-    """What the chart is of.
-
-    Returns
-    -------
-    str
-        Name of the orbit or the system.
-
-    Raises
-    ------
-    InputError
-        If the Dataset is no chart.
-    """
+    """Name of the orbit or the system of a chart, for people."""
     identity = _identity(chart)
     return shown_name(str(identity.get("orbit") or identity.get("system")))
 

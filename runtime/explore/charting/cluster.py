@@ -26,23 +26,10 @@ _AHEAD = 3  # chunks in the queue for each thread of the workers
 
 @contextmanager
 def connected(address: str | None) -> Iterator[Any]:
-    """Give a client of a Dask scheduler; None without an address.
+    """A context with a client of a Dask scheduler, or with None if there is no address.
 
-    Parameters
-    ----------
-    address : str or None
-        ``tcp://host:port``.
-
-    Yields
-    ------
-    distributed.Client or None
-
-    Raises
-    ------
-    InputError
-        If the scheduler does not answer.
-    MissingExtra
-        If Dask is not installed.
+    Raises `InputError` if no scheduler answers at the address (``tcp://host:port``), and
+    `MissingExtra` if Dask is not installed.
     """
     if address is None:
         yield None
@@ -64,26 +51,13 @@ def run_cluster(
     prepared: np.ndarray,
     progress: Callable[[int], None],
 ) -> None:
-    """Give chunks to the workers of a scheduler; what lost workers had goes to others.
+    """Compute chunks on the workers of a scheduler; the chunks of lost workers go to others.
 
-    Parameters
-    ----------
-    client : distributed.Client
-        Of a scheduler whose workers see the store under the same path.
-    store : Store
-    chunks : iterable of int
-    prepared : array
-        What all chunks need to know of the whole grid.
-    progress : callable
-        Told how many chunks are done.
-
-    Raises
-    ------
-    InputError
-        If the workers have another version of the equations, cannot write the store, or see
-        another one.
-    NoConvergence
-        If workers die again and again at one chunk, or the scheduler is lost.
+    The workers have to see the store under the same path. `prepared` holds what all chunks
+    need of the whole grid; `progress` gets the number of chunks that are done. Raises
+    `InputError` if the workers have another version of the equations, cannot write the store
+    or see another one, and `NoConvergence` if workers die again and again at one chunk or the
+    scheduler is lost.
     """
     queue, told, address = iter(chunks), store.problem.identity(), client.scheduler.address
 
@@ -114,7 +88,7 @@ def _work(
     block: Block,
     prepared: np.ndarray,
 ) -> int:
-    """Compute and write one chunk, in a worker."""
+    """Compute and write one chunk in a worker, and return its number."""
     if problem.identity() != told:
         raise InputError("a worker has another version of the equations or of their kernels")
     folder = Path(path)
@@ -144,7 +118,7 @@ def _result(future: Any, address: str) -> int:
 
 
 def _distributed() -> Any:
-    """Dask's package, whose functions are untyped."""
+    """The `distributed` package of Dask, whose functions are untyped."""
     try:
         return import_module("distributed")
     except ImportError:

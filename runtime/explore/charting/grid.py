@@ -27,37 +27,16 @@ LATTICE = f"cells along an axis: {_CELLS[1]}, {_CELLS[2]}, {_CELLS[3]}, {_FEWEST
 
 @dataclass(frozen=True, eq=False)
 class Axis:
-    """Values of one parameter: given, or evenly spaced and made when they are asked for.
-
-    Attributes
-    ----------
-    name : str
-    count : int
-    first, last : float
-    values : array (count,) or None
-        None for even spacing, as `numpy.linspace` does it.
-    """
+    """Values of one parameter: given, or evenly spaced and computed on demand."""
 
     name: str
     count: int
     first: float
     last: float
-    values: np.ndarray | None = None
+    values: np.ndarray | None = None  # (count,), None for even spacing as `numpy.linspace` has it
 
     def part(self, begin: int, end: int) -> np.ndarray:
-        """Values from one place up to another.
-
-        Parameters
-        ----------
-        begin : int
-            The first place.
-        end : int
-            One behind the last place.
-
-        Returns
-        -------
-        array (n,)
-        """
+        """Values (n,) from place `begin` up to, but without, place `end`."""
         if self.values is not None:
             return self.values[begin:end]
         if self.count == 1:
@@ -69,24 +48,12 @@ class Axis:
         return found
 
     def blocks(self) -> Iterator[tuple[int, np.ndarray]]:
-        """All values, so many at a time, each with the place where they begin.
-
-        Yields
-        ------
-        int, array (n,)
-            Where a part begins, and its values.
-        """
+        """All values in parts (n,) of bounded length, each with the place of its first value."""
         for begin in range(0, self.count, BLOCK):
             yield begin, self.part(begin, min(begin + BLOCK, self.count))
 
     def fingerprint(self) -> str:
-        """A hash of the values.
-
-        Returns
-        -------
-        str
-            SHA-256 in hexadecimal digits.
-        """
+        """SHA-256 of the values in hexadecimal digits."""
         found = hashlib.sha256()
         for _, part in self.blocks():
             found.update(part.astype("<f8").tobytes())
@@ -94,23 +61,9 @@ class Axis:
 
 
 def linear_axis(name: str, first: float, last: float, count: int) -> Axis:
-    """Evenly spaced values that are never held all at once.
+    """An axis of evenly spaced values that are never in memory all at once.
 
-    Parameters
-    ----------
-    name : str
-        Of the parameter.
-    first : float
-        In the unit of the parameter.
-    last : float
-        Larger than `first` where there are several.
-    count : int
-        Number of values.
-
-    Raises
-    ------
-    InputError
-        If there are none, or if they do not increase.
+    Values have to be finite and to increase strictly in floating point.
     """
     if count < 1:
         raise InputError(f"{name}: {count} values are none")
@@ -122,20 +75,7 @@ def linear_axis(name: str, first: float, last: float, count: int) -> Axis:
 
 
 def axis_of(name: str, values: Any) -> Axis:
-    """An axis of given values.
-
-    Parameters
-    ----------
-    name : str
-        Of the parameter.
-    values : array (n,) or Axis
-        In the unit of the parameter, increasing.
-
-    Raises
-    ------
-    InputError
-        If they are no row of finite numbers, or do not increase strictly.
-    """
+    """An axis of given values (n,), which have to be finite and to increase strictly."""
     if isinstance(values, Axis):
         return values
     try:
@@ -152,26 +92,14 @@ def axis_of(name: str, values: Any) -> Axis:
 
 @dataclass(frozen=True, eq=False)
 class Block:
-    """A chunk of a grid, the points next to it, and where they are between the anchors.
+    """A chunk of a grid, the points next to it, and their places between the anchors."""
 
-    Attributes
-    ----------
-    names : tuple of str
-        Of the axes.
-    points : tuple of array
-        Values along each axis, of one more point on either side where the grid goes on.
-    margins : tuple of (bool, bool)
-        Whether there is one more, before and behind.
-    cells : tuple of array of int
-        Number of the anchor along each axis at or before each point.
-    fractions : tuple of array
-        Of the way from there to the next one.
-    """
-
-    names: tuple[str, ...]
+    names: tuple[str, ...]  # of the axes
+    # values along each axis, with one more point on either side where the grid goes on
     points: tuple[np.ndarray, ...]
-    margins: tuple[tuple[bool, bool], ...]
-    cells: tuple[np.ndarray, ...]
+    margins: tuple[tuple[bool, bool], ...]  # whether there is one more point before and behind
+    cells: tuple[np.ndarray, ...]  # number of the anchor at or before each point, along each axis
+    # position of each point between that anchor (0) and the next one (1)
     fractions: tuple[np.ndarray, ...]
 
     @property
@@ -182,12 +110,12 @@ class Block:
 
     @property
     def wide_values(self) -> dict[str, np.ndarray]:
-        """The same for all points."""
+        """Values of the axes in the chunk and next to it: arrays that broadcast to one shape."""
         return dict(zip(self.names, np.ix_(*self.points), strict=True))
 
     @property
     def inner(self) -> tuple[slice, ...]:
-        """Which of the points are those of the chunk."""
+        """Slices of the points that belong to the chunk itself."""
         return tuple(
             slice(int(before), len(row) - int(behind))
             for row, (before, behind) in zip(self.points, self.margins, strict=True)
@@ -196,17 +124,10 @@ class Block:
 
 @dataclass(frozen=True, eq=False)
 class Grid:
-    """All combinations of the values of some axes, in chunks.
-
-    Attributes
-    ----------
-    axes : tuple of Axis
-    chunk : tuple of int
-        Points of a chunk along each axis; the last ones may be shorter.
-    """
+    """All combinations of the values of some axes, in chunks."""
 
     axes: tuple[Axis, ...]
-    chunk: tuple[int, ...]
+    chunk: tuple[int, ...]  # points of a chunk along each axis; the last chunks may be shorter
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -234,28 +155,11 @@ class Grid:
         return prod(self.chunk_counts)
 
     def place(self, number: int) -> tuple[int, ...]:
-        """Place of a chunk along each axis.
-
-        Parameters
-        ----------
-        number : int
-            Of the chunk.
-        """
+        """Place of a chunk along each axis, from its number."""
         return tuple(int(i) for i in np.unravel_index(number, self.chunk_counts))
 
     def region(self, number: int) -> tuple[slice, ...]:
-        """Points of a chunk.
-
-        Parameters
-        ----------
-        number : int
-            Of the chunk.
-
-        Returns
-        -------
-        tuple of slice
-            One for each axis.
-        """
+        """Slices of the points of a chunk along each axis, from its number."""
         return tuple(
             slice(i * c, min((i + 1) * c, n))
             for i, c, n in zip(self.place(number), self.chunk, self.shape, strict=True)
@@ -280,13 +184,7 @@ class Grid:
         return dict(zip(self.names, np.ix_(*rows), strict=True))
 
     def block(self, number: int) -> Block:
-        """A chunk with the points next to it.
-
-        Parameters
-        ----------
-        number : int
-            Of the chunk.
-        """
+        """A chunk, from its number, with the points next to it."""
         points, margins, cells, fractions = [], [], [], []
         region = self.region(number)
         for axis, here, anchors in zip(self.axes, region, self.anchors, strict=True):
@@ -304,37 +202,21 @@ class Grid:
         return Block(self.names, tuple(points), tuple(margins), tuple(cells), tuple(fractions))
 
     def corner(self) -> Grid:
-        """One corner as a grid of its own.
-
-        Returns
-        -------
-        Grid
-            One point: the first value of each axis.
-        """
+        """A grid of one point: the first value of each axis."""
         axes = tuple(linear_axis(axis.name, axis.first, axis.first, 1) for axis in self.axes)
         return Grid(axes, (1,) * len(axes))
 
 
 def _values_at(axis: Axis, places: np.ndarray) -> np.ndarray:
-    """Values of an axis at some places, each as any part of the axis has it."""
+    """Values of an axis at some places, the same to the last bit as any part of the axis has."""
     distinct, which = np.unique(places, return_inverse=True)
     return np.concatenate([axis.part(int(k), int(k) + 1) for k in distinct])[which]
 
 
 def chunk_shape(counts: Sequence[int], points: int) -> tuple[int, ...]:
-    """About as many points along each axis as along the others, and no more than so many.
+    """Shape of a chunk with at most `points` points and sides as equal as the counts allow.
 
-    Parameters
-    ----------
-    counts : sequence of int
-        Points along each axis.
-    points : int
-        The most points of a chunk.
-
-    Returns
-    -------
-    tuple of int
-        Points of a chunk along each axis.
+    `counts` are the points of the grid along each axis.
     """
     shape, left = [0] * len(counts), points
     order = sorted(range(len(counts)), key=lambda k: counts[k])

@@ -20,17 +20,10 @@ _FAR = 1 << 20  # a byte behind the text: what is locked cannot be read on some 
 
 @contextmanager
 def locked(path: Path) -> Iterator[None]:
-    """Hold the file PATH.lock beside a store; what a killed process left is taken over.
+    """A context that holds the lock file PATH.lock beside a store.
 
-    Parameters
-    ----------
-    path : Path
-        Of the store.
-
-    Raises
-    ------
-    InputError
-        If another process holds it, with its number and host, or if it cannot be written.
+    The lock of a killed process is taken over. Raises `InputError` if another process holds
+    it (with its number and host) or if the file cannot be written.
     """
     file = path.with_name(f"{path.name}.lock")
     try:

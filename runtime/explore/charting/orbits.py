@@ -41,46 +41,27 @@ __all__ = ["OrbitChart", "held_orbit_chart", "orbit_chart"]
 
 @dataclass(frozen=True)
 class OrbitChart:
-    """An orbit over a grid of parameters.
+    """The chart problem of an orbit over a grid of parameters."""
 
-    Attributes
-    ----------
-    orbit : str
-        As `solve_many` takes it; of a chart that goes on from its store what that calls it.
-    fixed : tuple of (name, value)
-        All parameters that are not swept.
-    given : tuple of str
-        Names of those that were fixed or swept by the user.
-    compiled : bool
-        Whether compiled kernels were there when the chart began.
-    data : str or None
-        The orbit as `held_text` writes it, where a store holds it.
-    many : str or None
-        What the compiled kernels are kept under that stand in for tables, if there were any
-        when the chart began.
-    """
-
-    orbit: str
-    fixed: tuple[tuple[str, float], ...]
-    given: tuple[str, ...]
-    compiled: bool
-    data: str | None = None
+    orbit: str  # as `solve_many` takes it, or the name that a store gives it
+    fixed: tuple[tuple[str, float], ...]  # all parameters that are not swept
+    given: tuple[str, ...]  # names that the user fixed or swept
+    compiled: bool  # whether there were compiled kernels when the chart began
+    data: str | None = None  # the orbit as `held_text` writes it, if a store holds it
+    # key of the compiled kernels that replace tables, if there were any when the chart began
     many: str | None = None
 
     @property
     def kernels(self) -> OrbitKernels:
-        """Tables and kernels of the orbit: the same ones from the first chunk to the last."""
+        """Tables and kernels of the orbit, the same ones from the first chunk to the last."""
         found = load_orbit(self.orbit) if self.data is None else kernels_held(self.data)
         return found if self.compiled else uncompiled(found)
 
     @property
     def own(self) -> DeclaredKernels | None:
-        """Compiled kernels that stand in for the tables of a composed orbit.
+        """Compiled kernels that replace the tables of a composed orbit, or None.
 
-        Raises
-        ------
-        InputError
-            If they are not there any more.
+        Raises `InputError` if the kernels that the chart began with no longer exist.
         """
         if self.many is None:
             return None
@@ -91,28 +72,22 @@ class OrbitChart:
 
     @property
     def orbits(self) -> OrbitPoints:
-        """How they are solved."""
+        """The solver of the orbit at many points."""
         return points_of(self.kernels, self.given, self.own)
 
     @property
     def points(self) -> int:
-        """Points of a chunk, unless a user says otherwise."""
+        """Usual number of points of a chunk."""
         return self.orbits.chunk
 
     @property
     def seconds(self) -> float:
-        """Of one processor for one point, at least."""
+        """Processor time for one point in seconds, as a lower bound."""
         by_kernels = self.kernels.derived or self.many is not None
         return SECONDS["orbit" if by_kernels else "composed orbit"]
 
     def identity(self) -> dict[str, Any]:
-        """All that the numbers depend on but the grid.
-
-        Returns
-        -------
-        dict of str to number, text, list or dict
-            As JSON takes it.
-        """
+        """All that the numbers depend on except the grid, as data for JSON."""
         kernels, own = self.kernels, self.own
         solving = kernels if own is None else own.kernels
         return {
@@ -127,13 +102,13 @@ class OrbitChart:
         }
 
     def held(self) -> dict[str, Any]:
-        """What a store holds beside: the orbit as data, and what was given."""
+        """Further data that a store holds: the orbit as text, and names of given parameters."""
         kernels = self.kernels
         found = {"of": held_text(kernels.system, kernels), "given": list(self.given)}
         return found if self.many is None else {**found, "many": self.many}
 
     def variables(self) -> tuple[Variable, ...]:
-        """What is computed."""
+        """The variables of the chart."""
         orbits, units = self.orbits, units_of(self.kernels.system)
         told = "" if not set(orbits.bounded) - set(self.given) else ", for large enough open ones"
         limits = {NEITHER: "none fails", NO_ORBIT: "none found", UNTOLD: "not told"}
@@ -154,42 +129,17 @@ class OrbitChart:
         )
 
     def axis_attributes(self, name: str) -> dict[str, str]:
-        """Unit of a parameter, where the system states it.
-
-        Parameters
-        ----------
-        name : str
-            Of the parameter.
-
-        Returns
-        -------
-        dict of str to str
-            Empty where no unit is stated.
-        """
+        """Unit of a parameter as an attribute; empty where the system states none."""
         return units_of(self.kernels.system).attributes(name)
 
     def prepare(self, grid: Grid) -> np.ndarray:
-        """Starts (..., m) at the anchors of a grid.
-
-        Returns
-        -------
-        array (..., m)
-        """
+        """Starts (..., m) at the anchors of a grid."""
         return anchor_starts(grid, self._solver)
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
-        """All variables at the points of a chunk.
+        """All variables at the points of a chunk, by name and in the chunk's shape.
 
-        Parameters
-        ----------
-        block : Block
-        prepared : array (..., m)
-            As `prepare` gives it.
-
-        Returns
-        -------
-        dict of str to array
-            In the shape of the chunk, by the variables' names.
+        `prepared` (..., m) are the starts at the anchors (`prepare`).
         """
         found = solve_block(block, prepared, self._solver)
         shape = found["status"].shape
@@ -208,7 +158,7 @@ class OrbitChart:
         return Solver(solve, orbits.starts_of, orbits.usual)
 
     def _completed(self, values: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-        """Values of all parameters at points (n,) from those that are swept."""
+        """Values of all parameters at points (n,), from those of the swept ones."""
         shape = next(iter(values.values())).shape
         return {name: np.broadcast_to(value, shape) for name, value in self.fixed} | dict(values)
 
@@ -216,24 +166,11 @@ class OrbitChart:
 def orbit_chart(
     orbit: str, given: Mapping[str, object], swept: Sequence[str], points: int
 ) -> OrbitChart:
-    """Check names and values; parameters that are not given take the reference point's.
+    """A chart of an orbit over the parameters `swept`, with all names and values checked.
 
-    Parameters
-    ----------
-    orbit : str
-        ``system/orbit``, or the file that declares it.
-    given : mapping of str to number, text or Value
-        Values of parameters that are not swept.
-    swept : sequence of str
-        Names of those that are.
-    points : int
-        Of the whole grid.
-
-    Raises
-    ------
-    InputError
-        For an unknown orbit, names or values that are wrong, or an orbit that many points
-        at once cannot be found of.
+    `orbit` is ``system/orbit`` or a file with a declaration. Parameters that are neither given
+    nor swept take the values of the reference point. `points` is the number of points of the
+    whole grid. An orbit that cannot be solved at many points at once is refused.
     """
     kernels = load_orbit(orbit)
     names = (*given, *swept)
@@ -246,19 +183,9 @@ def orbit_chart(
 
 
 def held_orbit_chart(identity: Mapping[str, Any], held: Mapping[str, Any]) -> OrbitChart:
-    """The problem of a store, from what it holds.
+    """The chart problem of a store, from its identity (with the dimensions) and its held data.
 
-    Parameters
-    ----------
-    identity : mapping of str to object
-        As `OrbitChart.identity` gave it, with the dimensions.
-    held : mapping of str to object
-        As `OrbitChart.held` gave it.
-
-    Raises
-    ------
-    InputError
-        If they are not in order.
+    Raises `InputError` if these are not in order.
     """
     kernels, names = kernels_held(held["of"]), tuple(held["given"])
     swept, tables = identity["dimensions"], points_of(kernels, names).parameters

@@ -28,90 +28,44 @@ MISSING = -128  # status of a point that is not computed yet
 
 @dataclass(frozen=True)
 class Variable:
-    """One number for each point.
-
-    Attributes
-    ----------
-    name : str
-    dtype : str
-    fill : float
-        Where nothing is computed yet.
-    attributes : dict
-        What it means; of the stored array.
-    """
+    """A variable of a chart: one number for each point."""
 
     name: str
     dtype: str
-    fill: float
-    attributes: dict[str, Any] = field(default_factory=dict)
+    fill: float  # value where nothing is computed yet
+    attributes: dict[str, Any] = field(default_factory=dict)  # of the stored array: its meaning
 
 
 class ChartProblem(Protocol):
-    """What is computed at each point, from nothing but the grid and the fixed parameters."""
+    """What a chart computes at each point, from the grid and the fixed parameters alone."""
 
     @property
     def points(self) -> int:
-        """Points of a chunk, unless a user says otherwise."""
+        """Usual number of points of a chunk."""
 
     @property
     def seconds(self) -> float:
-        """Of one processor for one point, at least."""
+        """Processor time for one point in seconds, as a lower bound."""
 
     def identity(self) -> dict[str, Any]:
-        """All that the numbers depend on but the grid, as JSON.
-
-        Returns
-        -------
-        dict of str to number, text, list or dict
-        """
+        """All that the numbers depend on except the grid, as data for JSON."""
 
     def held(self) -> dict[str, Any]:
-        """What a store holds beside, from which the problem is made again without any file.
-
-        Returns
-        -------
-        dict of str to number, text, list or dict
-        """
+        """Further data that a store holds, to make the problem again without any other file."""
 
     def variables(self) -> tuple[Variable, ...]:
-        """What is computed."""
+        """The variables of the chart."""
 
     def axis_attributes(self, name: str) -> dict[str, str]:
-        """Unit of a parameter, where the system states it.
-
-        Parameters
-        ----------
-        name : str
-            Of the parameter.
-
-        Returns
-        -------
-        dict of str to str
-            Empty where no unit is stated.
-        """
+        """Unit of a swept name as an attribute; empty where the system states none."""
 
     def prepare(self, grid: Grid) -> np.ndarray:
-        """What all chunks need to know of the whole grid.
-
-        Returns
-        -------
-        array
-            Handed to `compute`.
-        """
+        """An array with what all chunks need of the whole grid, for `compute`."""
 
     def compute(self, block: Block, prepared: np.ndarray) -> dict[str, np.ndarray]:
-        """All variables at the points of a chunk.
+        """All variables at the points of a chunk, by name and in the chunk's shape.
 
-        Parameters
-        ----------
-        block : Block
-        prepared : array
-            As `prepare` gives it.
-
-        Returns
-        -------
-        dict of str to array
-            In the shape of the chunk, by the variables' names.
+        `prepared` is the result of `prepare`.
         """
 
 
@@ -122,28 +76,10 @@ def fixed_values(
     defaults: Mapping[str, object],
     name: str,
 ) -> tuple[tuple[str, float], ...]:
-    """All parameters but those that are swept, checked; defaults where they are not given.
+    """Names and checked values of all parameters that are not swept, in the order of the tables.
 
-    Parameters
-    ----------
-    tables : sequence of ParameterTable
-        Of all parameters.
-    given : mapping of str to number, text or Value
-    swept : sequence of str
-        Names that are left out.
-    defaults : mapping of str to number, text or Value
-    name : str
-        What a message calls the system or orbit.
-
-    Returns
-    -------
-    tuple of (str, float)
-        Names and values in the order of the tables.
-
-    Raises
-    ------
-    InputError
-        For unknown or missing names, or values outside their domains.
+    A parameter that is not given takes its default. `name` is what messages call the system
+    or the orbit. Unknown or missing names and values outside their domains are refused.
     """
     known = {table.name: table for table in tables}
     for parameter in (*swept, *given):
@@ -164,17 +100,6 @@ def fixed_values(
 
 
 def table_hash(table: Mapping[str, Any]) -> str:
-    """A hash of a table of the kernels.
-
-    Parameters
-    ----------
-    table : mapping
-        As JSON takes it.
-
-    Returns
-    -------
-    str
-        16 hexadecimal digits.
-    """
+    """A hash of a table of the kernels (as data for JSON): 16 hexadecimal digits."""
     text = json.dumps(table, sort_keys=True, default=str)
     return hashlib.sha256(text.encode()).hexdigest()[:16]

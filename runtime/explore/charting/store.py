@@ -53,13 +53,7 @@ _MOST_OBJECT = (1 << 31) + _LARGEST  # bytes of an object: what Blosc compresses
 
 
 def check_zarr() -> None:
-    """Say so if Zarr or xarray are not installed.
-
-    Raises
-    ------
-    MissingExtra
-        If one of them cannot be imported.
-    """
+    """Raise `MissingExtra` if Zarr or xarray cannot be imported."""
     for name in ("zarr", "xarray"):
         try:
             __import__(name)
@@ -69,48 +63,23 @@ def check_zarr() -> None:
 
 @dataclass(frozen=True, eq=False)
 class Store:
-    """A store that fits its problem and its grid.
-
-    Attributes
-    ----------
-    path : Path
-    problem : ChartProblem
-    grid : Grid
-        With the store's own chunks.
-    """
+    """A store on disk that fits its problem and its grid."""
 
     path: Path
     problem: ChartProblem
-    grid: Grid
+    grid: Grid  # with the store's own chunks
 
     def objects(self, number: int) -> list[Path]:
-        """Files of a chunk of the grid, one for each variable.
-
-        Parameters
-        ----------
-        number : int
-            Of the chunk.
-        """
+        """Files of a chunk of the grid, one for each variable."""
         place = [str(i) for i in self.grid.place(number)]
         return [self.path.joinpath(v.name, "c", *place) for v in self.problem.variables()]
 
     def holds(self, number: int) -> bool:
-        """Whether all objects of a chunk are there.
-
-        Parameters
-        ----------
-        number : int
-            Of the chunk.
-        """
+        """Whether all objects of a chunk are there."""
         return all(file.is_file() for file in self.objects(number))
 
     def missing(self) -> tuple[list[int], int]:
-        """Chunks that are not done, and how many of these are damaged.
-
-        Returns
-        -------
-        tuple of list of int, int
-        """
+        """Numbers of the chunks that are not done, and how many of these are damaged."""
         there = self._present() == len(self.problem.variables())
         done = there.copy()
         complete = np.flatnonzero(there)
@@ -126,7 +95,7 @@ class Store:
         return not damaged
 
     def _present(self) -> np.ndarray:
-        """How many objects each chunk has."""
+        """Number of objects that each chunk has."""
         counts = self.grid.chunk_counts
         found = np.zeros(self.grid.chunks, dtype=int)
         for variable in self.problem.variables():
@@ -143,7 +112,7 @@ class Store:
         return found
 
     def purge(self) -> int:
-        """Remove what a killed writer left; give how many files."""
+        """Remove the files that a killed writer left, and return their number."""
         found = [
             Path(folder, name)
             for folder, _, names in os.walk(self.path)
@@ -155,7 +124,7 @@ class Store:
         return len(found)
 
     def repair_axes(self) -> None:
-        """Write coordinates again whose objects are gone or damaged."""
+        """Write coordinates again if their objects are missing or damaged."""
         for axis in self.grid.axes:
             objects = (self.path / axis.name / "c" / str(i) for i in range(-(-axis.count // BLOCK)))
             if all(_passes(file) for file in objects):
@@ -171,21 +140,11 @@ def open_store(
     chunk: tuple[int, ...] | None,
     usual: tuple[int, ...],
 ) -> Store:
-    """Open the store of a chart, or begin it.
+    """The store of a chart, opened or begun.
 
-    Parameters
-    ----------
-    path : Path
-    problem : ChartProblem
-    axes : tuple of Axis
-    chunk : tuple of int or None
-        Points of a chunk along each axis; None takes what is there, or what is usual.
-    usual : tuple of int
-
-    Raises
-    ------
-    InputError
-        If the path holds something else, another chart, or cannot be written.
+    `chunk` are the points of a chunk along each axis; None takes the store's, or `usual` in a
+    new store. Raises `InputError` if the path holds something else or another chart, or cannot
+    be written.
     """
     identity = _identity(problem, axes)
     if not path.exists() or (path.is_dir() and not any(path.iterdir())):
@@ -202,24 +161,11 @@ def open_store(
 
 
 def read_identity(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    """What the store says of itself, its metadata checked.
+    """Identity and held data of a store, after a check of all its metadata.
 
-    Parameters
-    ----------
-    path : Path
-        Of the store.
-
-    Returns
-    -------
-    identity : dict of str to number, text, list or dict
-        What its problem and its grid are told from others by.
-    held : dict of str to number, text, list or dict
-        What its problem is made again from.
-
-    Raises
-    ------
-    InputError
-        If it is no chart, or its metadata is damaged or edited.
+    The identity distinguishes its problem and grid from others; from the held data the
+    problem is made again. Raises `InputError` if this is no chart, or if its metadata is
+    damaged or edited.
     """
     try:
         document = parsed(_metadata(path))
@@ -243,21 +189,9 @@ def read_identity(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def reader(path: Path) -> Any:
-    """The store for reading: no object that is larger than a chunk is read.
+    """The store for reading, a `BoundedStore`, which reads no object larger than a chunk.
 
-    Parameters
-    ----------
-    path : Path
-        Of the store.
-
-    Returns
-    -------
-    zarr.storage.LocalStore
-
-    Raises
-    ------
-    InputError
-        As `read_identity`, or if a chunk is larger than the memory.
+    Raises `InputError` as `read_identity` does, and if a chunk does not fit in memory.
     """
     from nonsmooth.runtime.explore.charting.bounded_store import BoundedStore, chunk_bytes
 
@@ -272,18 +206,7 @@ def reader(path: Path) -> Any:
 
 
 def read_axes(path: Path) -> tuple[Axis, ...]:
-    """Axes of a chart from its own coordinates.
-
-    Parameters
-    ----------
-    path : Path
-        Of the store.
-
-    Raises
-    ------
-    InputError
-        If a coordinate is damaged.
-    """
+    """Axes of a chart from its coordinates; raises `InputError` if a coordinate is damaged."""
     import zarr
 
     identity, _ = read_identity(path)
@@ -304,7 +227,7 @@ def read_axes(path: Path) -> tuple[Axis, ...]:
 
 
 def _metadata(folder: Path) -> bytes:
-    """Metadata of a group or an array."""
+    """Content of the metadata file of a group or an array."""
     return read_file(folder / _METADATA, _LARGEST, "chart")
 
 
@@ -321,14 +244,14 @@ def _check_array(path: Path, name: str, expected: str | None) -> None:
 
 
 def _checksum(document: Mapping[str, Any]) -> str:
-    """Checksum of the metadata of a group, without the entry that it is kept in."""
+    """Checksum of the metadata of a group, without the entry that stores it."""
     attributes = document["attributes"]
     told = {n: entry for n, entry in attributes[ATTRIBUTE].items() if n != "sha256"}
     return checksum_of({**document, "attributes": {**attributes, ATTRIBUTE: told}})
 
 
 def _seal(folder: Path) -> None:
-    """Write the checksums of all metadata into that of a group that is not in its place yet."""
+    """Write the checksums of all metadata into the group's metadata, before it is in its place."""
     document = parsed(_metadata(folder))
     told = document["attributes"][ATTRIBUTE]
     files = sorted(folder.glob(f"*/{_METADATA}"))
@@ -339,19 +262,7 @@ def _seal(folder: Path) -> None:
 
 
 def open_arrays(path: Path, problem: ChartProblem) -> dict[str, Any]:
-    """Open the arrays of all variables for writing.
-
-    Parameters
-    ----------
-    path : Path
-        Of the store.
-    problem : ChartProblem
-
-    Returns
-    -------
-    dict of str to zarr.Array
-        By the variables' names.
-    """
+    """Arrays (`zarr.Array`) of all variables, open for writing, by name."""
     return {v.name: _open_array(path / v.name) for v in problem.variables()}
 
 
@@ -361,23 +272,10 @@ def write_chunk(
     region: tuple[slice, ...],
     values: Mapping[str, np.ndarray],
 ) -> None:
-    """Write all variables of a chunk.
+    """Write all variables of a chunk, whose points along each axis are `region`.
 
-    Parameters
-    ----------
-    path : Path
-        Of the store.
-    arrays : mapping of str to zarr.Array
-        As `open_arrays` gives them.
-    region : tuple of slice
-        Points of the chunk along each axis.
-    values : mapping of str to array
-        In the shape of the chunk.
-
-    Raises
-    ------
-    InputError
-        If the disk is full or the store cannot be written; whole objects stay.
+    Raises `InputError` if the disk is full or the store cannot be written; objects that are
+    complete stay.
     """
     try:
         for name, array in values.items():
@@ -417,7 +315,7 @@ def _words(value: Any) -> str:
 
 
 def _begin(path: Path, problem: ChartProblem, grid: Grid, identity: Mapping[str, Any]) -> None:
-    """Lay out the whole group beside its place, then move it there."""
+    """Write the whole group beside its place, then move it there."""
     import zarr
 
     temporary = path.with_name(f".{path.name}.{secrets.token_hex(4)}{PARTIAL}")

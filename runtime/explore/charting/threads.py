@@ -18,17 +18,9 @@ def run_threads(
     threads: int | None,
     progress: Callable[[int], None],
 ) -> None:
-    """Do the work of all chunks; the first failure ends it.
+    """Call `work` with the number of each chunk in threads; the first failure ends it.
 
-    Parameters
-    ----------
-    work : callable
-        Computes the chunk of this number and keeps it.
-    chunks : iterable of int
-    threads : int, optional
-        As many as processors when omitted.
-    progress : callable
-        Told how many chunks are done.
+    `threads` None takes all processors; `progress` gets the number of chunks that are done.
     """
     workers, queue, done = threads or os.cpu_count() or 1, iter(chunks), 0
     with thread_pool(workers) as pool:

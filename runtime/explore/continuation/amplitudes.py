@@ -15,24 +15,10 @@ _POINTS = 4000  # in a period of a Motion: an error of 1e-6 of the amplitude
 
 
 def amplitude_of(motion: Motion | Trajectory, state: str) -> float:
-    """Half of the difference between the largest and the smallest value of a state.
+    """Half of the difference between the largest and the smallest value of a state, in its unit.
 
-    Parameters
-    ----------
-    motion : Motion, or Trajectory of one period
-        Of the latter the extremes are guaranteed, of the former they are sampled.
-    state : str
-        In the coordinates of the orbit.
-
-    Returns
-    -------
-    float
-        In the unit of the state.
-
-    Raises
-    ------
-    InputError
-        For an unknown state.
+    The extremes of a `Trajectory` (of one period) are guaranteed, those of a `Motion` are
+    sampled. `state` names a coordinate of the orbit; an unknown one is refused.
 
     Examples
     --------

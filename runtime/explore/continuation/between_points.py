@@ -20,7 +20,8 @@ _BESIDE = 1e-3  # of a chord: where the branch is still determined beside a sing
 class BranchSamples(NamedTuple):
     """Points along a branch: places (k,), points (k, n + 1) and unit tangents (k, n + 1).
 
-    A place counts steps; between two points of the branch it is the part of their chord.
+    The integer part of a place counts the steps of the branch; the rest is the part of the
+    chord between two points.
     """
 
     places: np.ndarray
@@ -29,7 +30,7 @@ class BranchSamples(NamedTuple):
 
 
 class Track:
-    """Steps of a branch, and the numbers that are watched along them."""
+    """The steps of a branch, and the values of the watched functions along them."""
 
     def __init__(self, monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> None:
         self.monitors = monitors
@@ -42,14 +43,10 @@ class Track:
         return self.monitors.curve
 
     def samples(self) -> BranchSamples:
-        """The branch's points, and between two of them their cubic interpolation.
+        """Several samples of each step, and the last point of the branch.
 
-        It misses the branch by the fourth power of a step.
-
-        Returns
-        -------
-        BranchSamples
-            Several for each step, and the last point.
+        Between two points they lie on the cubic interpolation of the branch, whose error is of the
+        fourth order in the step.
         """
         count = len(self._points) - 1
         steps = np.repeat(np.arange(count), _PARTS)
@@ -64,7 +61,7 @@ class Track:
     def _interpolated(
         self, steps: np.ndarray, r: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Points, parts of the chord and tangents of cubics, r from 0 to 1 along them."""
+        """Points, parts of the chord and tangents of the cubics of steps, at r from 0 to 1."""
         sizes, r = self.curve.sizes, r[:, None]
         first, last = self._points[steps] / sizes, self._points[steps + 1] / sizes
         chord = last - first
@@ -78,18 +75,9 @@ class Track:
         return (first + along) * sizes, part, ahead
 
     def point(self, step: int, part: float) -> np.ndarray | None:
-        """The branch's point across from a part of a step's chord; None where there is none.
+        """The point (n + 1,) of the branch across from a part (0 to 1) of a step's chord, or None.
 
-        Parameters
-        ----------
-        step : int
-            Number of the step.
-        part : float
-            Of the step's chord, from 0 to 1.
-
-        Returns
-        -------
-        array (n + 1,) or None
+        None stands for a failure of Newton's method.
         """
         if part in (0.0, 1.0):
             return np.asarray(self._points[step + int(part)])
@@ -112,33 +100,14 @@ class Track:
         return None if found is None else found[0]
 
     def at(self, place: float) -> tuple[int, float]:
-        """Step and part of a place.
-
-        Parameters
-        ----------
-        place : float
-            As `BranchSamples` counts it.
-
-        Returns
-        -------
-        (int, float)
-        """
+        """Number of the step and part of its chord of a place, as `BranchSamples` counts it."""
         step = min(int(place), len(self._points) - 2)
         return step, place - step
 
     def value(self, column: int, step: int, part: float, *, border: bool) -> float:
-        """One of the numbers; NaN where there is no point.
+        """Value of one watched function at a part (0 to 1) of a step's chord; NaN without a point.
 
-        Parameters
-        ----------
-        column : int
-            Of the smooth numbers, or of those of boundaries.
-        step : int
-            Number of the step.
-        part : float
-            Of the step's chord, from 0 to 1.
-        border : bool
-            Whether it is one of boundaries and conditions.
+        `column` counts the smooth functions, or with `border` those of boundaries and conditions.
         """
         point = self.point(step, part)
         if point is None:

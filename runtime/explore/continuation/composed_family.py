@@ -22,28 +22,12 @@ SystemAt = Callable[[float], tuple[dict[str, Value], Value | None]]
 def composed_family(
     branch: Branch, place: int, beside: Mapping[str, Any] | None = None
 ) -> tuple[Orbit, SystemAt]:
-    """The orbit at a point of a branch, by the tables of its system.
+    """The orbit at a point of a branch by the tables of its system, and a `SystemAt`.
 
-    And what gives the physical parameters, and the period if it is given, at other values of
-    the branch's parameter. Parameters that the orbit leaves open take the values that are given
-    beside it, or are chosen, once for all of the branch.
-
-    Parameters
-    ----------
-    branch : Branch
-    place : int
-        Index of the point.
-    beside : mapping of str to number or None
-        Values of parameters that the orbit leaves open.
-
-    Returns
-    -------
-    tuple of Orbit, callable
-
-    Raises
-    ------
-    InputError
-        If the parameter is none of the system's, or the system does not take its values.
+    The `SystemAt` gives the physical parameters, and the period if it is given, at other values
+    of the branch's parameter. Parameters that the orbit leaves open take the values in
+    `beside`, or are chosen once for the whole branch. Raises `InputError` if the branch's
+    parameter is none of the system's, or if the system does not take its values.
     """
     orbit, name = branch.orbit_at(place), branch.parameter
     problem = orbit.problem

@@ -69,23 +69,23 @@ class _EventCurve:
         )
 
     def _told(self, monitor: Monitor, curve: OrbitFamily, z: np.ndarray) -> tuple[float, float]:
-        """How far a monitor's number is from zero, in units of its change nearby, and this unit."""
+        """Distance of a monitor from zero in units of its change nearby, and this unit."""
         self._monitor = monitor
         unit = float(np.abs(self._slopes(curve, z) * self.sizes[:-1]).max()) or 1.0
         return abs(self._value(curve, z)) / unit, unit
 
     def _slopes(self, curve: OrbitFamily, z: np.ndarray) -> np.ndarray:
-        """Derivatives of what is zero at the event by unknowns and the first parameter."""
+        """Derivatives of the event's function by the unknowns and the first parameter."""
         step = _DIFFERENCE * self.sizes[:-1]
         rises = [self._value(curve, z + s) - self._value(curve, z - s) for s in np.diag(step)]
         return np.array(rises) / (2 * step)
 
     def leaps(self, z: np.ndarray, following: np.ndarray) -> bool:
-        """See `Curve`: no other one is looked out for."""
+        """False: no other branch is watched for (see `Curve`)."""
         return False
 
     def dwell(self, z: np.ndarray) -> np.ndarray:
-        """See `Curve`; the one that vanishes along the locus is none."""
+        """See `Curve`; the dwell time that vanishes along the whole locus is replaced by 1."""
         found = np.array(self._curve.dwell(z[:, :-1]))
         if self._vanishing is not None:
             found[:, self._vanishing] = 1.0
@@ -100,7 +100,7 @@ class _EventCurve:
         return np.asarray(jacobian[:, :-1] / units)
 
     def _value(self, curve: OrbitFamily, z: np.ndarray) -> float:
-        """What is zero at the event, in units of its change nearby."""
+        """Value of the function that is zero at the event, in units of its change nearby."""
         if self._vanishing is not None:
             return float(curve.dwell(z[None])[0, self._vanishing] / self.sizes[self._vanishing])
         if self._monitor.kind in ("fold", "branch-point"):
@@ -211,7 +211,7 @@ def continue_event(
 
 
 def _monitors_of(monitors: Monitors, event: Event) -> list[Monitor]:
-    """The monitors one of whose zeros an event is: a transition may have several conditions."""
+    """Monitors that may have a zero at an event: a transition may have several conditions."""
     if event.kind == "vanishing-phase":
         return [Monitor(event.kind)]
     place = event.kind, -1 if event.phase is None else event.phase, event.boundary

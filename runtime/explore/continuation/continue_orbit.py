@@ -145,7 +145,7 @@ def _check_same(orbit: Orbit, parameter: str, limits: tuple[float, float], known
 
 
 def _path_of(curve: OrbitFamily, branch: Branch) -> Path:
-    """A branch as the path that it was made from."""
+    """The path that a branch was made from."""
     points = np.column_stack([branch.unknowns, branch.parameter_values])
     chords = np.gradient(points / curve.sizes, axis=0)
     tangents = [tangent_at(curve, z, chord) for z, chord in zip(points, chords, strict=True)]
@@ -153,7 +153,7 @@ def _path_of(curve: OrbitFamily, branch: Branch) -> Path:
 
 
 def _branch(curve: OrbitFamily, path: Path) -> Branch:
-    """A path as a branch, with its events."""
+    """The branch of a path, with its events."""
     points, ends = path.points, path.ends
     found = locate_all(monitors_of(curve, points), points, path.tangents)
     found = _with_meetings(curve, found, path)
@@ -194,7 +194,7 @@ def _period(curve: OrbitFamily, points: np.ndarray) -> np.ndarray:
 
 
 def _with_meetings(curve: OrbitFamily, found: list[LocatedEvent], path: Path) -> list[LocatedEvent]:
-    """With one branch point where the branch turns to come back with its parts exchanged."""
+    """The events with one branch point where the branch turns back with its parts exchanged."""
     for step, reason in zip((0, len(path.points) - 2), path.ends, strict=True):
         names = [
             each
@@ -224,13 +224,13 @@ def _vanished(curve: OrbitFamily, points: np.ndarray, ends: tuple[str, str]) -> 
 
 
 def _vanishes(curve: OrbitFamily, z: np.ndarray, end: Event) -> bool:
-    """Whether the phase of an end is so short that another event is a name of its vanishing."""
+    """Whether the phase of an end is so short that an event at z only restates its vanishing."""
     dwell = curve.dwell(z[None])[0]
     return bool(dwell[end.phase] < SHORTEST * dwell.sum())
 
 
 def _verdict(multipliers: np.ndarray, conservative: bool) -> str:
-    """Of one point, from its multipliers over one part."""
+    """Stability of one point, from its multipliers over one part."""
     largest = float(abs(multipliers).max(initial=0.0))
     if not math.isfinite(largest):
         return "undecided"
@@ -256,20 +256,7 @@ def _checked(
 
 
 def check_steps(step: float, points: int) -> None:
-    """Refuse a step or a number of points that is not positive.
-
-    Parameters
-    ----------
-    step : float
-        The largest step, in the curve's units.
-    points : int
-        The most points.
-
-    Raises
-    ------
-    InputError
-        If one of them is not positive.
-    """
+    """Refuse a largest step (in the curve's units) or a number of points that is not positive."""
     if not (math.isfinite(step) and step > 0):
         raise InputError(f"step = {step} is not positive")
     if isinstance(points, bool) or not isinstance(points, int) or points < 1:

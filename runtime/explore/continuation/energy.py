@@ -25,21 +25,11 @@ _KEPT = 1e-7  # relative difference of the energy at the starts of two phases
 
 
 def energy_of(orbit: Orbit) -> float:
-    """Energy of a conservative orbit.
+    """Energy of a converged conservative orbit.
 
     Its unit is that in which the first coordinate has the mass 1 (divide energies in other
     units by that mass), and it is zero at the lowest of the equilibria of the configurations
-    that the orbit passes.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        Converged.
-
-    Raises
-    ------
-    InputError
-        If no energy is kept along the orbit.
+    that the orbit passes. Raises `InputError` if no energy is kept along the orbit.
     """
     by_tables = orbit.problem.by_tables(orbit)  # kernels may have other parameters and states
     cycle, states = by_tables.tables.cycle, by_tables.states.astype(float)
@@ -60,7 +50,10 @@ def energy_of(orbit: Orbit) -> float:
 
 
 def _units(states: np.ndarray, period: float) -> tuple[float, np.ndarray]:
-    """Units of time, and of positions, then velocities (N,): powers of two near their sizes."""
+    """Unit of time, and units (N,) of positions, then velocities.
+
+    They are powers of two near the sizes of these.
+    """
     time = 2.0 ** round(math.log2(period / (2 * math.pi)))
     count = states.shape[1] // 2
     sizes = np.abs(states).max(axis=0)
@@ -72,7 +65,7 @@ def _units(states: np.ndarray, period: float) -> tuple[float, np.ndarray]:
 
 
 def _measured(numbers: Numbers, time: float, units: np.ndarray) -> Numbers:
-    """A system's numbers in these units; rows in units of their own."""
+    """Numbers of a system in other units of time and states, with normalised rows."""
     columns = np.append(units, 1.0)
     rows = numbers.rows * columns
     largest = np.abs(rows).max(axis=1, keepdims=True)
@@ -94,7 +87,7 @@ def _energies(
 
 
 class _Guess(NamedTuple):
-    """A mass matrix, and constants of the potentials."""
+    """A mass matrix, and the constants of the potentials by configuration."""
 
     mass: np.ndarray
     constants: dict[int, float]
@@ -148,7 +141,7 @@ def _form(field: np.ndarray, guess: _Guess, configuration: int) -> np.ndarray:
 
 
 def _missed(cycle: ItineraryShape, numbers: Numbers, guess: _Guess) -> np.ndarray:
-    """What a guess misses of being an energy that is kept: linear in it."""
+    """Residuals of the conditions for a conserved energy, linear in the guess."""
     count, missed = len(guess.mass), []
     forms = {c: _form(numbers.fields[c], guess, c) for c in guess.constants}
     for configuration in forms:
@@ -167,7 +160,7 @@ def _missed(cycle: ItineraryShape, numbers: Numbers, guess: _Guess) -> np.ndarra
 
 
 def _lowest(form: np.ndarray) -> float:
-    """Energy of a configuration's equilibrium; without one, where all states are zero."""
+    """Energy at a configuration's equilibrium; without one, at the zero state."""
     matrix, linear, constant = form[:-1, :-1], form[:-1, -1], form[-1, -1]
     if np.linalg.eigvalsh(matrix)[0] <= _ZERO:
         return float(constant) / 2

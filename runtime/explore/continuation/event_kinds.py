@@ -24,50 +24,29 @@ _NEAR_ONE = 1e-3  # how near to -1 or 1 a multiplier has to be: there it may be 
 
 @dataclass(frozen=True)
 class OrbitKind:
-    """What all orbits of a branch have in common, as far as events depend on it.
+    """The properties common to all orbits of a branch that events depend on."""
 
-    Attributes
-    ----------
-    count : int
-        How many multipliers may differ from zero, without trivial ones.
-    symmetric : bool
-        Whether a symmetry maps one half of the orbit to the other.
-    conservative : bool
-        Whether a first integral parametrises the orbits.
-    """
-
-    count: int
-    symmetric: bool
-    conservative: bool
+    count: int  # number of multipliers that may differ from zero, without trivial ones
+    symmetric: bool  # whether a symmetry maps one half of the orbit to the other
+    conservative: bool  # whether a first integral parametrises the orbits
 
 
 @dataclass(frozen=True)
 class EventKind:
-    """One kind of event.
+    """One kind of event."""
 
-    Attributes
-    ----------
-    text : str
-        What happens, in words.
-    test : function of multipliers (k, r), slopes (k,), OrbitKind; or None
-        Numbers (k,) whose sign changes at the event; a slope is the parameter's part of the
-        unit tangent. None where boundaries and conditions show the event.
-    watched : function of OrbitKind
-        Whether the event can happen on such a branch.
-    holds : function of multipliers (r,)
-        Whether a change of sign is that of the event, and not a pole or a neutral saddle.
-    switches : bool
-        Whether another branch meets this one there.
-    border_collision : bool
-        Whether the itinerary changes there.
-    """
-
-    text: str
+    text: str  # what happens, in words
+    # function of multipliers (k, r), slopes (k,) and `OrbitKind` whose values (k,) change sign at
+    # the event; a slope is the parameter's part of the unit tangent; None where boundaries and
+    # conditions show the event
     test: Callable[[np.ndarray, np.ndarray, OrbitKind], np.ndarray] | None = None
+    # whether the event can happen on such a branch
     watched: Callable[[OrbitKind], bool] = lambda here: here.count > 0
+    # function of multipliers (r,): whether a sign change is the event, not a pole or a neutral
+    # saddle
     holds: Callable[[np.ndarray], bool] = lambda multipliers: True
-    switches: bool = False
-    border_collision: bool = False
+    switches: bool = False  # whether another branch meets this one there
+    border_collision: bool = False  # whether the itinerary changes there
 
 
 def _turning(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
@@ -80,13 +59,13 @@ def _at_minus_one(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) 
 
 
 def _at_one(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
-    """The product of 1 - multiplier; at a fold it changes its sign together with the slope."""
+    """The product of 1 - multiplier, divided by the slope, with which it changes sign at a fold."""
     found: np.ndarray = (1 - multipliers).prod(axis=-1).real
     return found if here.conservative else found / slopes
 
 
 def _pairs(multipliers: np.ndarray, slopes: np.ndarray, here: OrbitKind) -> np.ndarray:
-    """The product of 1 - product over all pairs of multipliers."""
+    """The product of 1 - m1 m2 over all pairs of multipliers m1, m2."""
     found: np.ndarray = 1 + 0 * multipliers[:, 0]
     for i, j in combinations(range(multipliers.shape[-1]), 2):
         found = found * (1 - multipliers[:, i] * multipliers[:, j])

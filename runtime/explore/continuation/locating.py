@@ -56,12 +56,7 @@ class LocatedEvent(NamedTuple):
 def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> list[LocatedEvent]:
     """All events between the points (k, n + 1) of a branch, in their order.
 
-    Parameters
-    ----------
-    monitors : Monitors
-    points : array (k, n + 1)
-    tangents : array (k, n + 1)
-        In the curve's units, of length 1.
+    The unit tangents (k, n + 1) are in the curve's units.
     """
     if len(points) < 2:
         return []
@@ -80,7 +75,7 @@ def locate_all(monitors: Monitors, points: np.ndarray, tangents: np.ndarray) -> 
 
 
 class _Watch(NamedTuple):
-    """One of the numbers along a branch."""
+    """One of the watched functions along a branch."""
 
     track: Track
     samples: BranchSamples
@@ -95,12 +90,12 @@ class _Watch(NamedTuple):
         return self.track.value(self.column, step, part, border=self.border)
 
     def at_sample(self, number: int) -> float:
-        """Exact, where the samples' own values are those of the interpolation."""
+        """Exact value at a sample; `samples` itself lies on the interpolation."""
         return self.value(*self.track.at(float(self.samples.places[number])))
 
 
 def _located(watch: _Watch, values: np.ndarray) -> Iterator[LocatedEvent]:
-    """Events of one number, from its values at the samples."""
+    """Events of one function, from its values at the samples."""
     signs, last = _signs(values), len(values) - 1
     usual = float(np.nanmedian(abs(values))) if np.isfinite(values).any() else 0.0
     if usual < _NOTHING and not watch.border:
@@ -124,13 +119,13 @@ def _located(watch: _Watch, values: np.ndarray) -> Iterator[LocatedEvent]:
 
 
 def _crossed(watch: _Watch, window: range) -> set[int]:
-    """Numbers of the samples in a window behind which the exact values change their sign."""
+    """Numbers of the samples in a window behind which the exact values change sign."""
     signs = _signs(np.array([watch.at_sample(k) for k in window]))
     return {k for k, (s, t) in zip(window, pairwise(signs), strict=False) if s * t < 0}
 
 
 def _extrema(values: np.ndarray, signs: np.ndarray) -> list[int]:
-    """Samples where a number comes near to zero, as seen from its change around them."""
+    """Numbers of the samples at which a function is near zero compared with its change around."""
     size = abs(values)
     before, here, after = size[:-2], size[1:-1], size[2:]
     same = (signs[:-2] == signs[1:-1]) & (signs[1:-1] == signs[2:])
@@ -141,7 +136,7 @@ def _extrema(values: np.ndarray, signs: np.ndarray) -> list[int]:
 
 
 class _BeyondZero(Exception):
-    """An extremum is beyond zero: its place."""
+    """Raised when an extremum is beyond zero, with its place."""
 
     def __init__(self, place: float) -> None:
         self.place = place
@@ -179,7 +174,7 @@ def _around_extremum(
 
 
 def _crossings(watch: _Watch, first: float, last: float) -> Iterator[LocatedEvent]:
-    """Events where the number changes its sign between two places, step by step."""
+    """Events where the function changes its sign between two places, step by step."""
     nodes = [float(k) for k in range(math.floor(first) + 1, math.ceil(last))]
     for begin, end in pairwise([first, *nodes, last]):
         step, low = watch.track.at(begin)
@@ -202,7 +197,7 @@ def _crossings(watch: _Watch, first: float, last: float) -> Iterator[LocatedEven
 def _event(
     watch: _Watch, step: int, part: float, around: tuple[float, float] | None = None
 ) -> Iterator[LocatedEvent]:
-    """The event at a place, if it is one; without places around it the number touches zero."""
+    """The event at a place, if it is one; if `around` is None the function only touches zero."""
     track, monitor = watch.track, watch.monitor
     curve, point = track.curve, track.point(step, part)
     if point is None or not track.monitors.confirmed(monitor, point):
@@ -224,7 +219,7 @@ def _touching(event: Event) -> Event:
 
 
 def _touches_merged(found: list[LocatedEvent]) -> list[LocatedEvent]:
-    """Two crossings of one number that cannot be told apart are one touch."""
+    """Events with one touch in place of two crossings that cannot be distinguished."""
     kept: list[LocatedEvent] = []
     for each in found:
         if kept and each.place - kept[-1].place < _TOUCHING:
@@ -235,7 +230,7 @@ def _touches_merged(found: list[LocatedEvent]) -> list[LocatedEvent]:
 
 
 def _signs(values: np.ndarray) -> np.ndarray:
-    """Signs along a branch; a point where something is just zero has that of the one before."""
+    """Signs along a branch; an exact zero has the sign of the point before."""
     signs = np.sign(values)
     for place in range(1, len(signs)):
         if signs[place] == 0:
@@ -255,7 +250,7 @@ def _smooth_at(
 def _fitted(
     value: Callable[[float], float], low: float, high: float, largest: float
 ) -> float | None:
-    """The zero of a polynomial through values, for a place where they are mere rounding errors.
+    """The zero of a polynomial fit, where the values themselves are mere rounding errors.
 
     Where branches meet the equations do not determine the tangent.
     """
@@ -278,7 +273,7 @@ def _fitted(
 def _root(
     value_at: Callable[[float], float], low: float, high: float, before: float, after: float
 ) -> float | None:
-    """Where a function changes its sign; None where it has a pole or is not defined in between."""
+    """Place where a function changes sign; None if it has a pole or is undefined in between."""
     from scipy.optimize import brentq
 
     largest = max(abs(before), abs(after))
@@ -298,7 +293,7 @@ def _root(
 
 
 def _at_meetings(found: list[LocatedEvent]) -> list[LocatedEvent]:
-    """With one name only where a branch meets another one; it may turn there."""
+    """The events with one branch point where branches meet, even if the branch turns there."""
     folds = [each.place for each in found if each.event.kind == "fold"]
     meetings: list[LocatedEvent] = []
     for each in found:
@@ -324,7 +319,7 @@ def _passed(found: LocatedEvent) -> LocatedEvent:
 
 
 def _distinct(found: list[LocatedEvent]) -> list[LocatedEvent]:
-    """Without further names of one border collision."""
+    """The events with each border collision once, under the kind that says most."""
     kept: list[LocatedEvent] = []
     for each in found:
         kind, place = each.event.kind, each.place
@@ -345,21 +340,9 @@ def _distinct(found: list[LocatedEvent]) -> list[LocatedEvent]:
 def locate_limits(
     curve: OrbitFamily, points: np.ndarray, admissible: np.ndarray, found: list[LocatedEvent]
 ) -> list[LocatedEvent]:
-    """Where admissibility changes between points and no border collision says why.
+    """New events where admissibility changes between points and no border collision explains it.
 
-    Parameters
-    ----------
-    curve : OrbitFamily
-    points : array (k, n + 1)
-    admissible : array (k,) of bool
-        At the points.
-    found : list of LocatedEvent
-        Events that were located already.
-
-    Returns
-    -------
-    list of LocatedEvent
-        Only those that are new.
+    `points` (k, n + 1) with `admissible` (k,); `found` are the events that are known already.
     """
     limits = []
     for row in np.flatnonzero(admissible[1:] != admissible[:-1]).tolist():
@@ -391,17 +374,9 @@ def locate_limits(
 def describe(
     curve: OrbitFamily, monitor: Monitor, point: np.ndarray, place: float, time: float | None
 ) -> Event:
-    """The event of a monitor at a point of the branch.
+    """The event of a monitor at a point (n + 1,) of the branch.
 
-    Parameters
-    ----------
-    curve : OrbitFamily
-    monitor : Monitor
-    point : array (n + 1,)
-    place : float
-        As `BranchSamples` counts it.
-    time : float or None
-        Since the start of the phase; None where there is none.
+    `place` is as `BranchSamples` counts it; `time` since the start of the phase, or None.
     """
     phase: int | None = None
     configuration = where = ""

@@ -18,7 +18,7 @@ _SAMPLES = 7  # points at which is looked for what is zero all along
 
 @dataclass(frozen=True)
 class Monitor:
-    """One of the numbers: the event's kind, phase and boundary, and where it is found."""
+    """A watched function: its event's kind, phase and boundary, and where its values are."""
 
     kind: str
     phase: int = -1
@@ -29,33 +29,16 @@ class Monitor:
 
 @dataclass(frozen=True)
 class Monitors:
-    """All numbers that are watched along a branch.
-
-    Attributes
-    ----------
-    curve : OrbitFamily
-    smooth : tuple of Monitor
-        Of multipliers and the tangent.
-    borders : tuple of Monitor
-        Of boundaries and conditions.
-    """
+    """All functions that are watched along a branch."""
 
     curve: OrbitFamily
-    smooth: tuple[Monitor, ...]
-    borders: tuple[Monitor, ...]
+    smooth: tuple[Monitor, ...]  # functions of the multipliers and the tangent
+    borders: tuple[Monitor, ...]  # functions of boundaries and conditions
 
     def smooth_values(self, z: np.ndarray, tangents: np.ndarray) -> np.ndarray:
-        """Values (k, m) at points (k, n + 1) with their tangents.
+        """Values (k, m) of the smooth functions at points (k, n + 1).
 
-        Parameters
-        ----------
-        z : array (k, n + 1)
-        tangents : array (k, n + 1)
-            In the curve's units, of length 1.
-
-        Returns
-        -------
-        array (k, m)
+        The unit tangents (k, n + 1) are in the curve's units.
         """
         multipliers, slopes = self.curve.multipliers(z), tangents[:, -1]
         here = _orbit_kind(self.curve, multipliers)
@@ -65,15 +48,9 @@ class Monitors:
         return np.stack(values, axis=-1)
 
     def border_values(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Values (k, m), and times since the start of the phase; NaN where there is none.
+        """Values and times since the start of the phase, both (k, m), at points (k, n + 1).
 
-        Parameters
-        ----------
-        z : array (k, n + 1)
-
-        Returns
-        -------
-        tuple of array (k, m), array (k, m)
+        They are NaN where the function does not exist.
         """
         values = np.full((len(z), len(self.borders)), np.nan)
         times = np.full((len(z), len(self.borders)), np.nan)
@@ -92,14 +69,7 @@ class Monitors:
         return values, times
 
     def confirmed(self, monitor: Monitor, z: np.ndarray) -> bool:
-        """Whether a change of sign is that of the event, and not a pole or a neutral saddle.
-
-        Parameters
-        ----------
-        monitor : Monitor
-        z : array (n + 1,)
-            Where its number is zero.
-        """
+        """Whether a zero at z (n + 1,) is the event, and not a pole or a neutral saddle."""
         kind = KINDS[monitor.kind]
         return kind.test is None or kind.holds(self.curve.multipliers(z[None])[0])
 
@@ -109,7 +79,7 @@ def _orbit_kind(curve: OrbitFamily, multipliers: np.ndarray) -> OrbitKind:
 
 
 def _border(waves: PhaseWaves) -> dict[str, tuple[np.ndarray, np.ndarray]]:
-    """Values and times (k, b) of each source."""
+    """Values and times (k, b) by source."""
     ends, (highest, when) = ends_of(waves), interior_maxima(waves)
     begun = np.zeros_like(highest)
     over = np.broadcast_to(waves.durations[:, None], highest.shape)
@@ -123,15 +93,10 @@ def _border(waves: PhaseWaves) -> dict[str, tuple[np.ndarray, np.ndarray]]:
 
 
 def monitors_of(curve: OrbitFamily, points: np.ndarray) -> Monitors:
-    """What is watched along a branch (k, n + 1).
+    """The functions to watch along a branch with points (k, n + 1).
 
-    A boundary function that is zero at an end of a phase all along the branch is one that the
-    phase begins or ends with: its rate is watched in its place.
-
-    Parameters
-    ----------
-    curve : OrbitFamily
-    points : array (k, n + 1)
+    A boundary function that vanishes at an end of a phase along the whole branch is the
+    boundary with which the phase begins or ends: its rate is watched instead.
     """
     some = points[np.unique(np.linspace(0, len(points) - 1, _SAMPLES).astype(int))]
     here = _orbit_kind(curve, curve.multipliers(some))
@@ -166,6 +131,6 @@ def monitors_of(curve: OrbitFamily, points: np.ndarray) -> Monitors:
 
 
 def _always_zero(groups: list[tuple[np.ndarray, np.ndarray]]) -> np.ndarray:
-    """Which of functions and rates (2, b) are zero in units of their sizes, all along."""
+    """Mask (2, b) of the functions and rates that are zero at all points, by their sizes."""
     zero = [abs(values) <= _ZERO * sizes for values, sizes in groups]
     return np.asarray(np.concatenate(zero, axis=1).all(axis=1))

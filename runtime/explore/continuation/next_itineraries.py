@@ -51,27 +51,12 @@ _Phases = tuple[tuple[str, str], ...]
 def next_itineraries(
     branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
 ) -> tuple[Orbit, ...]:
-    """Admissible orbits of other itineraries just beyond a border collision.
+    """Admissible orbits of other itineraries just beyond a border collision, one for each.
 
-    Parameters
-    ----------
-    branch : Branch
-    event : Event
-        One of its border collisions.
-    parameters : mapping of str to str, number or Value, optional
-        Those of the system that the orbit leaves open; else they are chosen.
-
-    Returns
-    -------
-    tuple of Orbit
-        One for each itinerary, those on the side that the branch leaves first: each can be
-        continued in its turn. Parameters that the orbit left open are those of its point
-        beside the collision.
-
-    Raises
-    ------
-    InputError
-        If the event is no border collision, or an exchanged unknown is the branch's parameter.
+    `parameters` are those that the orbit leaves open; absent ones are chosen. Orbits on the
+    side where the branch ceases to be a motion come first; each can be continued. Parameters
+    that the orbit left open are those of its point beside the collision. Raises `InputError`
+    if the event is no border collision or an exchanged unknown is the branch's parameter.
     """
     if not event.border_collision:
         raise InputError(f"{event.kind} is no border collision: the itinerary goes on")
@@ -105,18 +90,12 @@ def next_itineraries(
 def orbits_beside(
     branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
 ) -> tuple[Orbit, ...]:
-    """Admissible orbits of other itineraries very near a border collision, on both sides of it.
+    """Admissible orbits of other itineraries on both sides of a border collision, very near it.
 
-    Unlike `next_itineraries` all that are found are given, those whose new phases are shortest
-    first: of one itinerary several orbits may be near, of which one begins at the collision.
-
-    Parameters
-    ----------
-    branch : Branch
-    event : Event
-        One of its border collisions.
-    parameters : mapping of str to str, number or Value, optional
-        Those of the system that the orbit leaves open; else they are chosen.
+    Unlike `next_itineraries` all that converge are returned. Those nearest to the collision,
+    whose new phases are shortest, come first: one itinerary may have several orbits nearby, of
+    which one begins at the collision. `parameters` are those of the system that the orbit
+    leaves open; absent ones are chosen.
     """
     base, system_at = _neighbour(branch, event, parameters)
     span = float(np.ptp(branch.parameter_values)) or abs(event.value) or 1.0
@@ -140,9 +119,10 @@ def orbits_beside(
 def _neighbour(
     branch: Branch, event: Event, chosen: Mapping[str, Any] | None
 ) -> tuple[Orbit, SystemAt]:
-    """The composed orbit at the branch's point beside the event, admissible if there is one.
+    """The composed orbit at the branch's point beside the event, and a `SystemAt`.
 
-    And what gives the physical parameters, and the period if it is given, at other values.
+    The point is one where the orbit is admissible, if possible. The `SystemAt` gives the
+    physical parameters, and the period if it is given, at other values of the parameter.
     """
     places = [math.floor(event.place), math.ceil(event.place)]
     if places[0] == places[1]:  # the end of the branch
@@ -153,7 +133,7 @@ def _neighbour(
 
 
 def _side(branch: Branch, event: Event) -> int:
-    """On which side of the event the branch is no motion any more: 1 above, -1 below."""
+    """Side of the event on which the branch is no motion any more: 1 above, -1 below."""
     before, behind = int(np.floor(event.place)), int(np.ceil(event.place))
     last = len(branch) - 1
     inside = before if before == behind == last or branch.admissible[before] else behind
@@ -163,9 +143,9 @@ def _side(branch: Branch, event: Event) -> int:
 
 
 class _Way(NamedTuple):
-    """Another itinerary of the part that is solved for, from the phase before the collision.
+    """An itinerary of the part that is solved for, from the phase before the collision.
 
-    Phases `begin` ... `end` of the old one are replaced by so many.
+    It replaces the phases `begin` to `end` of the old one by `phases` new ones.
     """
 
     itinerary: _Phases
@@ -175,14 +155,14 @@ class _Way(NamedTuple):
 
 
 def _first(base: Orbit, event: Event) -> tuple[int, int]:
-    """Phase from which the part is looked at, and how many it has."""
+    """First phase of the part that is examined, and the number of its phases."""
     symmetry = base.symmetry
     count = len(base.itinerary) // (1 if symmetry is None else symmetry.order)
     return 0 if symmetry is not None or event.phase is None else (event.phase - 1) % count, count
 
 
 def _candidates(base: Orbit, event: Event) -> list[_Way]:
-    """Other itineraries, by the ways through the transitions."""
+    """Other itineraries, from the ways through the system's transitions."""
     if event.phase is None:
         return []
     first, count = _first(base, event)
@@ -204,7 +184,7 @@ def _composed(
     period: Value | None,
     short: float = _SHORT,
 ) -> Iterator[Orbit]:
-    """Admissible orbits of these itineraries near the orbit."""
+    """Admissible orbits of the itineraries of `ways`, near the known orbit."""
     point, symmetry = piecewise(base.system, parameters), base.symmetry
     first, count = _first(base, event)
     dwell = np.roll(base.dwell_times, -first)[:count].astype(float)
@@ -246,7 +226,10 @@ def _composed(
 def _solved(
     part: ItineraryShape, flat: np.ndarray, dwell: np.ndarray, state: np.ndarray, length: float
 ) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Orbits to which guesses lead, from a start or the one that fits best: the nearest first."""
+    """Dwell times and first states of the orbits that guesses lead to, the nearest first.
+
+    The guesses begin at `state`, or without success at the start that fits each best.
+    """
     count = len(dwell)
     numbers = np.repeat(flat[None], count, axis=0)
     for start in (np.repeat(state[None], count, axis=0), None):
@@ -271,9 +254,9 @@ def _solved(
 def _ways(
     structure: Structure, phases: Sequence[tuple[str, str]], at: int
 ) -> Iterator[tuple[int, int, _Phases]]:
-    """Ways that replace phases begin ... end at a collision, shorter ones first.
+    """Ways that replace the phases `begin` to `end` at a collision, shorter ones first.
 
-    The last of the phases given is where the cycle goes on.
+    The last entry of `phases` is the one where the cycle goes on.
     """
     count = len(phases) - 1
     spans = [(at, at), (at - 1, at), (at, at + 1), (at - 1, at - 1), (at - 1, at + 1)]
@@ -290,7 +273,7 @@ def _ways(
 
 
 def _paths(structure: Structure, source: str, target: str, most: int) -> Iterator[_Phases]:
-    """Sequences of at most so many phases from one configuration to another."""
+    """Sequences of at most `most` phases (never more than three) between two configurations."""
     waiting: list[tuple[str, _Phases]] = [(source, ())]
     while waiting:
         configuration, way = waiting.pop(0)
@@ -306,7 +289,7 @@ def _paths(structure: Structure, source: str, target: str, most: int) -> Iterato
 
 
 def _splits(total: float, count: int, time: float | None, share: float) -> list[list[float]]:
-    """Guesses of the dwell times of new phases in place of old ones: all but one are short."""
+    """Guesses of the dwell times of new phases, with a fixed sum: mostly all but one are short."""
     short = share * total
     found = [[total / count] * count]
     for place in range(count):
@@ -320,9 +303,10 @@ def _splits(total: float, count: int, time: float | None, share: float) -> list[
 
 
 def _without_boundary(base: Orbit, parameters: Mapping[str, Any], event: Event) -> Iterator[Orbit]:
-    """The motion that reaches no boundary any more.
+    """The admissible motion that no longer reaches any boundary, if there is one.
 
-    One of two phases vanishes, or the only boundary that is reached is reached without speed.
+    It is tried where one of two phases vanishes, or where the only boundary that is reached is
+    reached without speed.
     """
     vanishes, count = event.kind == "vanishing-phase", len(base.itinerary)
     slows = event.kind == "tangent"
@@ -340,7 +324,7 @@ def _without_boundary(base: Orbit, parameters: Mapping[str, Any], event: Event) 
 
 
 def _simulated(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:
-    """Where a motion from the orbit's start settles, if it is periodic."""
+    """The admissible periodic orbit that a simulation from the orbit's start settles on, if any."""
     configuration = base.itinerary[0][0]
     start = base.states[0].astype(float).tolist()
     try:
@@ -355,23 +339,15 @@ def _simulated(base: Orbit, parameters: Mapping[str, Any]) -> list[Orbit]:
 
 
 def _near(period: float, base: Orbit) -> bool:
-    """Whether an orbit of such a period may be the same one at the collision."""
+    """Whether an orbit of such a period may coincide with the known one at the collision."""
     return abs(period / float(base.period) - 1) < _NEAR
 
 
 def canonical_itinerary(itinerary: Sequence[tuple[str, str]]) -> _Phases:
-    """The same for all rotations of an itinerary.
+    """The rotation of an itinerary that comes first by names: the same for all rotations.
 
-    A mass that strikes once in a time and one that strikes twice have two itineraries.
-
-    Parameters
-    ----------
-    itinerary : sequence of (configuration, boundary)
-
-    Returns
-    -------
-    tuple of (str, str)
-        The first rotation by names.
+    An itinerary and its repetition stay different: a mass that strikes once in a period and
+    one that strikes twice have two itineraries.
     """
     phases = tuple(itinerary)
     return min(phases[k:] + phases[:k] for k in range(len(phases)))

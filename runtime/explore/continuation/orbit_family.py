@@ -28,31 +28,12 @@ _EVEN = 1e-15  # what rounding leaves of such a difference
 class OrbitFamily:
     """Orbits of one itinerary as the zeros z = (unknowns, parameter) of its equations.
 
-    Arrays of many points are (k, n + 1). Nondimensional, or in the units of the declaration.
-    What is not described here is as `OrbitEquations` has it.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        Where the branch begins.
-    parameter : str
-        One of the numbers that were given for it.
-    length : float
-        Unit of measure of the parameter: the length of its interval.
-
-    Attributes
-    ----------
-    names : tuple of str
-        Of the unknowns.
-    first : array (n + 1,)
-        The orbit where the branch begins.
-    sizes : array (n + 1,)
-        Units of measure.
-
-    Raises
-    ------
-    InputError
-        For a period that the other parameters determine, or a system with several forcings.
+    Arrays of many points are (k, n + 1), nondimensional or in the units of the declaration.
+    The branch begins at `orbit`; `parameter` is a number that was given for it, and `length`,
+    that of its interval, is the parameter's unit of measure. The attribute `names` has the
+    names of the unknowns, `first` (n + 1,) the point where the branch begins, and `sizes`
+    (n + 1,) the units of measure. What is not described is as in `OrbitEquations`. Raises
+    `InputError` for a period that the other parameters determine, or for several forcings.
     """
 
     def __init__(self, orbit: Orbit, parameter: str, length: float = 1.0) -> None:
@@ -69,175 +50,74 @@ class OrbitFamily:
         self.sizes = np.append(equations.sizes, length)
 
     def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Left-hand sides (m,) at one point, and their Jacobian (m, n + 1); m >= n.
-
-        Parameters
-        ----------
-        z : array (n + 1,)
-
-        Returns
-        -------
-        tuple of array (m,), array (m, n + 1)
-        """
+        """Left-hand sides (m,) at one point z (n + 1,), and their Jacobian (m, n + 1); m >= n."""
         return self._equations.linearised(self._full(z), self._places[-1])
 
     def dwell(self, z: np.ndarray) -> np.ndarray:
-        """Dwell times (k, p) of the phases that take time: affine in z.
-
-        Parameters
-        ----------
-        z : array (k, n + 1)
-
-        Returns
-        -------
-        array (k, p)
-            In the unit of time.
-        """
+        """Dwell times (k, p) of the phases that take time, affine in z (k, n + 1)."""
         return self._equations.dwell(self._full(z))
 
     def unevenness(self, z: np.ndarray) -> list[np.ndarray]:
-        """By how much each part that the itinerary repeats misses being the first one.
+        """Differences (N,) of each repeated part of the itinerary from the first, at z (n + 1,).
 
-        Parameters
-        ----------
-        z : array (n + 1,)
-
-        Returns
-        -------
-        list of array (N,)
-            In units of the states' sizes; empty where no part is repeated.
+        They are in units of the states' sizes; the list is empty where no part is repeated.
         """
         return self._equations.unevenness(self._full(z))
 
     def leaps(self, z: np.ndarray, following: np.ndarray) -> bool:
-        """Whether parts that differ are the same behind a step: it has met the branch it doubles.
+        """Whether parts that differ at z (n + 1,) coincide at `following`, behind a step.
 
-        Parameters
-        ----------
-        z, following : array (n + 1,)
+        The step has then met the branch that this one doubles.
         """
         parts = zip(self.unevenness(z), self.unevenness(following), strict=True)
         sizes = [tuple(float(np.abs(part).max()) for part in pair) for pair in parts]
         return any(after < _LEAP * before > _EVEN for before, after in sizes)
 
     def waves(self, z: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
-        """Boundary functions of each phase, for groups of points whose places are given.
+        """Boundary functions of all phases at points z (k, n + 1), in groups of points.
 
-        Parameters
-        ----------
-        z : array (k, n + 1)
-
-        Returns
-        -------
-        list of (array of int, list of PhaseWaves)
-            Places of the points of a group, and their phases.
+        Each group is an integer array of the places of its points, and a list of their phases.
         """
         return self._equations.waves(self._full(z))
 
     def conditions(self, z: np.ndarray) -> np.ndarray:
-        """Numbers (k, c) that keep their sign while transitions lead where they do.
-
-        Parameters
-        ----------
-        z : array (k, n + 1)
-
-        Returns
-        -------
-        array (k, c)
-        """
+        """Numbers (k, c) at z (k, n + 1) whose signs decide which transitions are taken."""
         return self._equations.conditions(self._full(z))
 
     @property
     def condition_places(self) -> Sequence[int]:
-        """Phase whose end each of these conditions belongs to."""
+        """Number of the phase whose end each of these conditions belongs to."""
         return self._equations.condition_places
 
     def taken(self, conditions: np.ndarray) -> np.ndarray:
-        """Which of its transitions each phase (k, p) takes, from these numbers.
-
-        Parameters
-        ----------
-        conditions : array (k, c)
-            As `conditions` gives them.
-
-        Returns
-        -------
-        array (k, p) of int
-        """
+        """Number of the transition that each phase takes (k, p), from its conditions (k, c)."""
         return self._equations.taken(conditions)
 
     def multipliers(self, z: np.ndarray) -> np.ndarray:
-        """Multipliers (k, r) over one part that may differ from zero, without trivial ones.
+        """Multipliers (k, r), complex, over one part at z (k, n + 1), without trivial ones.
 
-        Parameters
-        ----------
-        z : array (k, n + 1)
-
-        Returns
-        -------
-        array (k, r) of complex
+        Those that are always zero are left out too.
         """
         return self._equations.multipliers(self._full(z))
 
     def traces(self, z: np.ndarray) -> np.ndarray:
-        """Traces (k,) of the Poincare map of the whole period.
-
-        Parameters
-        ----------
-        z : array (k, n + 1)
-
-        Returns
-        -------
-        array (k,)
-        """
+        """Traces (k,) of the Poincare map of the whole period, at z (k, n + 1)."""
         return self._equations.traces(self._full(z))
 
     def admissible(self, z: np.ndarray) -> np.ndarray:
-        """Whether the points (k,) are motions of the real system.
-
-        Parameters
-        ----------
-        z : array (k, n + 1)
-
-        Returns
-        -------
-        array (k,) of bool
-        """
+        """Mask (k,) of the points z (k, n + 1) that are motions of the real system."""
         return self._equations.admissible(self._full(z))
 
     def at(self, z: np.ndarray) -> Orbit:
-        """The orbit at one point as a record.
-
-        Parameters
-        ----------
-        z : array (n + 1,)
-        """
+        """The orbit at one point z (n + 1,), as a record."""
         return self._equations.orbit_at(self._full(z), self._given(z))
 
     def motion(self, z: np.ndarray) -> Motion | Trajectory:
-        """The motion at one point.
-
-        Parameters
-        ----------
-        z : array (n + 1,)
-        """
+        """The motion at one point z (n + 1,)."""
         return self._equations.motion_at(self._full(z), self._given(z))
 
     def moved(self, name: str, value: float) -> OrbitFamily:
-        """The same family with another of the numbers that were given changed.
-
-        Parameters
-        ----------
-        name : str
-            Of a number that was given.
-        value : float
-            In its unit.
-
-        Returns
-        -------
-        OrbitFamily
-            A copy.
-        """
+        """A copy of the family with another value of a given number, which is not its parameter."""
         other = copy(self)
         other._base = self._base.copy()
         other._base[self._equations.names.index(name)] = value
@@ -245,7 +125,7 @@ class OrbitFamily:
         return other
 
     def _full(self, z: np.ndarray) -> np.ndarray:
-        """All numbers of the equations at a point, or at many."""
+        """All numbers of the equations at a point (n + 1,), or at many (k, n + 1)."""
         full = np.empty((*z.shape[:-1], len(self._base)))
         full[...] = self._base
         full[..., self._places] = z
@@ -256,24 +136,10 @@ class OrbitFamily:
 
 
 def check_interval(orbit: Orbit, parameter: str, interval: Any) -> tuple[float, float]:
-    """Ends of an interval of a number that was given for an orbit.
+    """The lower and upper end of an interval of a number that was given for an orbit, checked.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    parameter : str
-        Name of the number.
-    interval : (float, float)
-        Lower and upper end.
-
-    Returns
-    -------
-    (float, float)
-
-    Raises
-    ------
-    InputError
-        For an unknown name, or an interval that is empty, outside the domain or without the orbit.
+    Refused are an unknown name, and an interval that is empty, leaves the domain or does not
+    hold the orbit.
     """
     if parameter not in orbit.given:
         raise unknown_name("given parameter", parameter, orbit.given)

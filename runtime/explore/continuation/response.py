@@ -30,19 +30,9 @@ def system_of(orbit: Orbit) -> SystemKernels:
 
 
 def forcing_frequencies(branch: Branch) -> np.ndarray | None:
-    """Angular frequency (k,) of the first forcing, if the branch's parameter is its measure.
+    """Angular frequency (k,) of the first forcing, in radians over the unit of time, or None.
 
-    It is where it is proportional to the parameter; None elsewhere.
-
-    Parameters
-    ----------
-    branch : Branch
-        Of k points.
-
-    Returns
-    -------
-    array (k,) or None
-        Radians over the unit of time.
+    It is None unless the frequency is proportional to the branch's parameter.
     """
     if not is_forced(branch):
         return None
@@ -64,14 +54,10 @@ def forcing_frequencies(branch: Branch) -> np.ndarray | None:
 
 
 def usual_quantities(branch: Branch) -> tuple[str, ...]:
-    """The amplitude of each coordinate of a forced system, whose period is given; else the period.
+    """Names of the quantities that a picture of the branch draws by default.
 
-    Over the frequency of the forcing that is the frequency response.
-
-    Returns
-    -------
-    tuple of str
-        Names of what a picture of the branch draws.
+    They are the amplitudes of all coordinates of a forced system, which over the frequency of
+    the forcing are the frequency response, and the period of any other system.
     """
     if not is_forced(branch):
         return ("period",)

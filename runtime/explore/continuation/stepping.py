@@ -51,43 +51,19 @@ class Curve(Protocol):
     sizes: np.ndarray
 
     def equations(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Left-hand sides (m,) at one point, and their Jacobian (m, n + 1).
-
-        Parameters
-        ----------
-        z : array (n + 1,)
-
-        Returns
-        -------
-        tuple of array (m,), array (m, n + 1)
-        """
+        """Left-hand sides (m,) at one point z (n + 1,), and their Jacobian (m, n + 1)."""
 
     def dwell(self, z: np.ndarray) -> np.ndarray:
-        """Dwell times (k, p), affine in z: where one goes to zero the curve ends.
-
-        Parameters
-        ----------
-        z : array (k, n + 1)
-
-        Returns
-        -------
-        array (k, p)
-            In the unit of time.
-        """
+        """Dwell times (k, p), affine in z (k, n + 1): the curve ends where one goes to zero."""
 
     def leaps(self, z: np.ndarray, following: np.ndarray) -> bool:
-        """Whether a step has gone over to another branch: a shorter one is tried.
-
-        Parameters
-        ----------
-        z, following : array (n + 1,)
-        """
+        """Whether a step has gone over to another branch; then a shorter one is tried."""
 
 
 class Path(NamedTuple):
-    """Points (k, n + 1) of a branch in their order, and their tangents, one direction all along.
+    """Points (k, n + 1) of a branch in order, and their tangents, all in one direction.
 
-    Why it ends, on either side, and which of the points it was followed from.
+    `ends` says why it ends on either side; `start` is the point from which it was followed.
     """
 
     points: np.ndarray
@@ -97,19 +73,7 @@ class Path(NamedTuple):
 
 
 def tangent_at(curve: Curve, z: np.ndarray, like: np.ndarray) -> np.ndarray:
-    """Unit tangent (n + 1,) in the curve's units, turned to another one.
-
-    Parameters
-    ----------
-    curve : Curve
-    z : array (n + 1,)
-    like : array (n + 1,)
-        The tangent makes no obtuse angle with it.
-
-    Returns
-    -------
-    array (n + 1,)
-    """
+    """Unit tangent (n + 1,) at z (n + 1,) in the curve's units, at no obtuse angle with `like`."""
     _, jacobian = curve.equations(z)
     scaled = scaled_rows(jacobian * curve.sizes)[0]
     direction = np.linalg.svd(scaled)[2][-1]
@@ -121,21 +85,10 @@ def tangent_at(curve: Curve, z: np.ndarray, like: np.ndarray) -> np.ndarray:
 def correct(
     curve: Curve, guess: np.ndarray, normal: np.ndarray, offset: float | None = None
 ) -> tuple[np.ndarray, int] | None:
-    """The point of the branch on a plane, by Newton's method; None where it fails.
+    """The point of the branch on a plane and the number of Newton's iterations; None if they fail.
 
-    Parameters
-    ----------
-    curve : Curve
-    guess : array (n + 1,)
-    normal : array (n + 1,)
-        Of the plane, in the curve's units.
-    offset : float, optional
-        The plane is ``normal @ (z / sizes) == offset``; it contains the guess by default.
-
-    Returns
-    -------
-    tuple
-        The point, and the number of iterations.
+    The plane is ``normal @ (z / sizes) == offset``, with `normal` (n + 1,) in the curve's
+    units; without an offset it contains `guess` (n + 1,).
     """
     w = guess / curve.sizes
     level = float(normal @ w) if offset is None else offset
@@ -164,20 +117,9 @@ def correct(
 
 
 def on_chord(curve: Curve, first: np.ndarray, last: np.ndarray, part: float) -> np.ndarray | None:
-    """The point of the branch across from a part of the chord between two of its points.
+    """The point (n + 1,) of the branch across from a part (0 to 1) of a chord between two points.
 
-    Parameters
-    ----------
-    curve : Curve
-    first : array (n + 1,)
-    last : array (n + 1,)
-    part : float
-        Of the chord, from 0 to 1.
-
-    Returns
-    -------
-    array (n + 1,) or None
-        None where Newton's method fails.
+    None if Newton's method fails.
     """
     chord = (last - first) / curve.sizes
     found = correct(curve, first + part * (last - first), chord / np.linalg.norm(chord))
@@ -192,25 +134,14 @@ def trace_both_ways(
     go_on: Callable[[np.ndarray, np.ndarray], str | None],
     known: Path | None = None,
 ) -> Path:
-    """Follow a branch from its first point in both directions; see `trace_path`.
+    """The path of a branch, followed from its first point in both directions (`trace_path`).
 
-    The parameter increases at first. Neighbouring points are not the same. Ctrl-C ends the
-    path where it is: such an end is INTERRUPTED. A path that is known goes on at these ends,
-    and where it had as many points as were asked for.
-
-    Parameters
-    ----------
-    curve : Curve
-    limits : (float, float)
-        Of the parameter.
-    step : float
-        The largest one, in the curve's units.
-    most : int
-        The most steps on either side, those of `known` among them.
-    go_on : callable
-        From two neighbouring points, why the path ends behind them; None where it goes on.
-    known : Path or None
-        A path to go on with.
+    The parameter increases at first. Neighbouring points differ. Ctrl-C ends the path where it
+    is: such an end is INTERRUPTED. A `known` path goes on at these ends, and where it had as
+    many points as were asked for. `limits` are those of the parameter, `step` is the largest
+    step in the curve's units, and `most` the largest number of steps on either side, including
+    those of `known`. `go_on` maps two neighbouring points to the reason why the path ends
+    behind them, or to None.
     """
     if known is None:
         direction = tangent_at(curve, curve.first, np.eye(len(curve.first))[-1])
@@ -260,23 +191,13 @@ def _walked(
 
 
 class PathEnd(NamedTuple):
-    """An end of a path, at which it goes on.
+    """An end of a path, at which it is followed further."""
 
-    Attributes
-    ----------
-    begin, other : (array (n + 1,), array (n + 1,))
-        This end and the other one: the point, and the tangent along the way, in the curve's
-        units.
-    steps : int
-        From where the path was begun.
-    length : float
-        Of the whole path, in the curve's units.
-    """
-
+    # this end: point and tangent along the way (n + 1,), in the curve's units
     begin: tuple[np.ndarray, np.ndarray]
-    other: tuple[np.ndarray, np.ndarray]
-    steps: int
-    length: float
+    other: tuple[np.ndarray, np.ndarray]  # the other end in the same form
+    steps: int  # number of steps from the beginning of the path
+    length: float  # of the whole path, in the curve's units
 
 
 def trace_path(
@@ -287,25 +208,10 @@ def trace_path(
     most: int,
     go_on: Callable[[np.ndarray, np.ndarray], str | None],
 ) -> Iterator[tuple[np.ndarray, np.ndarray, str]]:
-    """Follow a branch from its end, without the point there.
+    """Points and tangents of a branch beyond its end, and why it ends there ("" while it goes on).
 
-    Parameters
-    ----------
-    curve : Curve
-    end : PathEnd
-    limits : tuple of float
-        Of the parameter.
-    step : float
-        The largest one.
-    most : int
-        Steps, those that are known among them.
-    go_on : callable
-        Says of a point and the next one why the branch should end there, or None.
-
-    Yields
-    ------
-    tuple
-        Point, tangent, and why the branch ends there: empty while it goes on.
+    The point of `end` itself is left out. The arguments are as in `trace_both_ways`; `most`
+    includes the steps that are known.
     """
     (z, tangent), (first, direction) = end.begin, end.other
     length, whole = step / 4, end.length
@@ -345,7 +251,7 @@ def trace_path(
 def _step(
     curve: Curve, z: np.ndarray, tangent: np.ndarray, length: float
 ) -> tuple[np.ndarray, np.ndarray, bool] | None:
-    """One step: point, tangent, and whether a longer one may be tried; None where it fails."""
+    """One step: point, tangent, and whether a longer step may be tried; None if it fails."""
     guess = z + length * tangent * curve.sizes
     found = correct(curve, guess, tangent)
     if found is None:
@@ -363,7 +269,7 @@ def _step(
 def _ended(
     curve: Curve, z: np.ndarray, following: np.ndarray, limits: tuple[float, float]
 ) -> tuple[np.ndarray, str] | None:
-    """Where a step passes an end of the interval, or a dwell time goes to zero."""
+    """The point at which a step passes an end of the interval or a dwell time vanishes, or None."""
     waits = curve.dwell(np.stack([z, following, np.zeros_like(z)]))
     ends: list[tuple[float, np.ndarray, float, str]] = []
     for k, name in enumerate(curve.dwell_names):
@@ -395,8 +301,8 @@ def _ended(
 def _determined(curve: Curve, z: np.ndarray, normal: np.ndarray) -> bool:
     """Whether a point on a plane is the only one near it that solves the equations.
 
-    Where a phase takes no time its conditions are those of the phase before: orbits without it
-    solve them too.
+    A phase that takes no time has the same conditions as the phase before; orbits without it
+    then solve the equations as well.
     """
     rows, _ = scaled_rows(curve.equations(z)[1] * curve.sizes)
     values = np.linalg.svd(np.concatenate([rows, normal[None]]), compute_uv=False)
@@ -406,10 +312,10 @@ def _determined(curve: Curve, z: np.ndarray, normal: np.ndarray) -> bool:
 def _before(
     curve: Curve, z: np.ndarray, following: np.ndarray, normal: np.ndarray, offset: float
 ) -> np.ndarray:
-    """A point of a step as near to the plane of an end as it can be, where that is singular.
+    """A point of a step as near as possible to the plane of an end, where that is singular.
 
-    The equations determine a point the less the nearer it is to the end: each is guessed from
-    the two before it, the error of which shrinks with the square of the distance.
+    The nearer a point is to the end, the less the equations determine it. So each is
+    extrapolated from the two before it, with an error of the second order in the distance.
     """
     before, inside, part = following, z, 0.5
     for _ in range(_APPROACHES):
@@ -427,15 +333,9 @@ def _before(
 
 
 def scaled_rows(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Rows in units of their largest entry, and these units; rows of rounding errors stay small.
+    """A matrix (m, n) with rows divided by their largest entry, and these divisors (m,).
 
-    Parameters
-    ----------
-    matrix : array (m, n)
-
-    Returns
-    -------
-    tuple of array (m, n), array (m,)
+    Rows that consist of rounding errors stay small.
     """
     units = np.abs(matrix).max(axis=1)
     largest = float(units.max(initial=0.0))

@@ -36,31 +36,14 @@ _OPEN = 1e-3  # largest singular value, relative, of a direction that is open
 def other_branch(
     branch: Branch, event: Event, parameters: Mapping[str, Any] | None = None
 ) -> Orbit:
-    """An orbit on the branch that meets this one at an event, close to it.
+    """An orbit near an event on the branch that meets this one there, admissible if possible.
 
-    At a flip it has twice the itinerary, and nearly twice the period; at a symmetry-breaking it
+    At a flip it has twice the itinerary, and nearly twice the period; at a symmetry breaking it
     is solved for without the symmetry; at a branch point it has the same itinerary. It may exist
     on either side of the event, and be no motion of the real system (`admissibility` says).
-
-    Parameters
-    ----------
-    branch : Branch
-    event : Event
-        A flip, a symmetry-breaking or a branch point of it.
-    parameters : mapping of str to str, number or Value, optional
-        Those of the system that the orbit leaves open; else they are chosen.
-
-    Returns
-    -------
-    Orbit
-        `continue_orbit` follows it; an admissible one where one is found.
-
-    Raises
-    ------
-    InputError
-        For another kind of event, or a parameter that is none of the system's.
-    NoConvergence
-        If no such orbit is found.
+    `parameters` are those that the orbit leaves open; absent ones are chosen. Raises
+    `InputError` for another kind of event or a parameter that is none of the system's, and
+    `NoConvergence` if no such orbit is found.
     """
     if not event.switches:
         raise InputError(f"no other branch meets this one at a {event.kind}: {event.text}")
@@ -97,7 +80,7 @@ def other_branch(
 
 
 def _away(event: Event) -> int:
-    """The point of the branch beside the event that is not too near to it."""
+    """Number of the branch point beside the event that is not too near to it."""
     before = math.floor(event.place)
     if event.place == before:
         return before - 1 if before else 1
@@ -105,7 +88,7 @@ def _away(event: Event) -> int:
 
 
 def _meeting(branch: Branch, event: Event, curve: OrbitFamily, system_at: SystemAt) -> np.ndarray:
-    """Where the branches meet, as a point of the family at all physical parameters."""
+    """The meeting point of the branches, as a point of the family over all physical parameters."""
     if branch.unknown_names == curve.names:
         return np.array([*event.unknowns.values(), event.value])
     base, orbit = curve.orbit, branch.orbit_at(event)
@@ -119,7 +102,7 @@ def _meeting(branch: Branch, event: Event, curve: OrbitFamily, system_at: System
 
 
 def _unfolded(base: Orbit, periods: int) -> Orbit:
-    """The same orbit without its symmetry, passed through so many times."""
+    """The same orbit without its symmetry, over `periods` periods."""
     period = base.given_period
     return solve_itinerary(
         base.system,
@@ -132,20 +115,20 @@ def _unfolded(base: Orbit, periods: int) -> Orbit:
 
 
 def _times(period: Value, count: int) -> Value:
-    """So many periods, exactly."""
+    """A multiple of a period, exactly."""
     if period.exact is not None:
         return as_value(period.exact * count)
     return parse(f"{count}*({period.text})")
 
 
 def _repeated(curve: OrbitFamily, z: np.ndarray, copies: int, times: int) -> np.ndarray:
-    """Unknowns of a part as those of so many parts one after the other."""
+    """The point for `copies` repetitions of a part, with the parameter multiplied by `times`."""
     count = len(curve.dwell_names)
     return np.concatenate([np.tile(z[:count], copies), z[count:-1], times * z[-1:]])
 
 
 def _open_direction(curve: OrbitFamily, z: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """Unit vector, in the curve's units, of what is open across the branch that is known."""
+    """Unit vector, in the curve's units, of the open direction across the known branch."""
     rows, _ = scaled_rows(curve.equations(z)[1] * curve.sizes)
     _, values, right = np.linalg.svd(rows)
     values = np.pad(values, (0, len(right) - len(values)))
@@ -159,7 +142,7 @@ def _open_direction(curve: OrbitFamily, z: np.ndarray, along: np.ndarray) -> np.
 def _beside(
     curve: OrbitFamily, start: np.ndarray, direction: np.ndarray, length: float
 ) -> Orbit | None:
-    """An orbit so far from the meeting point along a direction, if there is one."""
+    """An orbit at a distance from the meeting point along a direction, or None."""
     guess = start + length * direction * curve.sizes
     found = correct(curve, guess, direction)
     if found is None or not (curve.dwell(found[0][None]) > 0).all():

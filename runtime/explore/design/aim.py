@@ -31,20 +31,16 @@ _INSIDE = 1e-10  # of a margin's unit: an orbit at the limit is a motion despite
 
 
 class MarginKey(NamedTuple):
-    """A boundary that stays away along a phase, counted from 0."""
+    """A boundary that must not be crossed during a phase, which is counted from 0."""
 
     phase: int
     boundary: str
 
 
 def watched_margins(measured: QuantityValues, lengths: np.ndarray) -> dict[MarginKey, float]:
-    """The boundaries that stay away along an orbit, and the units of their functions.
+    """Units of the functions of the boundaries that an orbit does not reach, by their keys.
 
-    Parameters
-    ----------
-    measured : QuantityValues
-    lengths : array (q,)
-        Of the parameters' intervals.
+    `lengths` (q,) are those of the parameters' intervals.
     """
     found = {}
     for margin in measured.derivatives.margins:
@@ -54,79 +50,50 @@ def watched_margins(measured: QuantityValues, lengths: np.ndarray) -> dict[Margi
 
 
 class Rows(NamedTuple):
-    """Scaled numbers and their derivatives by the variables of the optimiser.
-
-    Attributes
-    ----------
-    values : array (m,)
-    slopes : array (m, n)
-    """
+    """Scaled functions (m,) and their derivatives (m, n) by the variables of the optimiser."""
 
     values: np.ndarray
     slopes: np.ndarray
 
 
 class Trial(Protocol):
-    """Parameters that were tried, and the orbits there.
-
-    Attributes
-    ----------
-    place : array (q,)
-        Of the parameters in their bounds.
-    members : tuple of DesignPoint
-        The orbit; or, of a design of the worst along a branch, several orbits of that branch.
-    """
+    """Parameters that were tried, and the orbits there."""
 
     @property
     def place(self) -> np.ndarray:
-        """Of the parameters."""
+        """Position (q,) of the parameters in their bounds: 0 is the lower one, 1 the upper."""
 
     @property
     def members(self) -> tuple[DesignPoint, ...]:
-        """The orbits."""
+        """The orbit at these parameters, or several orbits of its branch (for `worst_over`)."""
 
 
 @dataclass(frozen=True)
 class Aim:
-    """What is made as small as it can be, and the conditions.
+    """The objective that is minimised, and the conditions.
 
-    The variables are the places of the parameters in their bounds and, for what is the largest
-    of several, such as a spectral radius that is minimised, the level that none of them exceeds
-    (the epigraph form). All conditions hold for all orbits of a trial.
-
-    Attributes
-    ----------
-    quantity : str
-    sign : int
-        -1 where it is maximised.
-    conditions : tuple of DesignCondition
-    scale : float
-        Unit of the quantity.
-    units : mapping of str to float
-        Of all quantities that conditions ask for, but of pure numbers.
-    lengths : array (q,)
-        Of the parameters' intervals.
-    margins : mapping of MarginKey to float
-        Boundaries that must not be crossed, each in its phase, and the units of their functions.
-    extremes : tuple of ExtremeKey
-        Local extremes of a peak, each below the level.
-    spread : bool
-        Whether the worst along a branch is made as small as it can be.
+    The variables are the places of the parameters in their bounds. If the objective is the
+    largest of several numbers, such as a spectral radius that is minimised, the level that none
+    of them exceeds is a further variable (the epigraph form). All conditions hold for all
+    orbits of a trial.
     """
 
     quantity: str
-    sign: int
+    sign: int  # -1 where the quantity is maximised, else 1
     conditions: tuple[DesignCondition, ...]
-    scale: float
-    lengths: np.ndarray
+    scale: float  # unit of the quantity
+    lengths: np.ndarray  # (q,), of the parameters' intervals
+    # of all quantities in the conditions that are not pure numbers
     units: Mapping[str, float] = field(default_factory=dict)
+    # boundaries that must not be crossed in a phase, with the units of their functions
     margins: Mapping[MarginKey, float] = field(default_factory=dict)
+    # local extremes of a peak, each of which has to be below the level
     extremes: tuple[ExtremeKey, ...] = ()
-    spread: bool = False
+    spread: bool = False  # whether the worst along a branch is minimised
 
     @property
     def levelled(self) -> bool:
-        """Whether there is a level among the variables."""
+        """Whether the level is one of the variables."""
         several = is_largest_of_several(self.quantity, self.sign)
         return bool(self.quantity) and (self.spread or several)
 
@@ -136,12 +103,7 @@ class Aim:
         return 0.0 if self.quantity == RADIUS and self.sign > 0 else -np.inf
 
     def variables(self, point: Trial) -> np.ndarray:
-        """The variables at a trial.
-
-        Returns
-        -------
-        array (n,)
-        """
+        """The variables (n,) at a trial."""
         return np.append(point.place, self.value(point)) if self.levelled else point.place
 
     def worst(self, point: Trial) -> DesignPoint:
@@ -149,42 +111,28 @@ class Aim:
         return max(point.members, key=self._value)
 
     def value(self, point: Trial) -> float:
-        """What is made small, at a trial."""
+        """Value of the objective at a trial, in units of `scale`."""
         return self._value(self.worst(point))
 
     def _value(self, member: DesignPoint) -> float:
         return self.sign * member.quantities.values[self.quantity] / self.scale
 
     def slope(self, point: Trial) -> np.ndarray:
-        """Derivatives of what is made small by the variables.
-
-        Returns
-        -------
-        array (n,)
-        """
+        """Derivatives (n,) of the objective by the variables."""
         if self.levelled:
             return np.asarray(np.eye(len(self.lengths) + 1)[-1])
         slope = self.worst(point).quantities.slopes[self.quantity]
         return np.asarray(self.sign * self._by_places(slope) / self.scale)
 
     def _by_places(self, slopes: np.ndarray) -> np.ndarray:
-        """Derivatives by the places of the parameters; of those along a branch there are more."""
+        """Derivatives by the places of the parameters, without those along a branch."""
         count = len(self.lengths)
         return np.asarray(slopes[..., :count] * self.lengths)
 
     def level_rows(self, member: DesignPoint, level: float) -> Rows:
         """The conditions that the quantity of an orbit does not exceed the level.
 
-        Parameters
-        ----------
-        member : DesignPoint
-        level : float
-            In units of `scale`.
-
-        Returns
-        -------
-        Rows
-            Not negative where they hold.
+        The level is in units of `scale`. The rows are not negative where the conditions hold.
         """
         measured, wanted = member.quantities, level * self.scale
         if self.extremes:
@@ -207,17 +155,11 @@ class Aim:
         return Rows(found.values / sizes, slopes / sizes[:, None])
 
     def size(self, condition: DesignCondition) -> float:
-        """Unit in which a condition is missed."""
+        """Unit in which the violation of a condition is measured."""
         return max(self.units.get(condition.quantity, 1.0), abs(float(condition.value)))
 
     def condition_rows(self, member: DesignPoint, condition: DesignCondition) -> Rows:
-        """One condition of one orbit.
-
-        Returns
-        -------
-        Rows
-            Not negative where it holds, zero where it is an equation.
-        """
+        """One condition at one orbit: rows that are not negative, or zero for an equation."""
         measured, wanted = member.quantities, float(condition.value)
         if condition.quantity == MULTIPLIER:
             gap = multiplier_gap(measured.derivatives, wanted)
@@ -233,16 +175,13 @@ class Aim:
         return Rows(values / size, self._with_level(self._by_places(slopes) / size))
 
     def _with_level(self, slopes: np.ndarray) -> np.ndarray:
-        """Derivatives of what does not depend on the level."""
+        """Derivatives extended by that by the level, which is zero."""
         return np.hstack([slopes, np.zeros((len(slopes), 1))]) if self.levelled else slopes
 
     def relaxing(self, member: DesignPoint, condition: DesignCondition) -> np.ndarray:
-        """By how much each row of a condition grows for each unit of its value.
+        """Growth (m,) of each row of a condition per unit of its value.
 
-        Returns
-        -------
-        array (m,)
-            Positive where the condition is relaxed; of an equation minus that.
+        It is positive where the condition is relaxed, and minus that for an equation.
         """
         derivatives, wanted = member.quantities.derivatives, float(condition.value)
         if condition.quantity == MULTIPLIER:
@@ -254,7 +193,7 @@ class Aim:
         return found / self.size(condition)
 
     def margin_rows(self, member: DesignPoint) -> Rows:
-        """How far each boundary stays away; far where it has no maximum inside its phase."""
+        """Scaled distances from the boundaries; 1 where one has no maximum inside its phase."""
         margins = member.quantities.derivatives.margins
         there = {MarginKey(m.phase, m.boundary): m for m in margins}
         count = len(self.lengths)
@@ -266,15 +205,9 @@ class Aim:
         return Rows(values, self._with_level(slopes))
 
     def rows(self, point: Trial, level: float, *, equal: bool) -> Rows:
-        """All conditions that are equations, or all others.
+        """The rows of all equations (`equal`), or of all other conditions, of a trial.
 
-        Parameters
-        ----------
-        point : Trial
-        level : float
-            Value of the level's variable, where there is one.
-        equal : bool
-            Whether equations are wanted.
+        `level` is the value of the level, where there is one.
         """
         found = [
             self.condition_rows(member, each)
@@ -291,13 +224,7 @@ class Aim:
         return Rows(np.concatenate([f.values for f in found]), np.vstack([f.slopes for f in found]))
 
     def missed(self, point: Trial) -> float:
-        """By how much a trial misses the conditions, in their units.
-
-        Returns
-        -------
-        float
-            The largest of all.
-        """
+        """Largest violation of all conditions at a trial, in their units."""
         equal = np.abs(self.rows(point, 0.0, equal=True).values)
         short = [
             self.condition_rows(member, c).values

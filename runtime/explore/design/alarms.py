@@ -13,39 +13,19 @@ __all__ = ["Watch", "alarms_of"]
 
 
 class Watch(NamedTuple):
-    """A place along a branch where something is worst.
+    """A place along a branch where something is worst."""
 
-    Attributes
-    ----------
-    part : float
-        Of the branch's interval, from 0 to 1.
-    row : int
-        Which of the alarms has a minimum there.
-    bend : float
-        Its second derivative inside the interval; 0 where the place stays what it is.
-    """
-
-    part: float
-    row: int
-    bend: float
+    part: float  # position in the branch's interval, from 0 to 1
+    row: int  # number of the alarm that has a minimum there
+    bend: float  # its second derivative inside the interval, 0 where the place is fixed
 
 
 def alarms_of(aim: Aim, member: DesignPoint, length: float) -> tuple[np.ndarray, np.ndarray]:
-    """Numbers that are the smaller the worse, and their derivatives along the branch.
+    """Numbers (m,) that are smaller where an orbit is worse, and derivatives (m,).
 
-    What is made small, then conditions, then margins.
-
-    Parameters
-    ----------
-    aim : Aim
-    member : DesignPoint
-        Its derivatives by the branch's parameter are the last.
-    length : float
-        Of the branch's interval.
-
-    Returns
-    -------
-    tuple of array (m,), array (m,)
+    The derivatives are along the branch. The numbers belong to the objective, then to the
+    conditions, then to the margins. The branch's parameter is the last of the member's, and
+    `length` is that of its interval.
     """
     measured = member.quantities
     values = [-aim.sign * measured.values[aim.quantity] / aim.scale]

@@ -13,39 +13,19 @@ __all__ = ["along", "along_branch"]
 
 
 def along(design: Design, parameter: str, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Quantities of the orbits along one parameter, the others as where the design ended.
+    """Values (count,) of a parameter over its bounds, and the quantities (count, m) there.
 
-    Parameters
-    ----------
-    design : Design
-    parameter : str
-        One of those that varied.
-    count : int
-        How many values of it, over its bounds.
-
-    Returns
-    -------
-    tuple of array (count,), array (count, m)
-        Values of the parameter, and of the quantities; NaN where the branch does not lead.
+    The parameter is one that varied; the others are as where the design ended. The quantities
+    are NaN where the branch does not lead.
     """
     bounds = design.bounds[design.parameters.index(parameter)]
     return _around(design, design.orbit, parameter, bounds, count)
 
 
 def along_branch(design: Design, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Quantities along the branch of a design, where it began and where it ended.
+    """Values (count,) of the branch's parameter, and quantities (count, m) before and after.
 
-    Parameters
-    ----------
-    design : Design
-        With `worst_over`.
-    count : int
-        How many values of the branch's parameter.
-
-    Returns
-    -------
-    tuple of array (count,), array (count, m), array (count, m)
-        Values of the parameter, and of the quantities before and after.
+    The design needs `worst_over`; the orbits are those where it began and where it ended.
     """
     ((parameter, interval),) = design.worst_over.items()
     values, before = _around(design, design.start, parameter, np.array(interval), count)

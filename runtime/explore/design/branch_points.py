@@ -28,45 +28,20 @@ _FLATTER = 0.1  # of a second derivative: where it falls by more it is kept
 
 @dataclass(frozen=True, eq=False)
 class BranchPoint:
-    """Orbits of one branch, at parameters that were tried.
+    """Orbits of one branch at parameters that were tried."""
 
-    Attributes
-    ----------
-    place : array (q,)
-        Of the parameters in their bounds.
-    members : tuple of DesignPoint
-        At the watched places of the branch's parameter.
-    watches : tuple of Watch
-        These places.
-    """
-
-    place: np.ndarray
-    members: tuple[DesignPoint, ...]
-    watches: tuple[Watch, ...]
+    place: np.ndarray  # (q,), of the parameters in their bounds
+    members: tuple[DesignPoint, ...]  # orbits at the watched places of the branch's parameter
+    watches: tuple[Watch, ...]  # these places
 
 
 class BranchPoints:
     """The orbits of a branch where something is worst, for each trial of a design.
 
     A place inside the branch's interval moves with the parameters, so that it stays worst.
-
-    Parameters
-    ----------
-    points : DesignPoints
-        Over the parameters of the design, and that of the branch as the last.
-    aim : Aim
-    begin : array (q,)
-        Place of the first trial.
-    watches : iterable of Watch
-
-    Attributes
-    ----------
-    visited : list of BranchPoint
-
-    Raises
-    ------
-    Beyond
-        If the first trial is not there.
+    `points` covers the parameters of the design and, as the last, that of the branch; `begin`
+    (q,) is the place of the first trial, and raises `Beyond` if there is no orbit. The
+    attribute `visited` lists all trials.
     """
 
     def __init__(
@@ -77,22 +52,11 @@ class BranchPoints:
 
     @property
     def name(self) -> str:
-        """Of the branch's parameter."""
+        """Name of the branch's parameter."""
         return self.points.names[-1]
 
     def at(self, place: np.ndarray) -> BranchPoint:
-        """The orbits at a place.
-
-        Parameters
-        ----------
-        place : array (q,)
-            In units of the bounds.
-
-        Raises
-        ------
-        Beyond
-            If one of them is not there.
-        """
+        """The orbits at a place (q,) in units of the bounds; raises `Beyond` without one."""
         for known in reversed(self.visited):
             if np.array_equal(known.place, place):
                 return known
@@ -111,7 +75,10 @@ class BranchPoints:
         return BranchPoint(place, members, places)
 
     def _moved(self, place: np.ndarray, watch: Watch) -> tuple[DesignPoint, Watch]:
-        """A watched place at other parameters: by Newton's method on the slope there."""
+        """The orbit at a watched place that moves with the parameters, and the place.
+
+        It is the zero of the slope along the branch, by Newton's method.
+        """
         part, row, bend = watch
         member = self.member(place, part)
         for _ in range(_STEPS if bend > 0 else 0):
@@ -133,22 +100,12 @@ class BranchPoints:
         return float(alarms_of(self._aim, member, self.points.lengths[-1])[1][row])
 
     def member(self, place: np.ndarray, part: float) -> DesignPoint:
-        """The orbit at a place along the branch.
+        """The orbit at parameters `place` (q,) and at a part (0 to 1) of the branch's interval.
 
-        Parameters
-        ----------
-        place : array (q,)
-            Of the parameters of the design.
-        part : float
-            Of the branch's interval.
-
-        Raises
-        ------
-        Beyond
-            If it is not there.
+        Raises `Beyond` if it does not exist.
         """
         return member_at(self.points, place, part)
 
     def where(self, member: DesignPoint) -> str:
-        """Where on the branch an orbit is, in words."""
+        """Position of an orbit on the branch, in words."""
         return f" at {self.name} = {float(member.orbit.given[self.name]):.6g}"

@@ -16,19 +16,11 @@ _FORM = re.compile(r"\s*([^<>=\s]+)\s*(<=|>=|=)\s*([^<>=]+)")
 
 @dataclass(frozen=True, kw_only=True)
 class DesignCondition:
-    """What a quantity of an orbit has to be.
-
-    Attributes
-    ----------
-    quantity : str
-    relation : "<=", ">=" or "="
-    value : Value
-        In the unit of the quantity.
-    """
+    """A condition on a quantity of an orbit."""
 
     quantity: str
     relation: Literal["<=", ">=", "="]
-    value: Value
+    value: Value  # in the unit of the quantity
 
     @property
     def text(self) -> str:
@@ -36,18 +28,7 @@ class DesignCondition:
         return f"{self.quantity}{self.relation}{self.value.text}"
 
     def excess(self, value: float) -> float:
-        """By how much a value misses the condition.
-
-        Parameters
-        ----------
-        value : float
-            Of the quantity.
-
-        Returns
-        -------
-        float
-            Zero where the condition holds.
-        """
+        """Amount by which a value violates the condition; zero where it holds."""
         missed = value - float(self.value)
         if self.relation == "=":
             return abs(missed)
@@ -55,17 +36,7 @@ class DesignCondition:
 
 
 def condition_in(text: str) -> DesignCondition:
-    """Read a condition.
-
-    Parameters
-    ----------
-    text : str
-        Such as ``period<=6.5``, ``margin>=0`` or ``trace=1/2``.
-
-    Raises
-    ------
-    InputError
-        If the text is none.
+    """A condition from a text such as ``period<=6.5``, ``margin>=0`` or ``trace=1/2``.
 
     Examples
     --------

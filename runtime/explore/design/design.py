@@ -229,7 +229,7 @@ def _worst_at(
 
 
 def _watched(first: DesignPoint, lengths: np.ndarray) -> dict[MarginKey, float]:
-    """The boundaries that stay away; none where open parameters decide how far they are."""
+    """Boundaries that must not be crossed; none if parameters that are left open decide on them."""
     kernels = first.orbit.problem.kernels
     if kernels is not None and any(
         p.name not in first.orbit.opened for p in kernels.open_parameters
@@ -239,7 +239,7 @@ def _watched(first: DesignPoint, lengths: np.ndarray) -> dict[MarginKey, float]:
 
 
 def _check_dependence(names: Sequence[str], first: Trial, aim: Aim) -> None:
-    """Name a parameter that nothing that is asked for depends on."""
+    """Refuse a parameter on which nothing that is asked for depends."""
     slopes = [aim.rows(first, 1.0, equal=equal).slopes for equal in (True, False)]
     if aim.quantity and not aim.levelled:
         slopes.append(aim.slope(first)[None])

@@ -20,15 +20,10 @@ UNDETERMINED = "the equations determine no orbit beyond (a grazing or a fold)"
 
 
 class Beyond(Exception):
-    """A trial where there is no orbit of the branch: a shorter step is tried.
+    """Raised for a trial without an orbit of the branch; a shorter step is tried then.
 
-    Attributes
-    ----------
-    near, target : array (q,)
-        Places: from where it was tried, and the trial's.
-    distance : float
-        How far the branch goes that way, in units of the bounds.
-    reason : str
+    It has the places (q,) `near`, from which the trial was approached, and `target`, of the
+    trial; `distance`, how far the branch goes that way in units of the bounds; and `reason`.
     """
 
     def __init__(self, near: np.ndarray, target: np.ndarray, distance: float, reason: str) -> None:
@@ -39,23 +34,12 @@ class Beyond(Exception):
 
 @dataclass(frozen=True, eq=False)
 class DesignPoint:
-    """One orbit that was visited.
+    """One orbit that was visited."""
 
-    Attributes
-    ----------
-    place : array (q,)
-        Of its parameters in their bounds: 0 is the lower one, 1 the upper.
-    numbers : array (n,)
-        Of its equations.
-    orbit : Orbit
-    quantities : QuantityValues
-        Derivatives are by the parameters themselves.
-    """
-
-    place: np.ndarray
-    numbers: np.ndarray
+    place: np.ndarray  # (q,), of its parameters in their bounds: 0 is the lower one, 1 the upper
+    numbers: np.ndarray  # (n,), of its equations
     orbit: Orbit
-    quantities: QuantityValues
+    quantities: QuantityValues  # with derivatives by the parameters themselves
 
     @property
     def members(self) -> tuple[DesignPoint, ...]:
@@ -66,33 +50,12 @@ class DesignPoint:
 class DesignPoints:
     """The orbits of a branch at trial parameters, each reached from the nearest known one.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        Where the design begins.
-    names : sequence of str
-        Of the parameters.
-    bounds : array (q, 2)
-    quantities : sequence of str
-        What is measured.
-    rough : sequence of str
-        Those of them that need not have a derivative.
-    admissible : bool
-        Whether an orbit has to be a motion of the real system.
-    progress : callable, optional
-        Told how many orbits were visited.
-
-    Attributes
-    ----------
-    visited : list of DesignPoint
-        In the order in which they were reached; the first is the orbit itself.
-    watching : bool
-        Whether the optimiser has margins as conditions: it may try what is no motion.
-
-    Raises
-    ------
-    InputError
-        If the orbit cannot be followed, or it is no motion where it has to be.
+    The design begins at `orbit`; `names` with `bounds` (q, 2) are the parameters, `quantities`
+    is what is measured, and `rough` are those that need no derivative. With `admissible` each
+    orbit has to be a motion of the real system. The attribute `visited` lists the orbits in the
+    order in which they were reached, the first one being `orbit`. `watching` is True where the
+    optimiser has margins as conditions: it may then try orbits that are no motions. Raises
+    `InputError` if the orbit cannot be followed, or is no motion where it has to be.
     """
 
     def __init__(
@@ -129,17 +92,9 @@ class DesignPoints:
         return np.asarray(self.bounds[:, 1] - self.bounds[:, 0])
 
     def at(self, place: np.ndarray) -> DesignPoint:
-        """The orbit at a place.
+        """The orbit at a place (q,) in units of the bounds.
 
-        Parameters
-        ----------
-        place : array (q,)
-            In units of the bounds.
-
-        Raises
-        ------
-        Beyond
-            If the branch does not lead there.
+        Raises `Beyond` if the branch does not lead there.
         """
         place = place + 0.0  # one zero
         known = self._known.get(place.tobytes())
@@ -185,7 +140,7 @@ class DesignPoints:
         self.visited.append(found)
 
     def is_motion(self, member: DesignPoint) -> bool:
-        """Whether an orbit that was visited is what it has to be."""
+        """Whether an orbit that was visited is a motion, or need not be one."""
         return not self._admissible or self._follower.admissible(member.numbers)
 
     def _place_of(self, values: np.ndarray) -> np.ndarray:

@@ -22,42 +22,18 @@ _SINGULAR = 0.05  # by which the smallest singular value has shrunk where a fold
 
 
 class Reached(NamedTuple):
-    """How far a way was followed.
+    """How far a straight line in the parameters was followed."""
 
-    Attributes
-    ----------
-    numbers : array (n,)
-        All numbers of the equations at the last orbit of the way.
-    part : float
-        Of the way, 1 at its end.
-    reason : str
-        Why it ended before; empty at its end.
-    """
-
-    numbers: np.ndarray
-    part: float
-    reason: str
+    numbers: np.ndarray  # (n,), of the equations at the last orbit
+    part: float  # of the line, 1 at its end
+    reason: str  # why it ended early, empty at its end
 
 
 class BranchFollower:
     """Orbits of one itinerary over several parameters.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        Where ways begin.
-    names : sequence of str
-        Of the parameters that vary.
-
-    Attributes
-    ----------
-    first : array (n,)
-        All numbers of the equations at the orbit.
-
-    Raises
-    ------
-    InputError
-        For a parameter that was not given, or that its equations do not have.
+    The attribute `first` (n,) has all numbers of the equations at `orbit`. Refused is a
+    parameter that was not given, or that the equations do not have.
     """
 
     def __init__(self, orbit: Orbit, names: Sequence[str]) -> None:
@@ -79,27 +55,13 @@ class BranchFollower:
         self._sizes = np.asarray(equations.sizes, dtype=float)
 
     def parameters(self, numbers: np.ndarray) -> np.ndarray:
-        """Values of the parameters that vary.
-
-        Parameters
-        ----------
-        numbers : array (n,)
-
-        Returns
-        -------
-        array (q,)
-        """
+        """Values (q,) of the parameters that vary, from the numbers (n,) of an orbit."""
         return numbers[self._places]
 
     def reach(self, begin: np.ndarray, target: np.ndarray) -> Reached:
-        """Follow the orbit along a straight line; steps are shortened where they fail.
+        """The orbit continued from `begin` (n,) along a line to the parameters `target` (q,).
 
-        Parameters
-        ----------
-        begin : array (n,)
-            An orbit.
-        target : array (q,)
-            Parameters at the end of the way.
+        Steps are shortened where they fail.
         """
         way = target - self.parameters(begin)
         here, part, step = begin, 0.0, 1.0
@@ -118,27 +80,17 @@ class BranchFollower:
         return Reached(here, 1.0, "")
 
     def admissible(self, numbers: np.ndarray) -> bool:
-        """Whether an orbit is a motion of the real system.
-
-        Parameters
-        ----------
-        numbers : array (n,)
-        """
+        """Whether an orbit with the numbers (n,) is a motion of the real system."""
         return bool(self._equations.admissible(numbers[None])[0])
 
     def orbit(self, numbers: np.ndarray) -> Orbit:
-        """The orbit as a record.
-
-        Parameters
-        ----------
-        numbers : array (n,)
-        """
+        """The orbit with the numbers (n,), as a record."""
         values = zip(self.names, self.parameters(numbers).tolist(), strict=True)
         given = {name: as_value(value) for name, value in values}
         return self._equations.orbit_at(numbers, {**self._given, **given})
 
     def _linearised(self, numbers: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Left-hand sides, and their derivatives by unknowns and by parameters, in rows' units."""
+        """Left-hand sides, and derivatives by unknowns and by parameters, with scaled rows."""
         columns = []
         for place in self._places:
             residual, jacobian = self._equations.linearised(numbers, place)
@@ -148,7 +100,7 @@ class BranchFollower:
         return residual / units, rows, np.stack(columns, axis=1) / units[:, None]
 
     def _stepped(self, here: np.ndarray, way: np.ndarray) -> np.ndarray | str:
-        """The orbit one step on; or why there is none."""
+        """The numbers of the orbit one step further, or the reason why there is none."""
         with np.errstate(all="ignore"):
             _, rows, columns = self._linearised(here)
             smallest = np.linalg.svd(rows, compute_uv=False)[-1]

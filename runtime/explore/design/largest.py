@@ -43,25 +43,16 @@ _SAME_SLOPE = 1e-6  # of extremes that tie by a symmetry, or are one at the end 
 
 
 class LevelRows(NamedTuple):
-    """Conditions of a level, each not negative where what is largest is below it.
+    """Conditions of a level, each not negative where the largest number is at most the level."""
 
-    Attributes
-    ----------
-    values : array (m,)
-    by_parameters : array (m, q)
-    by_level : array (m,)
-    powers : array (m,)
-        Of the unit of what is largest, in which each is measured.
-    """
-
-    values: np.ndarray
-    by_parameters: np.ndarray
-    by_level: np.ndarray
-    powers: np.ndarray
+    values: np.ndarray  # (m,)
+    by_parameters: np.ndarray  # derivatives (m, q)
+    by_level: np.ndarray  # derivatives (m,)
+    powers: np.ndarray  # (m,), power of the quantity's unit in which each is measured
 
 
 class ExtremeKey(NamedTuple):
-    """Local extremes in a phase, counted from 0: maxima, or minima where the sign is -1."""
+    """A number of local extremes in a phase (from 0): maxima, or minima if the sign is -1."""
 
     phase: int
     sign: int
@@ -69,13 +60,9 @@ class ExtremeKey(NamedTuple):
 
 
 def is_largest_of_several(quantity: str, sign: int) -> bool:
-    """Whether what is made small is the largest of several numbers that have derivatives.
+    """Whether the objective is the largest of several numbers that have derivatives.
 
-    Parameters
-    ----------
-    quantity : str
-    sign : int
-        -1 where it is maximised.
+    `sign` is -1 where the quantity is maximised.
     """
     if quantity.startswith("minimum:"):
         return sign < 0
@@ -83,18 +70,9 @@ def is_largest_of_several(quantity: str, sign: int) -> bool:
 
 
 def radius_rows(derivatives: OrbitDerivatives, level: float) -> LevelRows:
-    """The conditions that all nontrivial multipliers are in a disc.
+    """The conditions that all nontrivial multipliers are in a disc of radius `level`.
 
-    Parameters
-    ----------
-    derivatives : OrbitDerivatives
-    level : float
-        Radius of the disc.
-
-    Returns
-    -------
-    LevelRows
-        Two for a multiplier alone, three for a pair.
+    There are two for a multiplier alone and three for a pair.
     """
     values, by_parameters, by_level, powers = [], [], [], []
     for group in multiplier_groups(derivatives):
@@ -121,13 +99,9 @@ def radius_rows(derivatives: OrbitDerivatives, level: float) -> LevelRows:
 
 
 def extreme_keys(every: Iterable[OrbitDerivatives], quantity: str) -> tuple[ExtremeKey, ...]:
-    """Of how many local extremes a quantity is the largest, phase by phase.
+    """Number of the local extremes of which a quantity is the largest, for each phase and sign.
 
-    Parameters
-    ----------
-    every : iterable of OrbitDerivatives
-        Of orbits of one itinerary: the most that one of them has.
-    quantity : str
+    Of several orbits of one itinerary the largest number counts.
     """
     counts: dict[tuple[int, int], int] = {}
     for derivatives in every:
@@ -146,17 +120,10 @@ def extreme_rows(
     level: float,
     unit: float,
 ) -> LevelRows:
-    """The conditions that no local extreme exceeds a level.
+    """The conditions that no local extreme of a quantity exceeds a level.
 
-    Parameters
-    ----------
-    derivatives : OrbitDerivatives
-    quantity : str
-    keys : iterable of ExtremeKey
-        The largest ones so many; where there are fewer a condition holds by far.
-    level : float
-    unit : float
-        Of the quantity.
+    For each key they are those of the largest extremes; where an orbit has fewer of them, the
+    remaining conditions hold by far. `unit` is that of the quantity.
     """
     found = derivatives.local_extremes(quantity)
     rows: list[LocalExtreme | None] = []
@@ -189,24 +156,10 @@ def corner_of(
     slopes: np.ndarray,
     units: np.ndarray,
 ) -> str:
-    """What happens where several conditions of one orbit act at once.
+    """What happens where several conditions of one orbit act; empty where the quantity is smooth.
 
-    Parameters
-    ----------
-    derivatives : OrbitDerivatives
-    quantity : str
-        Of which the conditions are.
-    active : array (m,) of bool
-        Which of the conditions hold with equality.
-    slopes : array (m, n)
-        Of the conditions.
-    units : array (q,)
-        Of the quantity's derivatives.
-
-    Returns
-    -------
-    str
-        Empty where the quantity is smooth.
+    `active` (m,) marks the conditions that hold with equality, `slopes` (m, n) are their
+    derivatives, and `units` (q,) are those of the quantity's derivatives.
     """
     acting = slopes[active]
     size = max(1.0, float(np.abs(acting).max(initial=0.0)))

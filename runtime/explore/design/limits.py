@@ -21,40 +21,21 @@ _ACTIVE, _ACTIVE_BOUND = 1e-6, 1e-7
 
 @dataclass(frozen=True, kw_only=True)
 class ActiveLimit:
-    """A condition or a bound that holds with equality at an optimum.
+    """A condition or a bound that holds with equality at an optimum."""
 
-    Attributes
-    ----------
-    text : str
-        As it was given, such as ``period<=6.5`` or ``V<=1.3``.
-    multiplier : float
-        Of Karush, Kuhn and Tucker: by how much the quantity that was asked for gets better for
-        each unit by which the limit is relaxed; of an equation by how much it gets worse for
-        each unit of its value.
-    """
-
-    text: str
+    text: str  # as it was given, such as ``period<=6.5`` or ``V<=1.3``
+    # of Karush, Kuhn and Tucker: by how much the quantity improves per unit by which the limit is
+    # relaxed; for an equation, by how much it worsens per unit of its value
     multiplier: Digits
 
 
 class Optimality(NamedTuple):
-    """The conditions of Karush, Kuhn and Tucker at an orbit.
-
-    Attributes
-    ----------
-    active : tuple of ActiveLimit
-    residual : float
-        What is left of the gradient, in units of the quantity and of the bounds.
-    corner : str
-        What happens where the quantity has no derivative; empty where it has one.
-    worst_at : tuple of DesignPoint
-        The orbits of a branch at which the quantity is worst.
-    """
+    """The conditions of Karush, Kuhn and Tucker at an orbit."""
 
     active: tuple[ActiveLimit, ...]
-    residual: float
-    corner: str
-    worst_at: tuple[DesignPoint, ...] = ()
+    residual: float  # remainder of the gradient, in units of the quantity and of the bounds
+    corner: str  # what happens where the quantity has no derivative, else empty
+    worst_at: tuple[DesignPoint, ...] = ()  # orbits of a branch at which the quantity is worst
 
 
 def optimality(
@@ -64,19 +45,11 @@ def optimality(
     bounds: np.ndarray,
     where: Callable[[DesignPoint], str] = lambda _: "",
 ) -> Optimality:
-    """Find multipliers that leave as little as possible of the gradient.
+    """The multipliers that leave as little as possible of the gradient at a trial.
 
-    By linear least squares with bounds, whatever optimiser led there.
-
-    Parameters
-    ----------
-    aim : Aim
-    point : Trial
-    names : tuple of str
-        Of the parameters.
-    bounds : array (q, 2)
-    where : callable
-        Where on a branch an orbit is, in words.
+    They solve a linear least-squares problem with bounds, whatever optimiser was used. `bounds`
+    (q, 2) are those of the parameters `names`; `where` puts an orbit's place on a branch into
+    words.
     """
     from scipy.optimize import lsq_linear
 
@@ -140,20 +113,7 @@ def optimality(
 
 
 def bounds_met(point: Trial, names: Sequence[str], bounds: np.ndarray) -> tuple[ActiveLimit, ...]:
-    """The bounds at which an orbit is, where nothing is optimised.
-
-    Parameters
-    ----------
-    point : Trial
-    names : sequence of str
-        Of the parameters.
-    bounds : array (q, 2)
-
-    Returns
-    -------
-    tuple of ActiveLimit
-        With multipliers zero.
-    """
+    """The bounds at which a trial lies, with zero multipliers, where nothing is optimised."""
     return tuple(
         ActiveLimit(text=text, multiplier=0.0) for *_, text in _sides(point, names, bounds)
     )
@@ -162,7 +122,7 @@ def bounds_met(point: Trial, names: Sequence[str], bounds: np.ndarray) -> tuple[
 def _sides(
     point: Trial, names: Sequence[str], bounds: np.ndarray
 ) -> Iterator[tuple[int, float, str]]:
-    """Which parameters are at a bound, the direction inwards, and that in words."""
+    """Parameters at a bound, with the direction inwards and the bound in words."""
     for place, name in enumerate(names):
         for side, (sign, relation) in enumerate(((1.0, ">="), (-1.0, "<="))):
             if abs(point.place[place] - side) <= _ACTIVE_BOUND:

@@ -22,29 +22,20 @@ _REAL = 1e-12  # of the largest: imaginary part of a real eigenvalue
 
 
 class MultiplierGroup(NamedTuple):
-    """A multiplier alone, or two of them.
+    """A multiplier alone, or two of them."""
 
-    Attributes
-    ----------
-    size : int
-        1 or 2.
-    trace, determinant : float
-        Their sum and product.
-    trace_rates, determinant_rates : array (q,)
-    """
-
-    size: int
-    trace: float
-    trace_rates: np.ndarray
-    determinant: float
-    determinant_rates: np.ndarray
+    size: int  # 1 or 2
+    trace: float  # sum
+    trace_rates: np.ndarray  # (q,)
+    determinant: float  # product
+    determinant_rates: np.ndarray  # (q,)
 
 
 def multiplier_groups(derivatives: OrbitDerivatives) -> tuple[MultiplierGroup, ...]:
     """Nontrivial multipliers in pairs, and one alone where their number is odd.
 
-    Conjugate ones are a pair, and real ones next to each other, so that each pair stays what it
-    is where two multipliers meet and leave the real axis.
+    Conjugate ones are a pair, and real ones next to each other, so that a pair remains the
+    same where two multipliers meet and leave the real axis.
     """
     found, section = derivatives.section, derivatives.directions.section
     count = section.rank - section.trivial
@@ -99,7 +90,7 @@ def _group(matrix: np.ndarray, rates: np.ndarray, values: np.ndarray) -> Multipl
 
 
 def _plane(matrix: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Orthonormal basis of the invariant subspace of eigenvalues: by an ordered Schur form."""
+    """Orthonormal basis of the invariant subspace of some eigenvalues, by an ordered Schur form."""
     from scipy.linalg import schur
 
     every = np.linalg.eigvals(matrix)

@@ -34,56 +34,28 @@ _PRECISION = {
 
 
 class Trials(Protocol):
-    """What an optimiser may try: `DesignPoints`, or `BranchPoints`.
-
-    Attributes
-    ----------
-    visited : sequence of Trial
-        The first is where it begins.
-    """
+    """Supplier of the trials of an optimiser: `DesignPoints` or `BranchPoints`."""
 
     @property
     def visited(self) -> Sequence[Trial]:
-        """In the order in which they were tried."""
+        """All trials in their order, the first being where the optimiser begins."""
 
     def at(self, place: np.ndarray) -> Trial:
-        """A trial at a place.
-
-        Parameters
-        ----------
-        place : array (q,)
-        """
+        """The trial at a place (q,)."""
 
 
 class Ended(NamedTuple):
-    """Where an optimiser ended.
-
-    Attributes
-    ----------
-    point : Trial
-    reason : str
-        Why the branch leads no further; empty where that was no matter.
-    """
+    """The trial at which an optimiser ended."""
 
     point: Trial
-    reason: str
+    reason: str  # why the branch leads no further, empty where that did not matter
 
 
 def optimise(points: Trials, aim: Aim, method: Method, most: int, history: list[Trial]) -> Ended:
-    """Make the aim as small as it can be.
+    """The trial that minimises the aim.
 
-    Ctrl-C ends it at the best trial until then; the reason is INTERRUPTED.
-
-    Parameters
-    ----------
-    points : Trials
-    aim : Aim
-    method : "SLSQP" or "trust-constr"
-        As SciPy calls them.
-    most : int
-        Iterations of the optimiser in each of its rounds.
-    history : list of Trial
-        The iterates are added to it, as they come.
+    `most` limits the iterations in each round of the optimiser; the iterates are appended to
+    `history`. Ctrl-C ends it at the best trial until then, with the reason INTERRUPTED.
     """
     try:
         return _optimised(points, aim, method, most, history)
@@ -140,7 +112,7 @@ def _optimised(points: Trials, aim: Aim, method: Method, most: int, history: lis
 
 
 def _snapped(points: Trials, best: Trial) -> Trial:
-    """The orbit at the bounds that it is next to."""
+    """The orbit on the bounds that a trial almost touches, or the trial itself."""
     place = np.where(best.place < _SIDE, 0.0, np.where(best.place > 1 - _SIDE, 1.0, best.place))
     try:
         return points.at(place)
@@ -156,7 +128,7 @@ def _sharpened(
     history: list[Trial],
     merit: Callable[[Trial], float],
 ) -> Trial:
-    """The end of an interior method, which stays off the limits, taken to them by SLSQP."""
+    """The end of an interior method, moved to its active limits by SLSQP."""
     box = np.maximum(best.place - _NEAR, 0.0), np.minimum(best.place + _NEAR, 1.0)
     try:
         found = points.at(_run(points, aim, "SLSQP", best, box, most, history))
@@ -174,7 +146,7 @@ def _run(
     most: int,
     history: list[Trial],
 ) -> np.ndarray:
-    """One round of the optimiser in a box; gives the place where it ended."""
+    """The place where one round of the optimiser in a box ends."""
     import warnings
 
     from scipy.optimize import Bounds, minimize
@@ -225,10 +197,10 @@ def _nearer(
     box: tuple[np.ndarray, np.ndarray],
     most: int,
 ) -> np.ndarray:
-    """A place in a box at which the largest miss of all conditions is as small as it can be.
+    """A place in a box at which the largest violation of all conditions is as small as possible.
 
-    Where conditions are missed their linear forms may contradict each other; with one slack for
-    all of them they do not.
+    Where conditions are violated their linear forms may contradict each other; with one slack
+    variable for all of them they do not.
     """
     from scipy.optimize import Bounds, minimize
 

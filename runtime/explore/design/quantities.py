@@ -33,30 +33,14 @@ _LEAST_UNIT = 1e-3  # of what the bounds change: the unit of a quantity that beg
 
 
 class QuantityValues(NamedTuple):
-    """Quantities at one orbit, and their derivatives by q parameters.
-
-    Attributes
-    ----------
-    values : mapping of str to float
-    slopes : mapping of str to array (q,)
-        NaN where there is no derivative.
-    derivatives : OrbitDerivatives
-        Of everything else.
-    """
+    """Quantities at one orbit, and their derivatives by q parameters."""
 
     values: Mapping[str, float]
-    slopes: Mapping[str, np.ndarray]
-    derivatives: OrbitDerivatives
+    slopes: Mapping[str, np.ndarray]  # (q,) each, NaN where there is no derivative
+    derivatives: OrbitDerivatives  # of all other quantities of the orbit
 
     def quantity(self, name: str, wanted: float | None = None) -> float:
-        """Value of a quantity; of the multipliers the one nearest to that which is wanted.
-
-        Parameters
-        ----------
-        name : str
-        wanted : float, optional
-            Of a multiplier.
-        """
+        """Value of a quantity; for a multiplier that which is nearest to `wanted`."""
         if name != MULTIPLIER:
             return self.values[name]
         found = np.asarray(self.derivatives.section.multipliers).astype(complex)
@@ -64,20 +48,10 @@ class QuantityValues(NamedTuple):
 
 
 def measure(orbit: Orbit, by: Sequence[str], of: Sequence[str]) -> QuantityValues:
-    """Measure quantities at an orbit, and differentiate them.
+    """The quantities named in `of` at an orbit, with derivatives by the given parameters `by`.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    by : sequence of str
-        Parameters that were given for it.
-    of : sequence of str
-        Quantities as `OrbitDerivatives.quantity` knows them.
-
-    Raises
-    ------
-    InputError
-        For a quantity that is unknown or not there, and where there is no derivative.
+    The names are those of `OrbitDerivatives.quantity`. A quantity that is unknown or does not
+    exist is refused, and so is an orbit without derivatives.
     """
     found = orbit.derivatives(list(by))
     values, slopes = {}, {}
@@ -100,60 +74,33 @@ def is_extreme(quantity: str) -> bool:
 
 
 def is_pure(quantity: str) -> bool:
-    """Whether a quantity is a number in all units of length, time and mass."""
+    """Whether a quantity is dimensionless."""
     return quantity in _PURE
 
 
 def unit_of(value: float, changes: np.ndarray) -> float:
-    """Unit in which a quantity is measured: its own size, or part of what the bounds change.
+    """Positive unit of a quantity: its size, or a share of its change over the bounds.
 
-    Parameters
-    ----------
-    value : float
-        Where the design begins.
-    changes : array (q,)
-        Derivatives there by the places of the parameters; NaN where there is none.
-
-    Returns
-    -------
-    float
-        Positive; 1 of what is zero and does not change.
+    `value` is taken where the design begins, and `changes` (q,) are its derivatives by the
+    places of the parameters, NaN where there is none. The unit of zero without change is 1.
     """
     size = max(abs(value), _LEAST_UNIT * float(np.nan_to_num(np.abs(changes)).max(initial=0.0)))
     return size or 1.0
 
 
 class Gap(NamedTuple):
-    """The characteristic polynomial at a wanted multiplier.
+    """The characteristic polynomial at a wanted multiplier."""
 
-    Attributes
-    ----------
-    value : float
-        The product of the distances of all multipliers to the wanted one.
-    slope : array (q,)
-        Its derivatives by parameters, also where multipliers collide.
-    by_wanted : float
-        Its derivative by the wanted multiplier.
-    """
-
-    value: float
-    slope: np.ndarray
-    by_wanted: float
+    value: float  # product of the differences between the wanted multiplier and each multiplier
+    slope: np.ndarray  # derivatives (q,) by parameters, also where multipliers collide
+    by_wanted: float  # derivative by the wanted multiplier
 
 
 def multiplier_gap(derivatives: OrbitDerivatives, wanted: float) -> Gap:
-    """The characteristic polynomial at a wanted multiplier: zero where the orbit has it.
+    """The characteristic polynomial at a wanted multiplier, zero where the orbit has it.
 
-    Parameters
-    ----------
-    derivatives : OrbitDerivatives
-    wanted : float
-        Not zero.
-
-    Raises
-    ------
-    InputError
-        For the multiplier zero, and for a family of orbits, that has 1 everywhere.
+    Refused are the multiplier zero, and a family of orbits, which has the multiplier 1
+    everywhere.
     """
     matrix, rates, rank, trivial = derivatives.directions.section
     if trivial or not wanted:

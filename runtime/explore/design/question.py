@@ -25,50 +25,36 @@ __all__ = ["DesignQuestion", "design_question"]
 
 @dataclass(frozen=True, eq=False)
 class DesignQuestion:
-    """What is asked of an orbit.
-
-    Attributes
-    ----------
-    orbit : Orbit
-    aim : "minimise", "maximise" or "solve"
-    quantity : str
-        What is made small or large; empty for wanted values.
-    parameters : tuple of str
-        Those that vary.
-    bounds : array (p, 2)
-    conditions : tuple of DesignCondition
-        The wanted values among them.
-    branch : (str, (float, float)) or None
-        Another parameter, along whose interval the worst counts.
-    """
+    """What a design is asked for."""
 
     orbit: Orbit
     aim: Any
-    quantity: str
-    parameters: tuple[str, ...]
-    bounds: np.ndarray
-    conditions: tuple[DesignCondition, ...]
+    quantity: str  # to minimise or maximise, empty for wanted values
+    parameters: tuple[str, ...]  # those that vary
+    bounds: np.ndarray  # (p, 2)
+    conditions: tuple[DesignCondition, ...]  # including the wanted values
+    # parameter and interval along which the worst value counts
     branch: tuple[str, tuple[float, float]] | None
 
     @property
     def sign(self) -> int:
-        """-1 for what is made large, else 1."""
+        """-1 if the quantity is maximised, else 1."""
         return -1 if self.aim == "maximise" else 1
 
     @property
     def quantities(self) -> tuple[str, ...]:
-        """All that is asked for, each once."""
+        """All quantities that are asked for, each once."""
         conditions = [condition.quantity for condition in self.conditions]
         return tuple(dict.fromkeys(([self.quantity] if self.quantity else []) + conditions))
 
     @property
     def measured(self) -> list[str]:
-        """Those of them that are numbers of the orbit: not one of its multipliers."""
+        """All quantities that are asked for except a multiplier."""
         return [name for name in self.quantities if name != MULTIPLIER]
 
     @property
     def rough(self) -> tuple[str, ...]:
-        """Quantities of which levels above are asked for alone, and these are smooth."""
+        """Quantities that need no derivative: only smooth conditions on levels involve them."""
         rough = []
         if is_largest_of_several(self.quantity, self.sign):
             rough.append(self.quantity)
@@ -79,17 +65,11 @@ class DesignQuestion:
 
     @property
     def worst_over(self) -> dict[str, tuple[float, float]]:
-        """The branch as `Design` holds it."""
+        """The branch as `Design` stores it."""
         return {} if self.branch is None else dict([self.branch])
 
     def check_resumed(self, known: Design) -> None:
-        """Refuse to go on with the design of another question.
-
-        Raises
-        ------
-        InputError
-            The message names what differs.
-        """
+        """Refuse to resume the design of another question; the message names what differs."""
         if not isinstance(known, Design):
             raise InputError(f"{type(known).__name__} is no design, such as nonsmooth.design gives")
         branch = next(iter(known.worst_over.items()), None)
@@ -99,7 +79,7 @@ class DesignQuestion:
         check_same_system("design", self.orbit.system, known.orbit.system)
 
     def _entries(self) -> dict[str, Any]:
-        """What has to be the same where a design goes on."""
+        """Entries that have to be equal to resume a design."""
         orbit, varied = self.orbit, {*self.parameters, *self.worst_over}
         return {
             "orbit": orbit.name.removeprefix(orbit.system.name),
@@ -122,18 +102,7 @@ def design_question(
     worst_over: Mapping[str, tuple[float, float]] | None,
     subject_to: Iterable[str],
 ) -> DesignQuestion:
-    """Read what a design is asked for.
-
-    Parameters
-    ----------
-    orbit, minimise, maximise, solve, over, worst_over, subject_to
-        As `design` takes them.
-
-    Raises
-    ------
-    InputError
-        For what is no question.
-    """
+    """The question of a design from the arguments of `design`, checked."""
     aim, quantity = _aim_of(minimise, maximise, solve)
     names, bounds = _bounds_of(orbit, over)
     conditions = _conditions_of(solve, subject_to, len(names))
@@ -195,7 +164,7 @@ def _conditions_of(
 
 
 def _check_spread(whole: bool, aim: str, conditions: Sequence[DesignCondition]) -> None:
-    """Refuse what cannot hold all along a branch."""
+    """Refuse an aim or a condition that cannot hold along a whole branch."""
     if not whole:
         return
     if aim == "solve":

@@ -20,35 +20,17 @@ _APART = 1e-7  # of the interval: nearer ones are one
 
 
 class Scan(NamedTuple):
-    """Orbits along a branch.
+    """Orbits along a branch."""
 
-    Attributes
-    ----------
-    parts : array (k,)
-        Places of the branch's parameter in its interval, from 0 to 1.
-    members : tuple of DesignPoint
-    """
-
-    parts: np.ndarray
+    parts: np.ndarray  # (k,), position of the branch's parameter in its interval, from 0 to 1
     members: tuple[DesignPoint, ...]
 
 
 def member_at(points: DesignPoints, place: np.ndarray, part: float) -> DesignPoint:
-    """The orbit at a place along a branch.
+    """The orbit at parameters `place` (q,) and at a part (0 to 1) of the branch's interval.
 
-    Parameters
-    ----------
-    points : DesignPoints
-        Over the parameters of the design, and that of the branch as the last.
-    place : array (q,)
-        Of the parameters of the design.
-    part : float
-        Of the branch's interval.
-
-    Raises
-    ------
-    Beyond
-        If it is not there; the reason names the value of the branch's parameter.
+    `points` covers the parameters of the design and, as the last, that of the branch. Raises
+    `Beyond` if the orbit does not exist; the reason names the value of the branch's parameter.
     """
     try:
         return points.at(np.append(place, part))
@@ -59,22 +41,11 @@ def member_at(points: DesignPoints, place: np.ndarray, part: float) -> DesignPoi
 
 
 def scanned(points: DesignPoints, place: np.ndarray, begin: float, count: int) -> Scan:
-    """The orbits along a branch, each from its neighbour.
+    """`count` orbits along a branch, each reached from a neighbour.
 
-    Parameters
-    ----------
-    points : DesignPoints
-        Over the parameters of the design, and that of the branch as the last.
-    place : array (q,)
-        Of the parameters of the design.
-    begin : float
-        Place along the branch of an orbit that is known there.
-    count : int
-
-    Raises
-    ------
-    Beyond
-        If the branch does not lead all along; the reason names the value where it ends.
+    `points` covers the parameters of the design, at `place` (q,), and, as the last, that of the
+    branch, where an orbit is known at the part `begin`. Raises `Beyond` if the branch does not
+    cover its interval; the reason names the value where it ends.
     """
     parts = np.linspace(0.0, 1.0, count)
     order = np.argsort(np.abs(parts - begin), kind="stable")
@@ -85,29 +56,11 @@ def scanned(points: DesignPoints, place: np.ndarray, begin: float, count: int) -
 
 
 def worst_places(points: DesignPoints, aim: Aim, place: np.ndarray, scan: Scan) -> list[Watch]:
-    """Places along a branch where what is asked for is worst.
+    """Places along a branch where something is worst, in order.
 
-    Of the quantity that is made small all local maxima; of each condition and each margin the
-    place where it is nearest to being missed.
-
-    Parameters
-    ----------
-    points : DesignPoints
-    aim : Aim
-    place : array (q,)
-        Of the parameters of the design.
-    scan : Scan
-        Of the branch there.
-
-    Returns
-    -------
-    list of Watch
-        Along the branch.
-
-    Raises
-    ------
-    Beyond
-        If the branch does not lead to one of them.
+    For the quantity that is minimised they are all local maxima; for each condition and each
+    margin they are the place where it is nearest to a violation. `scan` is that of the branch
+    at the parameters `place` (q,). Raises `Beyond` if the branch does not lead to one of them.
     """
     alarms = np.array([alarms_of(aim, member, points.lengths[-1]) for member in scan.members])
     found: list[Watch] = []
@@ -134,9 +87,9 @@ def _least(
     *,
     every: bool,
 ) -> list[tuple[float, float]]:
-    """Places of the local minima of a function, and its second derivatives inside.
+    """Places of the local minima of a function, with its second derivatives inside, else 0.
 
-    Of the least one alone unless all are wanted.
+    Unless `every` is set, only minima that may be the least one are kept.
     """
     from scipy.optimize import minimize_scalar
 
@@ -176,12 +129,12 @@ def _least(
 
 
 def _turns(slopes: np.ndarray, k: int) -> bool:
-    """Whether a minimum next to a place has been found between two of them."""
+    """Whether a sign change of the slope next to a place already gives this minimum."""
     return bool(slopes[k - 1] < 0 < slopes[k] or slopes[k] < 0 < slopes[k + 1])
 
 
 def _zero(slope: Callable[[float], float], low: float, high: float) -> float:
-    """Where a slope turns positive; where it has no value it is taken as that place."""
+    """Place where a slope turns positive; a place where the slope is NaN counts as that."""
     from scipy.optimize import brentq
 
     return float(brentq(lambda part: np.nan_to_num(slope(part)), low, high, xtol=_FINE))

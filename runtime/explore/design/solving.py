@@ -18,22 +18,11 @@ _PRECISION = 1e-15
 
 
 def solve_conditions(points: DesignPoints, aim: Aim, most: int, history: list[Trial]) -> Ended:
-    """Find the parameters at which all conditions hold, or miss them by the least squares.
+    """The parameters at which all conditions hold, or miss them by the least squares.
 
-    Parameters
-    ----------
-    points : DesignPoints
-    aim : Aim
-        Its conditions are equations, as many as parameters.
-    most : int
-        Evaluations in each round.
-    history : list of Trial
-        The iterates are added to it, as they come.
-
-    Returns
-    -------
-    Ended
-        By Ctrl-C the best until then; the reason is INTERRUPTED.
+    The conditions are equations, as many as parameters. `most` limits the evaluations in each
+    round; the iterates are appended to `history`. Ctrl-C ends it at the best trial until then,
+    with the reason INTERRUPTED.
     """
 
     def cost(point: DesignPoint) -> float:
@@ -107,7 +96,7 @@ def _run(
 
 
 def _sharpened(points: DesignPoints, aim: Aim, begin: DesignPoint) -> DesignPoint:
-    """The orbit a few of Newton's steps on, while these make what is missed smaller."""
+    """The orbit after a few of Newton's steps, as long as these reduce the residual."""
     best, (values, slopes) = begin, aim.rows(begin, 0.0, equal=True)
     for _ in range(_LAST):
         step = np.linalg.lstsq(slopes, -values, rcond=None)[0]

@@ -18,16 +18,9 @@ MET = 1e-8  # of a condition
 def values_of(
     names: Sequence[str], aim: Aim, point: Trial, asked: Iterable[str]
 ) -> dict[str, float]:
-    """Parameters and quantities at a trial: the worst of each along a branch.
+    """Values of the parameters `names` and the quantities `asked` at a trial.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Of the parameters.
-    aim : Aim
-    point : Trial
-    asked : iterable of str
-        Quantities.
+    Along a branch each quantity has its worst value.
     """
     given = point.members[0].orbit.given
     found = {name: float(given[name]) for name in names}
@@ -39,7 +32,7 @@ def values_of(
 
 
 def _upwards(aim: Aim, name: str) -> bool:
-    """Whether a quantity is the worse the larger it is."""
+    """Whether a larger value of a quantity is a worse one."""
     if name == aim.quantity:
         return aim.sign > 0
     return any(c.relation == "<=" for c in aim.conditions if c.quantity == name)
@@ -48,16 +41,7 @@ def _upwards(aim: Aim, name: str) -> bool:
 def gradient_of(
     names: Sequence[str], aim: Aim, point: Trial, measured: Iterable[str]
 ) -> dict[str, dict[str, float]]:
-    """Derivatives of each quantity by each parameter, where the quantity is worst.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Of the parameters.
-    aim : Aim
-    point : Trial
-    measured : iterable of str
-    """
+    """Derivatives of each quantity by each parameter, at the orbit where the quantity is worst."""
     found = {}
     for name in measured:
         order = 1.0 if _upwards(aim, name) else -1.0
@@ -71,27 +55,14 @@ def gradient_of(
 def iterates_of(
     names: Sequence[str], aim: Aim, history: Iterable[Trial], asked: Iterable[str]
 ) -> np.ndarray:
-    """Parameters and quantities (k, q + m) of the iterates.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Of the parameters.
-    aim : Aim
-    history : iterable of Trial
-    asked : iterable of str
-
-    Returns
-    -------
-    array (k, q + m)
-    """
+    """Parameters and quantities (k, q + m) of the iterates."""
     quantities = tuple(asked)
     rows = [values_of(names, aim, point, quantities) for point in history]
     return np.array([[row[name] for name in (*names, *quantities)] for row in rows])
 
 
 def message_of(aim: Aim, ended: Ended, left: Optimality, *, converged: bool) -> str:
-    """How a design ended, in words."""
+    """A text that says how a design ended."""
     if ended.reason == INTERRUPTED:
         return INTERRUPTED
     acting = ", ".join(limit.text for limit in left.active)

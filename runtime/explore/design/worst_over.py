@@ -26,23 +26,10 @@ _WORSE = 1e-11  # by which a place between the watched ones may be worse
 def branch_interval(
     orbit: Orbit, worst_over: Mapping[str, tuple[float, float]] | None, varied: tuple[str, ...]
 ) -> tuple[str, tuple[float, float]] | None:
-    """The parameter along whose branch a quantity is worst, and its interval.
+    """The parameter of the branch along which the worst value counts, and its interval, or None.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    worst_over : mapping of str to (float, float), or None
-    varied : tuple of str
-        Parameters of the design.
-
-    Returns
-    -------
-    tuple of str and (float, float), or None
-
-    Raises
-    ------
-    InputError
-        For more than one, one that varies, or an interval that is none or without the orbit.
+    Refused are several parameters, one that varies, and an interval that is empty or does not
+    hold the orbit.
     """
     if worst_over is None:
         return None
@@ -57,24 +44,11 @@ def branch_interval(
 
 
 def spread(points: DesignPoints, aim: Aim) -> tuple[Aim, BranchPoints]:
-    """Take an aim for a whole branch.
+    """The aim for all orbits of a branch, and the first trial.
 
-    Parameters
-    ----------
-    points : DesignPoints
-        Over the parameters of the design, and that of the branch as the last.
-    aim : Aim
-        For the orbit where the design begins.
-
-    Returns
-    -------
-    tuple of Aim, BranchPoints
-        The aim for all orbits of the branch, and the first trial.
-
-    Raises
-    ------
-    InputError
-        If the branch of the orbit does not lead all along its interval.
+    `points` covers the parameters of the design and, as the last, that of the branch; `aim` is
+    that of the orbit where the design begins. Raises `InputError` if the branch of the orbit
+    does not cover its interval.
     """
     first = points.visited[0]
     place, begin = first.place[:-1], float(first.place[-1])
@@ -110,26 +84,12 @@ def optimise_worst(
     most: int,
     history: list[Trial],
 ) -> tuple[Ended, BranchPoints]:
-    """Make the worst along a branch as small as it can be.
+    """The trial that minimises the worst value along a branch, with its watched places.
 
-    The optimiser works with the orbits at the watched places; behind each of its rounds the whole
-    branch is looked at, at last four times as closely, and what is worse between the places is
-    watched too.
-
-    Parameters
-    ----------
-    points : BranchPoints
-    aim : Aim
-    method : "SLSQP" or "trust-constr"
-    most : int
-        Iterations of the optimiser in each of its rounds.
-    history : list of Trial
-        The iterates are added to it, as they come.
-
-    Returns
-    -------
-    tuple of Ended, BranchPoints
-        The point holds the orbits at the worst places of its branch.
+    The optimiser works with the orbits at the watched places. After each of its rounds the
+    whole branch is scanned, in the end four times as finely, and places that are worse are
+    watched too. The point that results holds the orbits at the worst places of its branch.
+    `most` limits the iterations in each round; the iterates are appended to `history`.
     """
     inner, watches = points.points, points.visited[0].watches
     good = points.visited[0].place
@@ -159,9 +119,9 @@ def optimise_worst(
 
 
 def _looked(points: BranchPoints, aim: Aim, point: Trial) -> tuple[list[Watch], list[Watch]]:
-    """The worst places of a branch, and those that are worse than all that are watched.
+    """The worst places of a branch, and those that are worse than all watched ones.
 
-    A coarse look, and a closer one if that shows nothing worse.
+    A coarse scan comes first, then a finer one if the first shows nothing worse.
     """
     inner, begin = points.points, float(points.visited[-1].watches[0].part)
     level, missed = aim.value(point), aim.missed(point)

@@ -32,28 +32,16 @@ _LARGEST_PLANE = 4_000_000  # starts
 
 @dataclass(frozen=True, eq=False)
 class Basins:
-    """Where the starts of a plane lead.
+    """Labels of a plane of starts by where these lead."""
 
-    Attributes
-    ----------
-    found : Found
-        The attractors.
-    x, y : str
-        States along the axes; the others are those of `start`.
-    x_values : array (n,)
-    y_values : array (m,)
-    labels : array (m, n) of int
-        As `Found.labels`; `Outcome.ILLEGAL` where a start belongs to no configuration.
-    start : array (N,)
-    """
-
-    found: Found
-    x: str
-    y: str
-    x_values: np.ndarray
-    y_values: np.ndarray
+    found: Found  # the attractors
+    x: str  # state along the first axis; states on neither axis are those of `start`
+    y: str  # state along the second axis
+    x_values: np.ndarray  # (n,)
+    y_values: np.ndarray  # (m,)
+    # (m, n), as `Found.labels`; `Outcome.ILLEGAL` where a start is in no configuration
     labels: np.ndarray
-    start: np.ndarray
+    start: np.ndarray  # (N,)
 
 
 def basins(
@@ -65,30 +53,13 @@ def basins(
     threads: int | None = None,
     progress: Callable[[int], None] = lambda done: None,
 ) -> Basins:
-    """Label a plane of starts by the attractor they lead to.
+    """A plane of starts, labelled by the attractors they lead to: rows of y and columns of x.
 
-    Parameters
-    ----------
-    found : Found
-    x, y : (state, lower, upper, count)
-    start : mapping of state to number, optional
-        The other states; 0 for those that are not named, the phase 0 of a forcing.
-    threads : int, optional
-        As many as processors when omitted.
-    progress : callable
-        Told how many rows of y are done.
-
-    Returns
-    -------
-    Basins
-        Labels of rows of y and columns of x.
-
-    Raises
-    ------
-    InputError
-        For wrong names or numbers.
-    Interrupted
-        By Ctrl-C; the rest of its `partial` is not classified.
+    `x` and `y` are (state, lower, upper, count). `start` gives the other states; those that it
+    does not name are 0, and a forcing has the phase 0. `threads` None takes all processors;
+    `progress` gets the number of rows that are done. Raises `InputError` for wrong names or
+    numbers, and on Ctrl-C `Interrupted`, whose `partial` is not classified in the remaining
+    rows.
 
     Examples
     --------
@@ -125,24 +96,10 @@ def plane_of_starts(
     y: tuple[str, float, float, int],
     start: Mapping[str, object] | None = None,
 ) -> tuple[list[np.ndarray], np.ndarray]:
-    """Both axes of a plane of starts, and the state that holds its other coordinates.
+    """Values along both axes of a plane of starts, and the state (N,) with its other coordinates.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    x : (state, lower, upper, count)
-    y : (state, lower, upper, count)
-    start : mapping of str to number, optional
-        The other states; 0 for those that are not named, the phase 0 of a forcing.
-
-    Returns
-    -------
-    tuple of list of array, array (N,)
-
-    Raises
-    ------
-    InputError
-        For wrong names or numbers.
+    `x` and `y` are (state, lower, upper, count). `start` gives the other states; those that it
+    does not name are 0, and a forcing has the phase 0. Wrong names or numbers are refused.
     """
     structure, axes = structure_of(kernels), []
     structure.check_listed("a picture of basins")
@@ -162,22 +119,10 @@ def plane_of_starts(
 def other_states(
     kernels: SystemKernels, start: Mapping[str, object] | Sequence[object] | None
 ) -> np.ndarray:
-    """The state that holds what a plane of starts does not sweep.
+    """The state (N,) that a plane of starts takes its other coordinates from.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    start : mapping of str to number, or sequence, or None
-        0 for states that are not named, the phase 0 of a forcing.
-
-    Returns
-    -------
-    array (N,)
-
-    Raises
-    ------
-    InputError
-        For wrong names or numbers.
+    States that `start` does not name are 0, and a forcing has the phase 0. Wrong names or
+    numbers are refused.
     """
     structure = structure_of(kernels)
     if start is not None and not isinstance(start, Mapping):
@@ -188,14 +133,7 @@ def other_states(
 
 
 def attractors_found(found: Found, kernels: SystemKernels) -> Attractors:
-    """What was found, in the order of its labels.
-
-    Parameters
-    ----------
-    found : Found
-    kernels : SystemKernels
-        Of its system.
-    """
+    """The orbits and equilibria of a search as `Attractors`, in the order of its labels."""
     point = piecewise(kernels, found.parameters)
     orbits = tuple(entry.orbit for entry in found.orbits)
     equilibria = tuple(entry.equilibrium for entry in found.equilibria)
@@ -209,23 +147,10 @@ def labels_of_starts(
     starts: np.ndarray,
     threads: int | None = None,
 ) -> np.ndarray:
-    """Labels of starts: followed four times longer as long as they are not classified.
+    """Labels (n,) of starts (n, N), as in `Found.labels`.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-        Of the system.
-    found : Found
-    attractors : Attractors
-        As `attractors_found` gives them.
-    starts : array (n, N)
-    threads : int, optional
-        As many as processors when omitted.
-
-    Returns
-    -------
-    array (n,) of int
-        As `Found.labels`.
+    The starts are followed four times longer as long as they are not classified.
+    `attractors` are those of `attractors_found`; `threads` None takes all processors.
     """
     values = {name: float(value) for name, value in found.parameters.items()}
     labels = np.full(len(starts), int(Outcome.UNCLASSIFIED))

@@ -32,7 +32,10 @@ _SINGULAR = 1e-10  # relative singular value of a field that has no equilibrium
 
 
 class Pursued(NamedTuple):
-    """Motions (n,) further on; which of them escape, and which grow, but not as these do."""
+    """Motions (n,) after a longer simulation, with masks (n,) of escaping and undecided ones.
+
+    A motion is undecided if it still grows, but not as one that escapes.
+    """
 
     motions: Trajectories
     escapes: np.ndarray
@@ -45,16 +48,10 @@ def pursue(
     motions: Trajectories,
     threads: int | None = None,
 ) -> Pursued:
-    """Follow motions (n,) on for as many transitions again, and while they grow.
+    """Motions (n,) of as many systems, followed for at least as many transitions again.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    systems : sequence (n,) of PiecewiseLinear
-    motions : Trajectories
-        That ended after a number of transitions, the same for all.
-    threads : int or None
-        As many as processors when None.
+    They are followed further as long as they grow. They have to have ended after a number of
+    transitions that is the same for all. `threads` None takes all processors.
     """
     count, kept = motions.last_times.shape
     values, far = (
@@ -93,16 +90,7 @@ def pursue(
 
 
 def numbers_of(systems: Sequence[PiecewiseLinear]) -> dict[str, float | np.ndarray]:
-    """Parameters of systems (n,) as arrays (n,), or as numbers where all are the same system.
-
-    Parameters
-    ----------
-    systems : sequence (n,) of PiecewiseLinear
-
-    Returns
-    -------
-    dict of str to float or array (n,)
-    """
+    """Parameters of systems (n,) as arrays (n,), or as numbers where all are the same system."""
     first = systems[0]
     if all(system is first for system in systems):
         return {name: float(value) for name, value in first.parameters.items()}
@@ -113,14 +101,10 @@ def numbers_of(systems: Sequence[PiecewiseLinear]) -> dict[str, float | np.ndarr
 
 
 def natural_size(system: PiecewiseLinear) -> float:
-    """How far out a system's boundaries, its equilibria and responses to the forcing reach.
+    """Distance that a system's boundaries, its equilibria and its responses to the forcing reach.
 
-    Over all configurations, admissible or not; zero for a system that is homogeneous.
-
-    Returns
-    -------
-    float
-        In the unit of velocities; positions count times the fastest exponent.
+    All configurations count, admissible or not; a homogeneous system has the distance zero.
+    It is in the unit of velocities; positions count times the fastest exponent.
     """
     structure, weights = system.structure, _weights(system)
     own = np.flatnonzero(weights)
@@ -143,7 +127,10 @@ def natural_size(system: PiecewiseLinear) -> float:
 
 
 def _weights(system: PiecewiseLinear) -> np.ndarray:
-    """What makes the states (N,) comparable: the fastest exponent for positions; 0 for forcing."""
+    """Weights (N,) that make states comparable.
+
+    They are the fastest exponent for positions, 0 for the states of a forcing, and 1 for others.
+    """
     structure = system.structure
     rates = [np.hypot(*exponents.T) for exponents in system.exponents]
     fastest = float(np.concatenate(rates).max(initial=0.0))
@@ -154,7 +141,7 @@ def _weights(system: PiecewiseLinear) -> np.ndarray:
 
 
 def _sizes(systems: Sequence[PiecewiseLinear], motions: Trajectories) -> np.ndarray:
-    """Largest sizes (n,) of motions among the entries that are kept, up to translations."""
+    """Largest sizes (n,) of motions over the entries that are kept, up to translations."""
     ends = np.concatenate([motions.last_states, motions.states[:, None]], axis=1)
     known = np.where(np.isnan(ends), 0.0, ends)
     found = np.empty(len(systems))
@@ -165,7 +152,7 @@ def _sizes(systems: Sequence[PiecewiseLinear], motions: Trajectories) -> np.ndar
 
 
 def _replaced(motions: Trajectories, places: np.ndarray, others: Trajectories) -> Trajectories:
-    """Motions, with others at some of the places."""
+    """The motions, with others in some of the places."""
     changed = {}
     for name in (field.name for field in fields(motions) if field.name != "structure"):
         changed[name] = getattr(motions, name).copy()

@@ -198,7 +198,7 @@ def _found(
     *,
     complete: bool,
 ) -> Found:
-    """What was found in its order: by the number of starts, then by the period.
+    """The result of a search in order: by the number of starts, then by the period.
 
     Labels count the orbits that attract, which come first, then the equilibria.
     """
@@ -263,7 +263,7 @@ def _legal_starts(
 def _recurrent(motions: Trajectories, scales: np.ndarray) -> dict[int, tuple[Candidate, float]]:
     """The cycle that each motion repeats at its end, with the tolerance within which it does.
 
-    Those that come back best first.
+    Cycles that recur most exactly come first.
     """
     lengths = np.zeros(len(motions.times), dtype=int)
     within = np.full(len(lengths), np.inf)
@@ -286,7 +286,7 @@ def _tried(
     early: Trajectories,
     early_scales: np.ndarray,
 ) -> Iterator[Candidate]:
-    """Guesses for orbits that no transient ends at."""
+    """Guesses of orbits on which no transient ends."""
     yield from near_returns(early, early_scales, _LONGEST, _NEAR)
     yield from near_returns(motions, scales, _LONGEST, _NEAR)
     yield from short_cycles(kernels, early)

@@ -180,14 +180,14 @@ class Found(Kept):
 
 
 def _known(solved: Solved | str) -> Solved:
-    """What an entry holds; InputError, with its reason, where it is refused."""
+    """The content of an entry; raises `InputError` with the reason if it is refused."""
     if isinstance(solved, str):
         raise InputError(solved)
     return solved
 
 
 def label_names(found: Found) -> dict[int, str]:
-    """What the labels stand for, for pictures: the orbits that attract, and the rest."""
+    """Texts of the labels for pictures: orbits and equilibria that attract, and the outcomes."""
     attracting = {i: entry for i, entry in enumerate(found.orbits) if entry.starts}
     names = {
         i: f"orbit {i + 1}, period {entry.period:.6g}{_apart(i, attracting)}"
@@ -201,7 +201,7 @@ def label_names(found: Found) -> dict[int, str]:
 
 
 def _apart(place: int, attracting: Mapping[int, FoundOrbit]) -> str:
-    """What tells an orbit from others of its period: its mirror image, or where it begins."""
+    """Text that distinguishes an orbit from others of its period: mirror image, or start."""
     entry = attracting[place]
     alike = [o.orbit for o in attracting.values() if f"{o.period:.6g}" == f"{entry.period:.6g}"]
     if len(alike) == 1:

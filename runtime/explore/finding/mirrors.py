@@ -20,7 +20,7 @@ _MOST_COORDINATES = 3  # of which all permutations are tried; of more, one sign 
 
 
 def mirrors(system: PiecewiseLinear) -> list[Symmetry]:
-    """Symmetries that take positions to positions and velocities likewise, without the identity.
+    """Symmetries that map positions to positions and velocities likewise, without the identity.
 
     A forcing stays, or is turned by half a period.
     """
@@ -39,12 +39,9 @@ def mirrors(system: PiecewiseLinear) -> list[Symmetry]:
 def mirror_places(
     entries: Sequence[Orbit | Equilibrium], symmetries: Sequence[Symmetry]
 ) -> list[int | None]:
-    """For each the place of the first one of which it is an image; None where there is none.
+    """For each entry the place of the first one whose mirror image it is, or None.
 
-    Parameters
-    ----------
-    entries : sequence of Orbit or Equilibrium
-    symmetries : sequence of Symmetry
+    The place may be that of the entry itself.
     """
     return [
         next(

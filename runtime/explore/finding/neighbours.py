@@ -18,7 +18,7 @@ _MOST = 200
 
 
 def short_cycles(kernels: SystemKernels, motions: Trajectories) -> Iterator[Candidate]:
-    """Cycles of phases that were seen one after the other, and those of the system's orbits.
+    """Guesses from cycles of phases that follow each other, and from the system's known orbits.
 
     Dwell times are medians of those that were seen; the start is the mean of the states at
     which the first phase was entered. Shorter cycles come first.
@@ -54,7 +54,7 @@ def _seen(
     dict[tuple[str, str], list[float]],
     dict[tuple[str, str], list[np.ndarray]],
 ]:
-    """Which phase followed which, how long each lasted, and where it began."""
+    """The successors of each phase, how long each lasted, and where it began."""
     follows = defaultdict(set)
     durations, starts = defaultdict(list), defaultdict(list)
     for motion in range(len(motions.times)):

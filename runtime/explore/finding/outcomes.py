@@ -80,34 +80,20 @@ _TEXTS = {
 
 @dataclass(frozen=True, eq=False)
 class Attractors:
-    """What motions of a system may lead to.
-
-    Attributes
-    ----------
-    kernels : SystemKernels
-    system : PiecewiseLinear
-    orbits : tuple of Orbit
-        What the forcing makes of a configuration that is not left is among them.
-    equilibria : tuple of Equilibrium
-    responses : for each configuration a Orbit or None
-        What the forcing makes of it, be it a motion of the system or not.
-    """
+    """The orbits and equilibria that motions of a system may lead to."""
 
     kernels: SystemKernels
     system: PiecewiseLinear
-    orbits: tuple[Orbit, ...]
+    orbits: tuple[Orbit, ...]  # including the responses to the forcing within one configuration
     equilibria: tuple[Equilibrium, ...]
+    # response of each configuration to the forcing, a motion of the system or not
     responses: tuple[Orbit | None, ...]
 
     def labels(self, motions: Trajectories) -> np.ndarray:
-        """Where motions (n,) lead: the place of an orbit, then of an equilibrium, or an Outcome.
+        """Labels (n,) of motions: the place of an orbit, then of an equilibrium, or an `Outcome`.
 
         Motions that go on from boundary to boundary without an orbit are UNCLASSIFIED. The last
         two entries of the motions have to be kept.
-
-        Returns
-        -------
-        array (n,) of int
         """
         labels = _arrivals(motions, self.orbits)
         quiet = motions.status == Status.QUIET
@@ -127,19 +113,9 @@ class Attractors:
     def measured(
         self, motions: Trajectories, labels: np.ndarray, threads: int | None = None
     ) -> np.ndarray:
-        """The same labels, where motions that are not classified are followed further on.
+        """The labels (n,) of `labels`, after unclassified motions were followed further.
 
-        Parameters
-        ----------
-        motions : Trajectories
-        labels : array (n,) of int
-            As `labels` gives them.
-        threads : int or None
-            As many as processors when None.
-
-        Returns
-        -------
-        array (n,) of int
+        `threads` None takes all processors.
         """
         places = np.flatnonzero(
             (labels == Outcome.UNCLASSIFIED) & (motions.status == Status.TRANSITIONS)
@@ -156,7 +132,7 @@ class Attractors:
         return found
 
     def _steady(self, configuration: int) -> int | None:
-        """Label of what stays in a configuration for ever."""
+        """Label of the orbit or equilibrium that never leaves a configuration, or None."""
         name = self.system.structure.configurations[configuration]
         for place, orbit in enumerate(self.orbits):
             if orbit.tables.cycle.uninterrupted and orbit.itinerary[0][0] == name:
@@ -170,16 +146,7 @@ class Attractors:
 def attractors_of(
     kernels: SystemKernels, system: PiecewiseLinear, orbits: Sequence[Orbit]
 ) -> Attractors:
-    """Orbits that were found, with what stays in one configuration.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    system : PiecewiseLinear
-        At its parameters.
-    orbits : sequence of Orbit
-        Converged and admissible.
-    """
+    """Given orbits, converged and admissible, with the attractors within one configuration."""
     forced = responses(kernels, system)
     staying = [orbit for orbit in forced if orbit is not None and orbit.converged]
     known = [orbit for orbit in orbits if not orbit.tables.cycle.uninterrupted]
@@ -199,23 +166,10 @@ def pursued_outcomes(
     labels: np.ndarray,
     threads: int | None = None,
 ) -> np.ndarray:
-    """Labels (n,) of motions of as many systems that were followed further on.
+    """Labels (n,) of motions of as many systems that were followed further.
 
-    Those that are not classified there escape, or are told by their largest exponents.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    systems : sequence (n,) of PiecewiseLinear
-    pursued : Pursued
-    labels : array (n,) of int
-        Of the motions further on.
-    threads : int or None
-        As many as processors when None.
-
-    Returns
-    -------
-    array (n,) of int
+    `labels` (n,) are those of the motions after that. Motions that these leave unclassified
+    escape, or are classified by their largest exponents. `threads` None takes all processors.
     """
     found, motions = labels.copy(), pursued.motions
     found[pursued.escapes] = Outcome.DIVERGENT
@@ -231,12 +185,9 @@ def pursued_outcomes(
 
 
 def _stretched_outcomes(measured: Stretching, common: np.ndarray) -> np.ndarray:
-    """Outcomes (n,) of motions that go on and do not come back, by their largest exponents.
+    """Outcomes (n,) of motions that go on without a return, by their largest exponents.
 
-    Parameters
-    ----------
-    common : array (n,) of bool
-        Whether the forcings have a common period.
+    `common` (n,) marks those whose forcings have a common period.
     """
     value, error = measured.exponents, _CERTAIN * measured.errors
     regular = np.where(common, int(Outcome.QUASIPERIODIC), int(Outcome.INCOMMENSURATE))
@@ -252,10 +203,6 @@ def labels_of_ends(motions: Trajectories) -> np.ndarray:
 
     They are ILLEGAL where nothing was simulated, and DIVERGENT where they grew until nothing can
     be computed. The last entry of the motions has to be kept.
-
-    Returns
-    -------
-    array (n,) of int
     """
     labels = np.where(motions.status < 0, int(Outcome.ILLEGAL), int(Outcome.UNCLASSIFIED))
     now, before = motions.states, motions.last_states[:, -1]
@@ -265,10 +212,10 @@ def labels_of_ends(motions: Trajectories) -> np.ndarray:
 
 
 def _arrivals(motions: Trajectories, orbits: Sequence[Orbit]) -> np.ndarray:
-    """Where each motion ended that goes on from boundary to boundary, or was not simulated.
+    """Labels of motions by the stable orbits that they end on.
 
-    An index of a stable orbit, ILLEGAL, DIVERGENT, or UNCLASSIFIED. The last two entries of the
-    motions have to be kept.
+    A label is the index of a stable orbit, ILLEGAL, DIVERGENT, or UNCLASSIFIED. The last two
+    entries of the motions have to be kept.
     """
     structure = motions.structure
     labels = labels_of_ends(motions)
@@ -306,25 +253,11 @@ def quiet_outcomes(
     response: Orbit | None,
     steady: int | None,
 ) -> np.ndarray:
-    """How motions go on that do not leave a configuration any more, by the modes of its flow.
+    """Labels (n,) of motions that never leave a configuration, by the modes of its flow.
 
-    What moves along a translation of the system alone does not grow: it drifts.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    configuration : int
-        Its index.
-    states : array (n, N)
-        In which they entered it.
-    response : Orbit or None
-        What the forcing makes of the configuration.
-    steady : int or None
-        Label of the equilibrium or orbit in it, where one is listed.
-
-    Returns
-    -------
-    array (n,) of int
+    They entered it in `states` (n, N). `response` is the response of the configuration to the
+    forcing, and `steady` the label of the equilibrium or orbit in it, or None. A motion along a
+    translation of the system alone does not grow: it drifts.
     """
     structure = system.structure
     forced = [state for pair in structure.forcing for state in pair]
@@ -372,7 +305,7 @@ def quiet_outcomes(
 
 
 def _rests_anywhere(system: PiecewiseLinear, configuration: int, own: list[int]) -> bool:
-    """Whether a configuration holds a part where it is, as a mass that sticks, at any place."""
+    """Whether a part can rest at any position in a configuration, as a mass that sticks."""
     normals = system.rows[list(system.structure.constraints[configuration])]
     rows = np.concatenate([system.fields[configuration][own], normals])[:, own]
     values = np.linalg.svd(rows, compute_uv=False)

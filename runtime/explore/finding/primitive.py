@@ -40,15 +40,7 @@ _TURNS, _MOST = 1e-9, 1e-4  # of the turns of one orbit: at least, or what its d
 def primitive_orbit(
     kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate
 ) -> Orbit | None:
-    """The admissible orbit near a candidate, over its primitive period; None if there is none.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    point : PiecewiseLinear
-        The system at its parameters.
-    candidate : Candidate
-    """
+    """The admissible orbit near a candidate, over its primitive period, or None."""
     orbit = _composed(kernels, point, candidate)
     if orbit is None or not orbit.converged or not (orbit.dwell_times > 0).all():
         return None
@@ -59,27 +51,13 @@ def primitive_orbit(
 
 
 def in_a_family(kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate) -> bool:
-    """Whether the orbit near a candidate is one of a family, as there are where energy is kept.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    point : PiecewiseLinear
-        The system at its parameters.
-    candidate : Candidate
-    """
+    """Whether the orbit near a candidate is one of a family, as exists where energy is kept."""
     orbit = _composed(kernels, point, candidate)
     return orbit is not None and orbit.status == SINGULAR and bool((orbit.dwell_times > 0).all())
 
 
 def admissible(orbit: Orbit) -> bool:
-    """Whether an orbit is a motion of the system, and this can be told.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        By tables.
-    """
+    """Whether an orbit (by tables) is known to be a motion of the system."""
     if orbit.status != CONVERGED:
         return False
     system = orbit.system
@@ -91,18 +69,7 @@ def admissible(orbit: Orbit) -> bool:
 
 
 def orbit_scale(orbit: Orbit) -> np.ndarray:
-    """Scale (N,) of each state along an orbit.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        By tables.
-
-    Returns
-    -------
-    array (N,)
-        In the units of the states.
-    """
+    """Scale (N,) of each state along an orbit (by tables), in the units of the states."""
     now = orbit.tables.shooting
     states = up_to_shift(np.concatenate([now.starts, now.ends]), orbit.tables.translations)
     before = [
@@ -118,14 +85,7 @@ def orbit_scale(orbit: Orbit) -> np.ndarray:
 
 
 def same_orbit(orbit: Orbit, other: Candidate | Orbit) -> bool:
-    """Whether two cycles are one orbit; a doubled one begins at either of its turns.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        By tables.
-    other : Candidate or Orbit
-    """
+    """Whether two cycles are one orbit; a doubled one may begin in either of its halves."""
     first = other.state if isinstance(other, Candidate) else other.states[0]
     start = up_to_shift(first, orbit.tables.translations)
     if orbit.tables.cycle.uninterrupted:  # one in each configuration, at whatever phase it begins
@@ -142,14 +102,7 @@ def same_orbit(orbit: Orbit, other: Candidate | Orbit) -> bool:
 
 
 def add_orbit(orbits: list[Orbit], orbit: Orbit) -> None:
-    """Add an orbit that is not there yet.
-
-    Parameters
-    ----------
-    orbits : list of Orbit
-        Added to.
-    orbit : Orbit
-    """
+    """Append an orbit to a list unless it is there already."""
     if not any(same_orbit(known, orbit) for known in orbits):
         orbits.append(orbit)
 
@@ -159,15 +112,7 @@ def converging(
     point: PiecewiseLinear,
     candidates: Iterable[Candidate],
 ) -> Iterator[Candidate]:
-    """Candidates from which Newton's method converges, moved to where it does, each once.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    point : PiecewiseLinear
-        The system at its parameters.
-    candidates : iterable of Candidate
-    """
+    """Candidates from which Newton's method converges, moved to its limits, each once."""
     groups: dict[Itinerary, list[Candidate]] = defaultdict(list)
     for candidate in candidates:
         if (candidate.dwell_times > 0).all():
@@ -198,14 +143,7 @@ def converging(
 
 
 def image_of(orbit: Orbit, symmetry: Symmetry) -> Candidate:
-    """The image of an orbit under a symmetry of its system.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        By tables.
-    symmetry : Symmetry
-    """
+    """The image of an orbit (by tables) under a symmetry of its system."""
     structure = orbit.tables.cycle.structure
     phases = []
     for configuration, transition in zip(
@@ -227,7 +165,10 @@ def image_of(orbit: Orbit, symmetry: Symmetry) -> Candidate:
 
 
 def _composed(kernels: SystemKernels, point: PiecewiseLinear, candidate: Candidate) -> Orbit | None:
-    """What Newton's method reaches from a candidate, if that takes time in each of its phases."""
+    """The result of Newton's method from a candidate, or None.
+
+    It is None if a dwell time of the candidate is not positive.
+    """
     if not (candidate.dwell_times > 0).all():
         return None
     return solve_itinerary(
@@ -240,12 +181,9 @@ def _composed(kernels: SystemKernels, point: PiecewiseLinear, candidate: Candida
 
 
 def repeated_part(orbit: Orbit) -> Candidate | None:
-    """Find the shortest part that an orbit repeats, in its phases, dwell times and states.
+    """The shortest part that an orbit repeats in phases, dwell times and states, or None.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        By tables.
+    The orbit is one by tables.
     """
     count = len(orbit.itinerary)
     near = min(max(_TURNS, 100 * 10.0**-orbit.digits), _MOST)

@@ -35,21 +35,12 @@ _RETURN = 1e-6  # in units of the largest size of a state on the cycle
 
 
 class Settled(NamedTuple):
-    """How motions (...) go on.
+    """What motions (...) settle on."""
 
-    Attributes
-    ----------
-    outcomes : array of int
-        PERIODIC, UNINTERRUPTED where that is without a transition, EQUILIBRIUM, or an Outcome.
-    lengths : array of int
-        Transitions in a period; 0 where there are none.
-    periods : array
-        NaN where the motion is not periodic.
-    """
-
+    # PERIODIC, UNINTERRUPTED (periodic without a transition), EQUILIBRIUM, or an `Outcome`
     outcomes: np.ndarray
-    lengths: np.ndarray
-    periods: np.ndarray
+    lengths: np.ndarray  # transitions in a period, 0 where there are none
+    periods: np.ndarray  # NaN where the motion is not periodic
 
 
 def settled(
@@ -58,20 +49,10 @@ def settled(
     motions: Trajectories,
     threads: int | None = None,
 ) -> Settled:
-    """What motions (...) settle on at parameters that broadcast to their shape.
+    """What motions (...) settle on, at parameters that broadcast to their shape.
 
-    Nothing depends on other motions than the one at a point. Cycles of half of the entries that
-    are kept are looked for.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    parameters : mapping of str to array
-        All physical parameters.
-    motions : Trajectories
-        Their last entries have to be kept.
-    threads : int or None
-        As many as processors when None.
+    The result at a point depends on the motion there alone. Cycles of up to half of the entries
+    that are kept are recognised. `threads` None takes all processors.
     """
     shape, count = motions.status.shape, motions.status.size
     points, given = parameter_points(kernels, parameters)
@@ -137,7 +118,7 @@ def _arrived(
 
 
 def _returned(motions: Trajectories, states: np.ndarray) -> Settled:
-    """Those motions (n,) that came back, as their states (n, k, N) at the entries tell."""
+    """The motions (n,) that came back, according to their states (n, k, N) at the entries."""
     seen = replace(motions, last_states=states)
     lengths = recurrent_lengths(
         seen, sizes_of(motions.structure, states, motions.last_times), _RETURN

@@ -17,24 +17,10 @@ def start_box(
 ) -> np.ndarray:
     """Bounds (N, 2) between which starts are drawn, the same in all units.
 
-    For each state twice the largest size at which a boundary or a constraint lies, on both
-    sides; for a state in which none does, twice the size at which the equations of motion
-    balance it with the others, the loads and the forcings, at the rate of the system.
-
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    given : mapping of str to (float, float), optional
-        Bounds of some states, in their units.
-
-    Returns
-    -------
-    array (N, 2)
-
-    Raises
-    ------
-    InputError
-        For an unknown state, or bounds that are no interval.
+    For each state they are twice the largest size at which a boundary or a constraint lies, on
+    both sides. For a state without one, they are twice the size at which the equations of
+    motion balance it with the others, the loads and the forcings, at the rate of the system.
+    `given` replaces the bounds of some states; unknown names and empty intervals are refused.
     """
     structure = system.structure
     used = {b.row for boundaries in structure.boundaries for b in boundaries}
@@ -63,7 +49,7 @@ def start_box(
 
 
 def _balanced(fields: np.ndarray, known: np.ndarray) -> np.ndarray:
-    """Sizes (N,) of states: the known ones, and for those of size 0 what balances the others.
+    """Sizes (N,) of states: the known ones, and sizes that balance these for states of size 0.
 
     In a time 1 / rate a state moves by no less than its own size under those that are known,
     and moves those by no less than theirs. Fields (configurations, N, N + 1) are absolute.
@@ -86,7 +72,7 @@ def _balanced(fields: np.ndarray, known: np.ndarray) -> np.ndarray:
 
 
 def _rate(fields: np.ndarray, sizes: np.ndarray) -> float:
-    """The geometric mean of the rates of configurations, which are those of their fastest motion.
+    """The geometric mean over the configurations of the rate of the fastest motion in each.
 
     That is an eigenvalue, or the fall under a load through the size of a state.
     """

@@ -27,25 +27,14 @@ _WHOLE = 1e-9  # of a turn
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """A state in which a system without forcing stays, with no other one next to it.
-
-    Attributes
-    ----------
-    system : str
-    parameters : dict of str to Value
-    configuration : str
-    names : tuple of str
-        Of the states.
-    state : array (N,)
-    eigenvalues : array (k,), complex
-        Of the motions next to it in its configuration, those that decay most slowly first.
-    """
+    """A state in which a system without forcing stays, isolated from other equilibria."""
 
     system: str
     parameters: dict[str, Value]
     configuration: str
-    names: tuple[str, ...]
-    state: np.ndarray
+    names: tuple[str, ...]  # of the states
+    state: np.ndarray  # (N,)
+    # (k,), of the motions nearby in its configuration, the slowest decay first
     eigenvalues: np.ndarray
 
     @property
@@ -61,12 +50,7 @@ class Equilibrium:
 
 
 def equilibria(system: PiecewiseLinear) -> list[Equilibrium]:
-    """Isolated equilibria that are motions of a system without forcing, each once.
-
-    Returns
-    -------
-    list of Equilibrium
-        Empty for a system with forcing.
+    """Isolated equilibria that are motions of a system, each once; none for a system with forcing.
 
     Examples
     --------
@@ -100,22 +84,14 @@ def equilibria(system: PiecewiseLinear) -> list[Equilibrium]:
 
 
 def same_state(state: np.ndarray, other: np.ndarray) -> bool:
-    """Whether two equilibria are one; what is zero in one of them is so in both.
-
-    Parameters
-    ----------
-    state, other : array (N,)
-    """
+    """Whether two equilibria (N,) are one; zeros of one have to be zeros of the other."""
     return bool((np.abs(state - other) <= _SAME * np.abs(state)).all())
 
 
 def forcing_turns(system: PiecewiseLinear) -> tuple[int, ...] | None:
-    """How often each forcing turns until all begin anew; None if they never do.
+    """Number of turns of each forcing in their common period, or None if there is none.
 
-    Returns
-    -------
-    tuple of int or None
-        Empty without a forcing.
+    It is empty without a forcing.
     """
     speeds = np.abs([system.fields[0, sine, cosine] for cosine, sine in system.structure.forcing])
     if not speeds.size:
@@ -128,20 +104,10 @@ def forcing_turns(system: PiecewiseLinear) -> tuple[int, ...] | None:
 
 
 def responses(kernels: SystemKernels, system: PiecewiseLinear) -> list[Orbit | None]:
-    """What the forcing makes of each configuration that is not left, as orbits to be judged.
+    """Response of each configuration to the forcing, as an orbit that may not be admissible.
 
-    None throughout without a forcing, or where forcings have no common period.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    system : PiecewiseLinear
-        At its parameters.
-
-    Returns
-    -------
-    list of Orbit or None
-        One for each configuration; None for one that was not visited.
+    None stands for a configuration that was not visited; all are None without a forcing, or
+    where the forcings have no common period.
     """
     structure, turns = system.structure, forcing_turns(system)
     if not turns:
@@ -160,7 +126,7 @@ def responses(kernels: SystemKernels, system: PiecewiseLinear) -> list[Orbit | N
 
 
 def _root(affine: np.ndarray) -> np.ndarray | None:
-    """Where affine functions (m, N + 1) vanish; None if that is nowhere, or not at one point."""
+    """The common zero (N,) of affine functions (m, N + 1); None if there is none, or several."""
     rows = np.abs(affine).max(axis=1)
     affine = affine[rows > 0] / rows[rows > 0, None]
     columns = np.abs(affine[:, :-1]).max(axis=0, initial=0.0)
@@ -180,7 +146,7 @@ def _root(affine: np.ndarray) -> np.ndarray | None:
 
 
 def _eigenvalues(matrix: np.ndarray, normals: np.ndarray) -> Any:
-    """Eigenvalues of a field on what the constraints leave."""
+    """Eigenvalues of a field on the subspace that the constraints leave."""
     _, values, rest = np.linalg.svd(np.concatenate([normals, np.zeros_like(matrix)]))
     free = rest[values <= _DEPENDENT * max(values[0], np.finfo(float).tiny)].T
     found = np.linalg.eigvals(free.T @ matrix @ free).astype(complex)

@@ -30,10 +30,10 @@ _ROUNDING = 1e-9
 
 
 class Stretching(NamedTuple):
-    """Largest exponents (n,) of motions, and their standard errors.
+    """Largest exponents (n,) of motions, and their standard errors, in units of one over time.
 
     The exponent is NaN where a motion ends or still settles, or its neighbour goes another way.
-    An error is no less than what a single stretching by e makes of it.
+    An error is at least that of a single stretching by e.
     """
 
     exponents: np.ndarray
@@ -47,22 +47,10 @@ def stretching(
     scales: np.ndarray,
     threads: int | None = None,
 ) -> Stretching:
-    """Follow motions (n,) on, each beside a neighbour.
+    """Largest exponents of motions (n,), each of which is followed beside a neighbour.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    parameters : mapping of str to float or array (n,)
-    motions : Trajectories
-        Their last three entries and more have to be kept.
-    scales : array (n, N)
-    threads : int or None
-        As many as processors when None.
-
-    Returns
-    -------
-    Stretching
-        In units of one over time.
+    At least the last three entries of the motions have to be kept. `parameters` are numbers or
+    arrays (n,), `scales` (n, N) are those of the states; `threads` None takes all processors.
     """
     count = len(motions.times)
     growths, lengths = np.full((_BLOCKS, count), np.nan), np.zeros((_BLOCKS, count))
@@ -105,9 +93,9 @@ def stretching(
 
 
 def _as_strong(states: np.ndarray, others: np.ndarray, forcing: Sequence[tuple[int, int]]) -> None:
-    """Give every forcing in states (n, N) the amplitude that it has in others.
+    """Give each forcing in states (n, N) the amplitude that it has in `others`.
 
-    A rounding of it would neither grow nor decay, and outlast what decays.
+    A rounding error of it would neither grow nor decay, and outlast what decays.
     """
     for pair in map(list, forcing):
         sizes = np.hypot(*others[:, pair].T) / np.hypot(*states[:, pair].T)
@@ -115,7 +103,7 @@ def _as_strong(states: np.ndarray, others: np.ndarray, forcing: Sequence[tuple[i
 
 
 def _measured(growths: np.ndarray, lengths: np.ndarray, ranges: np.ndarray) -> Stretching:
-    """Exponents from growths and lengths (blocks, n); none where ranges (blocks, n, N) shrink.
+    """Exponents from growths and lengths (blocks, n); NaN where ranges (blocks, n, N) shrink.
 
     Ranges are in units of the scales; below the distance of neighbours they are rounding.
     """
@@ -132,8 +120,8 @@ def _measured(growths: np.ndarray, lengths: np.ndarray, ranges: np.ndarray) -> S
 def _changes(motions: Trajectories, scales: np.ndarray) -> np.ndarray:
     """Directions (n, N) of length 1 that the constraints of the last phase but one allow.
 
-    From one state to another in which the same configuration is entered; the forcing stays.
-    NaN where there is no other one.
+    They lead from one state to another at which the same configuration is entered; the forcing
+    stays. They are NaN without another such state.
     """
     configurations, states = motions.last_configurations, motions.last_states
     other = np.argmax(configurations[:, :-2] == configurations[:, [-2]], axis=1)

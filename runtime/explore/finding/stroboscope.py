@@ -41,21 +41,9 @@ def stroboscopic_returns(
     motions: Trajectories,
     threads: int | None = None,
 ) -> Returns:
-    """Whether motions (n,) of as many systems come back after some periods of the forcing.
+    """Returns of motions (n,) of as many systems after some periods of the forcing.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    systems : sequence (n,) of PiecewiseLinear
-    motions : Trajectories
-        Their last entries have to be kept.
-    threads : int or None
-        As many as processors when None.
-
-    Returns
-    -------
-    found : Returns
-        Of n motions.
+    The last entries of the motions have to be kept. `threads` None takes all processors.
     """
     values, periods = numbers_of(systems).items(), np.array([_period(each) for each in systems])
     directions = [translations_of(system) for system in systems]
@@ -96,7 +84,7 @@ def stroboscopic_returns(
 
 
 def _period(system: PiecewiseLinear) -> float:
-    """Period after which all forcings begin anew; NaN where none does."""
+    """Common period of all forcings; NaN without one."""
     turns = forcing_turns(system)
     if not turns:
         return float("nan")

@@ -224,26 +224,16 @@ def sweep(
 
 
 def check_sweep(count: int, samples: int) -> None:
-    """Refuse a diagram that memory does not hold; it is copied once for each report.
+    """Refuse a diagram that does not fit in memory: it is copied once for each report.
 
-    Parameters
-    ----------
-    count : int
-        Number of values.
-    samples : int
-        At each value.
-
-    Raises
-    ------
-    TooLarge
-        If memory does not hold it.
+    `samples` is the number at each of `count` values. Raises `TooLarge`.
     """
     what = f"{samples} samples at each of {count} values"
     check_memory(what, 2 * BYTES * count * (samples + 1))
 
 
 def _resumed(question: Sweep, known: Sweep) -> Sweep:
-    """What is known of a question; InputError if it is of another one."""
+    """The interrupted sweep of the same question; raises `InputError` if it is of another one."""
     check_same_system("sweep", load_system(question.system), load_system(known.system))
     found = ("system", "samples", "outcomes", "done", "next_start")
     asked = {name: value for name, value in vars(question).items() if name not in found}
@@ -283,7 +273,7 @@ def _at_entries(kernels: SystemKernels, diagram: Sweep, here: slice, threads: in
 
 
 def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int | None) -> Looked:
-    """Samples at a phase of the forcing, for one value: the motion as a stroboscope shows it."""
+    """Samples at a phase of the forcing, for one value, as a stroboscope shows the motion."""
     taken, first = diagram.samples.shape[1], diagram.start
     illegal = np.array([int(Outcome.ILLEGAL)])
     nothing = np.full((1, taken), np.nan), illegal, np.full(len(first), np.nan), False
@@ -326,7 +316,7 @@ def _at_phase(kernels: SystemKernels, diagram: Sweep, here: slice, threads: int 
 def _beginning(
     system: PiecewiseLinear, wanted: np.ndarray, other: np.ndarray
 ) -> tuple[np.ndarray, int]:
-    """The first of two states that a motion may start at, and its configuration."""
+    """The first of two states at which a motion may start, and its configuration."""
     try:
         return wanted, configuration_of(system, wanted)
     except InputError:

@@ -37,42 +37,25 @@ class _Term(NamedTuple):
 
 
 class Output(NamedTuple):
-    """An affine function of the state in each configuration.
+    """An affine function of the state in each configuration."""
 
-    Attributes
-    ----------
-    row : array (N + k + 1,)
-        Coefficients of the states, of the k accelerations and forces, and the constant.
-    terms : tuple of (str, str)
-        ``acceleration`` and a state, or ``force`` and a contact.
-    """
-
+    # (N + k + 1,), coefficients of the states, of k accelerations and forces, and the constant
     row: np.ndarray
-    terms: tuple[_Term, ...]
+    terms: tuple[_Term, ...]  # ``acceleration`` and a state, or ``force`` and a contact
 
     @property
     def steady(self) -> np.ndarray:
-        """What does not depend on the configuration, (N + 1,)."""
+        """The part (N + 1,) that does not depend on the configuration."""
         size = len(self.row) - len(self.terms) - 1
         return np.append(self.row[:size], self.row[-1])
 
     def derived(
         self, structure: Structure, fields: np.ndarray, rows: np.ndarray, configuration: int
     ) -> np.ndarray:
-        """What accelerations and forces add in a configuration, linear in the tables.
+        """The part (..., N + 1) due to accelerations and forces in a configuration.
 
-        Parameters
-        ----------
-        structure : Structure
-        fields : array (..., configurations, N, N + 1)
-            Of the system, or their derivatives.
-        rows : array (..., R, N + 1)
-            Likewise.
-        configuration : int
-
-        Returns
-        -------
-        array (..., N + 1)
+        It is linear in the tables `fields` (..., configurations, N, N + 1) and `rows`
+        (..., R, N + 1), which are those of the system or their derivatives.
         """
         found = np.zeros_like(rows[..., 0, :])
         size = len(self.row) - len(self.terms) - 1
@@ -90,35 +73,19 @@ class Output(NamedTuple):
     def in_configurations(
         self, structure: Structure, fields: np.ndarray, rows: np.ndarray
     ) -> np.ndarray:
-        """The affine function in all configurations.
+        """The affine function in each configuration, (configurations, N + 1).
 
-        Parameters
-        ----------
-        structure : Structure
-        fields : array (configurations, N, N + 1)
-        rows : array (R, N + 1)
-
-        Returns
-        -------
-        array (configurations, N + 1)
+        `fields` (configurations, N, N + 1) and `rows` (R, N + 1) are the tables of the system.
         """
         every = range(len(structure.configurations))
         return np.array([self.steady + self.derived(structure, fields, rows, c) for c in every])
 
 
 def output_of(text: str, structure: Structure) -> Output:
-    """Read an affine function of states, accelerations and forces of contacts.
+    """An affine function of states, accelerations and forces of contacts, from its text.
 
-    Parameters
-    ----------
-    text : str
-        Such as ``x1 - x2``, ``acceleration:x1 + 9.81`` or ``force:wall``.
-    structure : Structure
-
-    Raises
-    ------
-    InputError
-        If the text is no such expression, or not affine.
+    Texts are such as ``x1 - x2``, ``acceleration:x1 + 9.81`` or ``force:wall``. Refused is a text
+    that is no such expression, or not affine.
     """
     contacts = [contact.name for contact in structure.contacts]
     known = {_ACCELERATION: list(structure.states), _FORCE: contacts}
@@ -144,32 +111,19 @@ def output_of(text: str, structure: Structure) -> Output:
 
 
 def _named(name: str, known: Sequence[str]) -> str:
-    """The one of this name, or the contact of an element: ``wall`` for ``wall-stop``."""
+    """The known name itself, or the contact of an element: ``wall-stop`` for ``wall``.
+
+    It is empty if no name, or more than one, fits.
+    """
     found = [name] if name in known else [each for each in known if each.startswith(f"{name}-")]
     return found[0] if len(found) == 1 and name else ""
 
 
 def affine_row(text: str, names: Sequence[str], told: str | None = None) -> np.ndarray:
-    """Read an affine function.
+    """Coefficients of an affine function of N named variables, then its constant, (N + 1,).
 
-    Parameters
-    ----------
-    text : str
-        Such as ``x1 - x2`` or ``9.81*v1 + 1/2``.
-    names : sequence of str
-        Of the N variables.
-    told : str, optional
-        What messages call it.
-
-    Returns
-    -------
-    array (N + 1,)
-        Coefficients of the variables, then the constant.
-
-    Raises
-    ------
-    InputError
-        If the text is no expression of the variables, or not affine in them.
+    Texts are such as ``x1 - x2`` or ``9.81*v1 + 1/2``; messages call the text `told`. Refused
+    is a text that is no expression of the variables, or not affine in them.
 
     Examples
     --------

@@ -202,7 +202,7 @@ def fit(
 
 
 def _each(data: Any) -> list[Any]:
-    """The experiments one by one."""
+    """A list of the experiments."""
     if isinstance(data, Mapping | str | os.PathLike | Experiment) or hasattr(data, "data_vars"):
         return [data]
     try:
@@ -224,7 +224,7 @@ def _check_count(problem: FitProblem) -> None:
 
 
 def _check_columns(problem: FitProblem, found: Minimum) -> None:
-    """Refuse an unknown on which nothing that was measured depends."""
+    """Refuse an unknown on which no measurement depends."""
     size = problem.unknowns.sizes(found.point)
     moved = abs(found.residuals.jacobian[: problem.data] * size).max(axis=0)
     for name, value, change in zip(problem.unknowns.names, found.point, moved, strict=True):
@@ -236,7 +236,7 @@ def _check_columns(problem: FitProblem, found: Minimum) -> None:
 
 
 def _fit(problem: FitProblem, found: Minimum, loss: str) -> Fit:
-    """The record of a minimum."""
+    """The result of a fit, from a minimum."""
     _check_columns(problem, found)
     unknowns, point, residuals = problem.unknowns, found.point, found.residuals
     width = np.where(
@@ -363,7 +363,10 @@ def _along(experiment: Measured) -> str:
 
 
 def _same_sequence(experiment: Measured, prediction: Prediction, offset: float) -> bool | None:
-    """Whether recorded events have the order and the number of the motion's, up to the last."""
+    """Whether the motion reaches the recorded boundaries as often and in the order of the data.
+
+    Only events up to the last recorded one count. It is None if no events were recorded.
+    """
     recorded: list[tuple[float, str]] = []
     predicted: list[tuple[float, str]] = []
     motion = prediction.motion

@@ -28,49 +28,28 @@ __all__ = ["Fit", "FittedExperiment", "FittedResponse", "FittedSeries"]
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FittedSeries(MeasuredSeries):
-    """One column of measurements beside what the fitted motion says of it.
+    """One column of measurements with the fitted values."""
 
-    Attributes
-    ----------
-    fitted : array (m,)
-        What the motion says.
-    sigma : array (m,)
-        Standard deviations that weighted it, given or estimated.
-    """
-
-    fitted: Row
-    sigma: Row
+    fitted: Row  # (m,)
+    sigma: Row  # (m,), standard deviations used as weights, given or estimated
 
     @property
     def residuals(self) -> np.ndarray:
-        """Measured minus fitted, in standard deviations, (m,)."""
+        """Measured minus fitted (m,), in standard deviations."""
         return np.asarray((self.values - self.fitted) / self.sigma)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FittedResponse:
-    """The steady response that belongs to a row of measurements.
+    """The steady response that belongs to a row of measurements."""
 
-    Attributes
-    ----------
-    parameters : dict of str to Value
-        All of them.
-    itinerary : tuple of (str, str)
-        Configurations, and boundaries by which they are left; ``forcing-phase`` where none is.
-    dwell_times : array (p,)
-    start : array (N,)
-        State at the start of the first phase.
-    stability : str
-    grazing : NearestGrazing or None
-        Where it comes closest to grazing a boundary.
-    """
-
-    parameters: Mapping[str, Value]
+    parameters: Mapping[str, Value]  # all of them
+    # configurations and the boundaries that end them, or ``forcing-phase`` without one
     itinerary: tuple[tuple[str, str], ...]
-    dwell_times: Row
-    start: Row
+    dwell_times: Row  # (p,)
+    start: Row  # (N,), state at the start of the first phase
     stability: str
-    grazing: NearestGrazing | None
+    grazing: NearestGrazing | None  # where it comes closest to grazing a boundary
 
     @property
     def period(self) -> float:
@@ -80,48 +59,25 @@ class FittedResponse:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FittedExperiment:
-    """One experiment at the fit.
-
-    Attributes
-    ----------
-    name : str
-    parameters : dict of str to Value
-        All of them, as fitted or known; of steady responses those that all rows share.
-    start : array (N,)
-        State at the start of the motion; empty, as what else belongs to a motion, of steady
-        responses.
-    offset : float
-        What the clock of the data shows there.
-    until : float
-        Time at which the motion ends, on its own clock.
-    series : tuple of FittedSeries
-    configurations : tuple of str
-        That the fitted motion goes through.
-    boundaries : tuple of str
-        That lead from one to the next; those reached together joined by ``+``.
-    same_sequence : bool or None
-        Whether the motion reaches the boundaries whose times were recorded as often as, and in the
-        order in which, the data have them; None where no times of events were recorded.
-    grazing : NearestGrazing or None
-        Where it comes closest to grazing a boundary.
-    responses : tuple of FittedResponse
-        Of each row, where steady responses were measured.
-    along : str
-        Parameter that was varied from row to row, the first of them; empty where none was.
-    """
+    """One experiment at the fit."""
 
     name: str
+    # all of them, fitted or known; of steady responses those that all rows share
     parameters: Mapping[str, Value]
+    # (N,), state at the start of the motion; like all that belongs to a motion, empty for steady
+    # responses
     start: Row
-    offset: Digits
-    until: Digits
+    offset: Digits  # reading of the clock of the data at the start
+    until: Digits  # end of the motion, on its own clock
     series: tuple[FittedSeries, ...]
-    configurations: tuple[str, ...]
-    boundaries: tuple[str, ...]
+    configurations: tuple[str, ...]  # those that the fitted motion passes
+    boundaries: tuple[str, ...]  # those that end them; several reached together are joined by ``+``
+    # whether the motion reaches the recorded boundaries as often and in the order of the data; None
+    # if no events were recorded
     same_sequence: bool | None
-    grazing: NearestGrazing | None
-    responses: tuple[FittedResponse, ...] = ()
-    along: str = ""
+    grazing: NearestGrazing | None  # where the motion comes closest to grazing a boundary
+    responses: tuple[FittedResponse, ...] = ()  # of each row, for steady responses
+    along: str = ""  # first parameter that varies from row to row, empty if none does
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -200,7 +156,7 @@ class Fit(Kept):
     costs: AnyRow
 
     def __getitem__(self, name: str) -> float:
-        """Give the estimate of a free number."""
+        """The estimate of a free number."""
         if name not in self.names:
             raise KeyError(name)
         return float(self.estimates[self.names.index(name)])

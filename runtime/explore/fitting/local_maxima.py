@@ -28,21 +28,11 @@ _ORDERS = 7  # derivatives from that of order 0
 
 
 class LocalMaximum(NamedTuple):
-    """A local maximum inside a phase.
-
-    Attributes
-    ----------
-    phase : int
-    function : int
-        Which of the functions.
-    since : float
-        Time since the beginning of the phase.
-    value : float
-    """
+    """A local maximum inside a phase."""
 
     phase: int
-    function: int
-    since: float
+    function: int  # number of the function
+    since: float  # time since the beginning of the phase
     value: float
 
 
@@ -57,14 +47,9 @@ class _Slopes(NamedTuple):
 
 
 def local_maxima(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> list[LocalMaximum]:
-    """Find all local maxima of affine functions inside phases.
+    """All local maxima inside phases of K affine functions of the state.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-    phases : Phases
-    rows : array (configurations, K, N + 1)
-        Affine functions ``n y + c``: n, then c.
+    `rows` (configurations, K, N + 1) are the functions ``n y + c``: n, then c.
     """
     return [
         maximum
@@ -75,7 +60,7 @@ def local_maxima(system: PiecewiseLinear, phases: Phases, rows: np.ndarray) -> l
 
 
 def _on_panels(system: PiecewiseLinear, found: Panels, function: int) -> Iterator[LocalMaximum]:
-    """Maxima of one function on panels."""
+    """Local maxima of one function on panels."""
     configuration = found.configuration
     shapes, exponents = system.structure.shapes[configuration], system.exponents[configuration]
     derivative = derivative_matrix(shapes, exponents)
@@ -106,7 +91,7 @@ def _brackets(
     low: np.ndarray,
     high: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Panels on which the slope falls through zero once, and intervals of them that hold it."""
+    """Panels on which the slope falls through zero once, and intervals that contain the zero."""
     left, right = low[places], high[places]
     kept: list[tuple[np.ndarray, np.ndarray, np.ndarray]] = []
     for turn in range(_HALVINGS + 1):

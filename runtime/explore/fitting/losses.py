@@ -50,30 +50,15 @@ LOSSES: Mapping[str, Loss] = {
 
 
 def check_loss(name: str) -> None:
-    """Refuse an unknown loss.
-
-    Raises
-    ------
-    InputError
-        The message lists those that there are.
-    """
+    """Refuse an unknown loss; the message lists the known ones."""
     if name not in LOSSES:
         raise unknown_name("loss", name, LOSSES)
 
 
 def loss_of(name: str, count: int) -> Loss:
-    """Give a loss for residuals of which only the first are data; priors stay squared.
+    """A loss for residuals of which the first `count` are data; those of priors stay squared.
 
-    Parameters
-    ----------
-    name : str
-    count : int
-        How many are data.
-
-    Returns
-    -------
-    callable
-        Squared residuals (m,) to the loss and its first two derivatives (3, m).
+    It maps squared residuals (m,) to the loss and its first two derivatives (3, m).
     """
     own = LOSSES[name]
 

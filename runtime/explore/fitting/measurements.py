@@ -64,83 +64,54 @@ class Experiment(Shown):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class MeasuredSeries:
-    """One column of measurements, without what is missing.
+    """One column of measurements, without missing values."""
 
-    Attributes
-    ----------
-    name : str
-        Of the column.
-    kind : {"output", "event", "response"}
-    expression : str
-        The output as an expression of the states, the name of the boundary, or what is measured of
-        a steady response, as ``amplitude:x``.
-    row : array (N + k + 1,)
-        The output's coefficients, of the states and of the k accelerations and forces in it, then
-        its constant; empty for events and responses.
-    places : array (m,) of int
-        Rows of the table; of events how many of this boundary were before.
-    times : array (m,)
-        On the clock of the data, as all times here; of responses the parameter that was varied.
-    values : array (m,)
-        The measured values; of events their times.
-    sigma : array (m,)
-        Standard deviations that were given; NaN where none were.
-    """
-
-    name: str
+    name: str  # of the column
     kind: Literal["output", "event", "response"]
+    # an output as an expression of the states, the name of a boundary, or a response such as
+    # ``amplitude:x``
     expression: str
+    # (N + k + 1,), coefficients of an output's states and of its k accelerations and forces, then
+    # its constant; empty for events and responses
     row: Row
+    # (m,), rows of the table; for events the number of earlier ones at this boundary
     places: Integers
-    times: Row
-    values: Row
-    sigma: AnyRow
+    times: Row  # (m,), on the clock of the data; for responses the parameter that was varied
+    values: Row  # (m,), measured values; for events their times
+    sigma: AnyRow  # (m,), standard deviations that were given, else NaN
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Measured:
-    """An experiment as it was read.
-
-    Attributes
-    ----------
-    name : str
-    parameters : dict of str to object
-        Known in it alone.
-    start : mapping or None
-    offset : float or None
-    series : tuple of MeasuredSeries
-    points : tuple of dict of str to float
-        Of steady responses: parameters of each row alone. Empty for a motion.
-    itinerary : tuple of (str, str), optional
-        Of the responses, where it was told.
-    """
+    """An experiment as it was read."""
 
     name: str
-    parameters: dict[str, object]
+    parameters: dict[str, object]  # known in it alone
     start: Mapping[str, object] | None
     offset: float | None
     series: tuple[MeasuredSeries, ...]
+    # for steady responses, parameters of each row alone; empty for a motion
     points: tuple[dict[str, float], ...] = ()
-    itinerary: tuple[tuple[str, str], ...] | None = None
+    itinerary: tuple[tuple[str, str], ...] | None = None  # of the responses, if it was given
 
     @property
     def steady(self) -> bool:
-        """Whether it holds steady responses, no motion."""
+        """Whether it holds steady responses instead of a motion."""
         return bool(self.points)
 
     @property
     def known(self) -> tuple[str, ...]:
-        """Parameters that the table or the experiment tells."""
+        """Names of the parameters that the table or the experiment gives."""
         return (*self.parameters, *(self.points[0] if self.points else ()))
 
     @property
     def last(self) -> float:
-        """The last time on the clock."""
+        """The last time on the clock of the data."""
         return max(float(series.times[-1]) for series in self.series)
 
     @property
     def first(self) -> float:
-        """The first time on the clock."""
+        """The first time on the clock of the data."""
         return min(float(series.times[0]) for series in self.series)
 
 
@@ -154,29 +125,14 @@ def measured(
     responses: Mapping[str, str],
     sigma: Mapping[str, float] | float | None,
 ) -> Measured:
-    """Read an experiment and check it.
+    """An experiment as it was read from its table, checked.
 
-    Parameters
-    ----------
-    experiment : Experiment
-    name : str
-        What it is called in messages.
-    structure : Structure
-    parameters : sequence of str
-        Names of the system's.
-    outputs : mapping of str to str
-        From columns to expressions of the states; a column named like a state is that state.
-    events : mapping of str to str
-        From columns of times to boundaries; a column named like a boundary belongs to it.
-    responses : mapping of str to str
-        From columns to what they are of a steady response; ``amplitude:x`` needs no mention.
-    sigma : mapping of str to float, or float, or None
-        Standard deviations of columns that have no ``sigma_NAME`` beside them.
-
-    Raises
-    ------
-    InputError
-        One line that names the experiment and the column.
+    `name` is its name in messages and `parameters` lists those of the system. `outputs` maps
+    columns to expressions of the states, `events` columns of times to boundaries, and
+    `responses` columns to quantities of a steady response; a column named like a state, a
+    boundary or a quantity such as ``amplitude:x`` needs no entry. `sigma` has standard
+    deviations of columns without ``sigma_NAME``. Raises `InputError` with one line that names
+    the experiment and the column.
     """
     try:
         table = read_table(experiment.data)
@@ -211,7 +167,7 @@ def _motion(
     events: Mapping[str, str],
     sigma: Mapping[str, float] | float | None,
 ) -> Measured:
-    """Series and event times of one motion."""
+    """An experiment with one motion: outputs and times of events."""
     clock = next((column for column in TIMES if column in table), None)
     times = table.pop(clock) if clock else None
     boundaries = {shape.name for shapes in structure.boundaries for shape in shapes}
@@ -264,7 +220,7 @@ def _steady(
     responses: Mapping[str, str],
     sigma: Mapping[str, float] | float | None,
 ) -> Measured:
-    """Steady responses, each row at parameters of its own."""
+    """An experiment with steady responses, each row at parameters of its own."""
     deviations = _taken_deviations(table, responses)
     for column in [*responses, *deviations]:
         if column not in table:
@@ -325,7 +281,7 @@ def _steady(
 def _taken_deviations(
     table: dict[str, np.ndarray], named: Mapping[str, str]
 ) -> dict[str, np.ndarray]:
-    """Columns of standard deviations, which are taken out of a table."""
+    """Columns of standard deviations, which are removed from a table."""
     return {
         column.removeprefix(_SIGMA): table.pop(column)
         for column in [*table]
@@ -395,7 +351,7 @@ def _output(
 
 
 def _events(column: str, boundary: str, values: np.ndarray, sigma: np.ndarray) -> MeasuredSeries:
-    """Times of events: a blank between them is an event whose time was not recorded."""
+    """Times of events; a blank stands for an event whose time was not recorded."""
     there = np.flatnonzero(~np.isnan(values))
     times = values[there]
     if np.isinf(times).any():
@@ -422,18 +378,10 @@ def _constant(column: str, values: np.ndarray) -> float:
 
 
 def boundary_named(structure: Structure, name: str) -> str:
-    """Give the boundary of a name, or the one by which an element of this name is reached.
+    """The boundary of a name, or the one by which an element of this name is reached.
 
-    Parameters
-    ----------
-    structure : Structure
-    name : str
-        Of a boundary, or of an element: ``wall`` for ``wall-reaches-stop``.
-
-    Raises
-    ------
-    InputError
-        If there is none, or more than one.
+    The name of an element is such as ``wall`` for ``wall-reaches-stop``. Refused is a name that
+    fits none, or more than one.
     """
     known = list(dict.fromkeys(s.name for shapes in structure.boundaries for s in shapes))
     if name in known:

@@ -46,33 +46,16 @@ _MESSAGES = {
 
 @dataclass(frozen=True, eq=False)
 class Minimum:
-    """Where a search ended.
+    """The end of a search."""
 
-    Attributes
-    ----------
-    point : array (q,)
-    residuals : Residuals
-        There.
-    noise : dict of str to float
-        Of columns without standard deviations.
-    converged : bool
-    message : str
-    evaluations : int
-        Of all searches, those over beginnings of the records too.
-    starts : array (n, q)
-        Where searches began.
-    costs : array (n,)
-        Half the loss where each ended; NaN where there is no motion.
-    """
-
-    point: np.ndarray
-    residuals: Residuals
-    noise: dict[str, float]
+    point: np.ndarray  # (q,)
+    residuals: Residuals  # at the point
+    noise: dict[str, float]  # standard deviations of columns that were given none
     converged: bool
     message: str
-    evaluations: int
-    starts: np.ndarray
-    costs: np.ndarray
+    evaluations: int  # in all searches, including those over beginnings of the records
+    starts: np.ndarray  # (n, q), where searches began
+    costs: np.ndarray  # (n,), half the loss where each ended, NaN without a motion
 
 
 def minimise(
@@ -82,29 +65,12 @@ def minimise(
     seed: int,
     progress: Callable[[int, int], None],
 ) -> Minimum:
-    """Search for the smallest loss.
+    """The minimum of the loss over searches from several starts.
 
-    Parameters
-    ----------
-    problem : FitProblem
-    loss : str
-    starts : int
-        The first is the guess, the others are drawn between the bounds, or from the priors.
-    seed : int
-    progress : callable
-        Told how many searches are done, and of how many.
-
-    Returns
-    -------
-    Minimum
-        The best.
-
-    Raises
-    ------
-    InputError
-        If there is no motion to begin with.
-    Interrupted
-        By Ctrl-C; its `partial` is the best until then.
+    The first start is the guess; the others are drawn between the bounds, or from the priors.
+    `progress` gets the number of searches that are done and of all. Raises `InputError` if
+    there is no motion to begin with, and on Ctrl-C `Interrupted`, whose `partial` is the best
+    minimum until then.
     """
     noise = _spreads(problem)
     points = _starts(problem, starts, seed)
@@ -152,7 +118,7 @@ def minimise(
 
 
 def _searched(problem: FitProblem, point: np.ndarray, noise: Noise, loss: str) -> Any:
-    """Where a search leads that looks about for other steady responses at its end."""
+    """The result of a search that is repeated as long as it finds other steady responses."""
     found, spent = _search(problem, point, noise, loss), 0
     for _ in range(_LOOKS):
         if not problem.look_again(found.x):
@@ -206,7 +172,7 @@ def _search(
 def _approached(
     problem: FitProblem, point: np.ndarray, noise: Noise, loss: str
 ) -> tuple[np.ndarray, int]:
-    """Where searches over longer and longer beginnings lead, and after how many evaluations."""
+    """The end of searches over ever longer beginnings of the records, and their evaluations."""
     passed = np.sort(problem.passed)
     enough = passed[min(len(point), len(passed)) - 1 :]
     part = float(enough[enough > 0].min(initial=1.0))
@@ -221,7 +187,7 @@ def _approached(
 
 
 def _starts(problem: FitProblem, count: int, seed: int) -> np.ndarray:
-    """The guess, and points drawn from the bounds or priors at which there are motions."""
+    """The guess, and points with motions that are drawn from the bounds or priors."""
     unknowns = problem.unknowns
     inside = _inside(unknowns.guess, unknowns.lower, unknowns.upper)
     points = []
@@ -260,7 +226,7 @@ def _inside(point: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.ndarr
 
 
 def _spreads(problem: FitProblem) -> dict[str, float]:
-    """A first measure of the noise of columns without standard deviations."""
+    """A first estimate of the noise of columns without standard deviations."""
     found: dict[str, float] = {}
     for name, values in _without(problem).items():
         spread = float(np.std(values))
@@ -269,7 +235,7 @@ def _spreads(problem: FitProblem) -> dict[str, float]:
 
 
 def _without(problem: FitProblem) -> dict[str, np.ndarray]:
-    """Values of columns without standard deviations, those of all experiments together."""
+    """Values of columns without standard deviations, over all experiments."""
     found: dict[str, list[np.ndarray]] = {}
     for _, series in problem.series:
         if np.isnan(series.sigma).all():
@@ -278,7 +244,7 @@ def _without(problem: FitProblem) -> dict[str, np.ndarray]:
 
 
 def _noise(problem: FitProblem, residuals: Residuals, noise: Noise, loss: str) -> dict[str, float]:
-    """Standard deviations of the residuals of each such column; robust where the loss is."""
+    """Estimated noise of each column in `noise`, from its residuals; robust where the loss is."""
     counts = [len(series.values) for _, series in problem.series]
     which = np.repeat(np.arange(len(counts)), counts)
     values = residuals.values[: problem.data]
@@ -297,7 +263,7 @@ def _noise(problem: FitProblem, residuals: Residuals, noise: Noise, loss: str) -
 
 
 def _leverage(jacobian: np.ndarray) -> np.ndarray:
-    """What part of its own prediction each residual determines, (m + p,)."""
+    """Leverage (m + p,) of each residual: its share in its own prediction."""
     scale = np.linalg.norm(jacobian, axis=0)
     basis, sizes, _ = np.linalg.svd(jacobian / np.where(scale > 0, scale, 1.0), full_matrices=False)
     return np.asarray((basis[:, sizes > 1e-12 * sizes.max(initial=0)] ** 2).sum(axis=1))

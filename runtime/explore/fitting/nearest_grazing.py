@@ -37,26 +37,15 @@ _KEPT = 50  # approaches whose derivatives are asked for
 
 @dataclass(frozen=True, kw_only=True)
 class NearestGrazing:
-    """Where a fitted motion comes closest to grazing a boundary.
-
-    Attributes
-    ----------
-    kind : {"missed", "slowly reached"}
-    boundary, configuration : str
-    time : float
-        Of the motion, in the system's unit.
-    margin : float
-        Of the boundary function.
-    standard_errors : float
-        How many of its own the margin is: so far the unknowns may move, to first order. Infinite
-        where no unknown moves it; NaN where the uncertainty is not known.
-    """
+    """The place at which a fitted motion comes closest to grazing a boundary."""
 
     kind: Literal["missed", "slowly reached"]
     boundary: str
     configuration: str
-    time: Digits
-    margin: Digits
+    time: Digits  # of the motion, in the system's unit
+    margin: Digits  # of the boundary function
+    # the margin in its own standard errors, to first order: so far the unknowns may move; infinite
+    # where none moves it, NaN where the uncertainty is not known
     standard_errors: AnyDigits
 
 
@@ -77,20 +66,10 @@ def nearest_grazing(
     number: int,
     covariance: np.ndarray,
 ) -> NearestGrazing | None:
-    """Find where a motion is the fewest standard errors from grazing.
+    """The place where a motion is the fewest standard errors from grazing, or None.
 
-    Parameters
-    ----------
-    motion : Trajectory
-    unknowns : Unknowns
-    number : int
-        Of the experiment.
-    covariance : array (q, q)
-
-    Returns
-    -------
-    NearestGrazing or None
-        None where no boundary function has a maximum in a phase.
+    It is None if no boundary function has a maximum in a phase. `number` is that of the
+    experiment, `covariance` (q, q) that of the unknowns.
     """
     found = sorted(_approaches(motion), key=lambda each: each.margin)[:_KEPT]
     if not found:
@@ -102,20 +81,10 @@ def nearest_grazing(
 def nearest_grazing_of_response(
     orbit: OrbitDerivatives, columns: Sequence[int], covariance: np.ndarray
 ) -> NearestGrazing | None:
-    """Find where a steady response is the fewest standard errors from grazing.
+    """The place where a steady response is the fewest standard errors from grazing, or None.
 
-    Parameters
-    ----------
-    orbit : OrbitDerivatives
-        By the free parameters.
-    columns : sequence of int
-        Their places among the unknowns.
-    covariance : array (q, q)
-
-    Returns
-    -------
-    NearestGrazing or None
-        None where no boundary function has a maximum in a phase.
+    It is None if no boundary function has a maximum in a phase. `orbit` has the derivatives by
+    free parameters, whose places among the unknowns are `columns`; `covariance` is (q, q).
     """
     motion = orbit.orbit.trajectory()
     found = sorted(_approaches(motion), key=lambda each: each.margin)[:_KEPT]
@@ -137,12 +106,7 @@ def nearest_grazing_of_response(
 
 
 def nearest(found: Iterable[NearestGrazing | None]) -> NearestGrazing | None:
-    """Give the nearest grazing of several, in standard errors.
-
-    Parameters
-    ----------
-    found : iterable of NearestGrazing or None
-    """
+    """The grazing that is the fewest standard errors away."""
 
     def far(each: NearestGrazing) -> tuple[float, float]:
         distance = each.standard_errors
@@ -227,7 +191,7 @@ def _approaches(motion: Trajectory) -> Iterator[_Approach]:
 
 
 def _arrival(row: np.ndarray, field: np.ndarray, state: np.ndarray) -> tuple[float, float]:
-    """Speed and bend of a boundary function at a state."""
+    """First and second derivative by time of a boundary function at a state."""
     rate = field @ np.append(state, 1.0)
     return float(row @ rate), float(row @ field[:, :-1] @ rate)
 
@@ -238,7 +202,10 @@ def _gradients(
     number: int,
     found: list[_Approach],
 ) -> np.ndarray:
-    """Derivatives of the margins by the unknowns, (n, q): zero by other experiments' unknowns."""
+    """Derivatives (n, q) of the margins by the unknowns, zero by those of other experiments.
+
+    They are NaN where the motion has no derivatives.
+    """
     entries = [
         (column, entry)
         for column, entry in enumerate(unknowns.entries)
@@ -276,7 +243,7 @@ def _gradients(
 def _of_arrival(
     motion: Trajectory, phase: int, row: int, tables: TableDerivatives, before: np.ndarray
 ) -> np.ndarray:
-    """Derivatives of the height speed^2 / (-2 bend) that the motion would reach behind a boundary.
+    """Derivatives of the height speed^2 / (-2 bend) that a motion would reach behind a boundary.
 
     Derivatives `before` (N, q) are those of the state in front of the transition, which moves.
     """

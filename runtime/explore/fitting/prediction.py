@@ -34,20 +34,11 @@ _JUMP = 1e-9  # of the values on both sides
 
 @dataclass(frozen=True, eq=False)
 class Prediction:
-    """One experiment at one point of the unknowns.
-
-    Attributes
-    ----------
-    motion : Trajectory
-    values : tuple of array (m,)
-        For each series, on the clock of the data.
-    jacobians : tuple of array (m, q)
-        By all unknowns.
-    """
+    """The motion of one experiment at one point of the unknowns, and its predictions."""
 
     motion: Trajectory
-    values: tuple[np.ndarray, ...]
-    jacobians: tuple[np.ndarray, ...]
+    values: tuple[np.ndarray, ...]  # (m,) for each series, on the clock of the data
+    jacobians: tuple[np.ndarray, ...]  # (m, q) for each series, by all unknowns
 
 
 def predict(
@@ -57,21 +48,10 @@ def predict(
     number: int,
     point: np.ndarray,
 ) -> Prediction:
-    """Follow the motion of an experiment, and differentiate what is measured of it.
+    """The prediction for an experiment with a motion, at a point (q,) of the unknowns.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    experiment : Measured
-    unknowns : Unknowns
-    number : int
-        Of the experiment, from 0.
-    point : array (q,)
-
-    Raises
-    ------
-    NonsmoothError
-        Where the motion does not exist, is too short, or has no derivative.
+    The derivatives are exact. `number` is that of the experiment, from 0. Raises
+    `NonsmoothError` if the motion does not exist, is too short, or has no derivative.
     """
     condition = unknowns.condition(point, number)
     motion = motion_under(kernels, experiment, condition)
@@ -127,12 +107,10 @@ def predict(
 def motion_under(
     kernels: SystemKernels, experiment: Measured, condition: MotionSettings
 ) -> Trajectory:
-    """Follow the motion of an experiment, as far as it was recorded.
+    """The motion of an experiment, as far as it was recorded.
 
-    Raises
-    ------
-    NonsmoothError
-        Where it does not exist, ends before the data, or reaches a boundary less often.
+    Raises `NonsmoothError` if the motion does not exist, ends before the data, or reaches a
+    boundary less often.
     """
     length = experiment.last - condition.offset
     if not length > 0:
@@ -165,12 +143,7 @@ def motion_under(
 
 
 def times_of_events(motion: Trajectory, boundary: str) -> np.ndarray:
-    """Give the places among a motion's times at which it reaches a boundary.
-
-    Returns
-    -------
-    array (n,) of int
-    """
+    """Places (n,) among a motion's times at which it reaches a boundary."""
     return np.array([i for i, names in enumerate(motion.boundaries) if boundary in names], int)
 
 
@@ -179,7 +152,7 @@ def _lacks(motion: Trajectory, series: MeasuredSeries) -> bool:
 
 
 def _rows(output: Output, motion: Trajectory) -> np.ndarray:
-    """An output in all configurations (configurations, N + 1)."""
+    """An output in each configuration, (configurations, N + 1)."""
     system = motion.system
     return output.in_configurations(motion.structure, system.fields, system.rows)
 
@@ -191,7 +164,7 @@ def _check_jumps(
     motion: Trajectory,
     times: np.ndarray,
 ) -> None:
-    """Refuse a sample at the very time of an event at which the output jumps."""
+    """Refuse a sample at exactly the time of an event at which the output jumps."""
     rows, run = _rows(output, motion), motion.run
     near = _AT_ONCE * motion.end
     firsts = np.searchsorted(motion.times[1:], times - near) + 1

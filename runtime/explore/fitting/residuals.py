@@ -29,38 +29,21 @@ Noise = Mapping[str, float]  # standard deviations of columns that have none of 
 
 @dataclass(frozen=True, eq=False)
 class Residuals:
-    """Residuals at one point: those of the data, then those of the priors.
+    """Residuals at one point: those of the data, then those of the priors."""
 
-    Attributes
-    ----------
-    values : array (m + p,)
-        In standard deviations: predicted - measured.
-    jacobian : array (m + p, q)
-    predictions : tuple of Prediction or SteadyPrediction
-        One for each experiment; none where there is no value.
-    """
-
-    values: np.ndarray
-    jacobian: np.ndarray
-    predictions: tuple[AnyPrediction, ...]
+    values: np.ndarray  # (m + p,), predicted minus measured, in standard deviations
+    jacobian: np.ndarray  # (m + p, q)
+    predictions: tuple[AnyPrediction, ...]  # one for each experiment, empty where there is no value
 
 
 @dataclass(frozen=True, eq=False)
 class FitProblem:
-    """A least squares problem.
-
-    Attributes
-    ----------
-    kernels : SystemKernels
-    experiments : tuple of Measured
-    unknowns : Unknowns
-    responses : KnownResponses
-        Steady ones that were found so far, from where others are followed.
-    """
+    """A least-squares problem."""
 
     kernels: SystemKernels
     experiments: tuple[Measured, ...]
     unknowns: Unknowns
+    # steady responses that are known so far, from which others are followed
     responses: KnownResponses = field(default_factory=KnownResponses)
 
     @property
@@ -70,12 +53,12 @@ class FitProblem:
 
     @property
     def data(self) -> int:
-        """How many numbers were measured."""
+        """Number of measured values."""
         return sum(len(series.values) for _, series in self.series)
 
     @property
     def passed(self) -> np.ndarray:
-        """What part of its record has passed at each datum, (m,); none of a steady response."""
+        """Fraction of its record that has passed at each datum, (m,); 0 for steady responses."""
         found = []
         for each in self.experiments:
             if each.steady:
@@ -86,12 +69,9 @@ class FitProblem:
         return np.concatenate(found)
 
     def beginning(self, part: float) -> FitProblem:
-        """The same problem with the first part of each record of a motion alone.
+        """The same problem with only the first part of the record of each motion.
 
-        Parameters
-        ----------
-        part : float
-            Of the time between the first and the last datum of an experiment.
+        `part` is a fraction of the time between the first and the last datum of an experiment.
         """
         experiments = []
         for each in self.experiments:
@@ -105,27 +85,12 @@ class FitProblem:
         return replace(self, experiments=tuple(experiments))
 
     def sigma(self, series: MeasuredSeries, noise: Noise) -> np.ndarray:
-        """Standard deviations of a series.
-
-        Returns
-        -------
-        array (m,)
-        """
+        """Standard deviations (m,) of a series."""
         given = series.sigma
         return np.where(np.isnan(given), noise.get(series.name, np.nan), given)
 
     def look_again(self, point: np.ndarray) -> bool:
-        """Look for other steady responses than those that were followed.
-
-        Parameters
-        ----------
-        point : array (q,)
-
-        Returns
-        -------
-        bool
-            Whether steady responses are measured at all.
-        """
+        """Search for steady responses other than the known ones; False if none are measured."""
         for number, each in enumerate(self.experiments):
             if each.steady:
                 points = points_under(each, self.unknowns, number, point)
@@ -134,16 +99,9 @@ class FitProblem:
         return any(each.steady for each in self.experiments)
 
     def predictions(self, point: np.ndarray) -> tuple[AnyPrediction, ...]:
-        """What all motions say of the data.
+        """The predictions of all experiments at a point (q,).
 
-        Parameters
-        ----------
-        point : array (q,)
-
-        Raises
-        ------
-        NonsmoothError
-            Where one of them says nothing.
+        Raises `NonsmoothError` if one of them does not exist.
         """
         return tuple(
             predict_steady(self.kernels, experiment, self.unknowns, number, point, self.responses)
@@ -155,14 +113,7 @@ class FitProblem:
     def weighted(
         self, point: np.ndarray, predictions: Sequence[AnyPrediction], noise: Noise
     ) -> Residuals:
-        """Residuals and Jacobian of known predictions.
-
-        Parameters
-        ----------
-        point : array (q,)
-        predictions : sequence of Prediction or SteadyPrediction
-        noise : mapping of str to float
-        """
+        """Residuals and Jacobian at a point (q,), from known predictions."""
         values, jacobians = [], []
         for experiment, found in zip(self.experiments, predictions, strict=True):
             for series, value, jacobian in zip(
@@ -177,13 +128,7 @@ class FitProblem:
         return Residuals(np.concatenate(values), np.concatenate(jacobians), tuple(predictions))
 
     def residuals(self, point: np.ndarray, noise: Noise) -> Residuals:
-        """Residuals and Jacobian; NaN where there is no motion or no derivative.
-
-        Parameters
-        ----------
-        point : array (q,)
-        noise : mapping of str to float
-        """
+        """Residuals and Jacobian at a point (q,); NaN without a motion or derivative."""
         try:
             return self.weighted(point, self.predictions(point), noise)
         except (NonsmoothError, ArithmeticError, np.linalg.LinAlgError):
@@ -192,7 +137,7 @@ class FitProblem:
 
 
 def _until(series: MeasuredSeries, last: float) -> MeasuredSeries:
-    """What was measured until a time on the clock of the data."""
+    """The part of a series until a time on the clock of the data."""
     kept = series.times <= last
     columns = ("places", "times", "values", "sigma")
     return replace(series, **{name: getattr(series, name)[kept] for name in columns})

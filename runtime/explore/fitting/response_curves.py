@@ -18,26 +18,11 @@ _VALUES = 121  # from the smallest to the largest that was measured at
 
 
 def response_curves(fit: Fit, experiment: int = 0) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Follow the fitted responses from the rows of an experiment to values in between.
+    """Values (m,) of the parameter that was varied, and fitted responses (m,) of each column.
 
-    Parameters
-    ----------
-    fit : Fit
-    experiment : int
-        Its number, from 0.
-
-    Returns
-    -------
-    values : array (m,)
-        Of the parameter that was varied; of the rows alone, where none was.
-    responses : dict of str to array (m,)
-        Of each column; NaN where the response of the row that is nearest does not reach, and
-        between responses of different phases.
-
-    Raises
-    ------
-    InputError
-        If there is no such experiment.
+    They lie between the measured rows; the values are numbers of rows where no parameter was
+    varied. Responses are NaN where that of the nearest row does not reach, and between
+    responses of different phases. `experiment` counts from 0; an unknown one is refused.
     """
     found = fit.experiment(experiment)
     kernels = known_system(fit.system)

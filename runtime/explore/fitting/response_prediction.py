@@ -37,36 +37,18 @@ _TURN = 2 * np.pi
 
 @dataclass(frozen=True, eq=False)
 class SteadyPrediction:
-    """Steady responses at one point of the unknowns.
+    """Steady responses at one point of the unknowns, and their predictions."""
 
-    Attributes
-    ----------
-    orbits : tuple of OrbitDerivatives
-        One for each row, by the free parameters.
-    values : tuple of array (m,)
-        For each series.
-    jacobians : tuple of array (m, q)
-        By all unknowns.
-    """
-
+    # one for each row, with derivatives by the free parameters
     orbits: tuple[OrbitDerivatives, ...]
-    values: tuple[np.ndarray, ...]
-    jacobians: tuple[np.ndarray, ...]
+    values: tuple[np.ndarray, ...]  # (m,) for each series
+    jacobians: tuple[np.ndarray, ...]  # (m, q) for each series, by all unknowns
 
 
 def points_under(
     experiment: Measured, unknowns: Unknowns, number: int, at: np.ndarray
 ) -> list[Point]:
-    """All parameters of each row at a point of the unknowns.
-
-    Parameters
-    ----------
-    experiment : Measured
-    unknowns : Unknowns
-    number : int
-        Of the experiment, from 0.
-    at : array (q,)
-    """
+    """All parameters of each row of an experiment (`number`, from 0) at unknowns `at` (q,)."""
     shared = unknowns.condition(at, number).parameters
     return [{**shared, **own} for own in experiment.points]
 
@@ -88,20 +70,10 @@ def look(
     by: Sequence[str],
     known: KnownResponses,
 ) -> None:
-    """Look for the responses of an experiment, beside those that are known.
+    """Search for the responses of an experiment, and add them to those that are known.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    experiment : Measured
-    number : int
-        Of the experiment, from 0.
-    points : sequence of mapping
-        All parameters of each row.
-    by : sequence of str
-        Free parameters.
-    known : KnownResponses
-        Added to.
+    `number` is that of the experiment, from 0; `points` are all parameters of each row; `by`
+    lists the free parameters.
     """
     # swept along the parameters, whatever the order of the rows
     order = sorted(range(len(points)), key=lambda row: [*experiment.points[row].values()])
@@ -130,23 +102,11 @@ def predict_steady(
     point: np.ndarray,
     known: KnownResponses,
 ) -> SteadyPrediction:
-    """Follow the responses of an experiment, and differentiate what is measured of them.
+    """The prediction for an experiment with steady responses, at a point (q,) of the unknowns.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    experiment : Measured
-    unknowns : Unknowns
-    number : int
-        Of the experiment, from 0.
-    point : array (q,)
-    known : KnownResponses
-        Where they are followed from; what is found is remembered.
-
-    Raises
-    ------
-    NoConvergence
-        Where there is no stable periodic response, or it has no derivative.
+    The responses are followed from those in `known`, which are updated. `number` is that of the
+    experiment, from 0. Raises `NoConvergence` if there is no stable periodic response, or if it
+    has no derivative.
     """
     points = points_under(experiment, unknowns, number, point)
     columns = differentiated_by(unknowns, number)
@@ -200,7 +160,10 @@ def predict_steady(
 def _seen(
     orbit: OrbitDerivatives, quantities: Sequence[ResponseQuantity], measured: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray] | None:
-    """What was measured in a row, of a response; angles next to the measured ones."""
+    """Predicted values and slopes of a row, for one response; None without a derivative.
+
+    Angles are those next to the measured ones.
+    """
     values = np.zeros(len(quantities))
     slopes = np.zeros((len(quantities), len(orbit.by)))
     for place, quantity in enumerate(quantities):

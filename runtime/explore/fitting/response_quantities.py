@@ -25,62 +25,32 @@ __all__ = ["KINDS", "ResponseQuantity", "response_quantity"]
 
 
 class ResponseQuantity(NamedTuple):
-    """A number that is measured of a steady response.
+    """A number that is measured of a steady response."""
 
-    Attributes
-    ----------
-    kind : str
-        A key of `KINDS`.
-    output : Output
-    text : str
-        As it was written.
-    """
-
-    kind: str
+    kind: str  # a key of `KINDS`
     output: Output
-    text: str
+    text: str  # as it was written
 
     @property
     def periodic(self) -> bool:
-        """Whether it is an angle, the same after a full turn."""
+        """Whether it is an angle, which is the same after a full turn."""
         return self.kind == "phase"
 
     def of(self, derivatives: OrbitDerivatives) -> tuple[float, np.ndarray]:
-        """Its value along an orbit, and its derivatives (q,).
+        """Its value along an orbit (by tables), and its derivatives (q,).
 
-        Parameters
-        ----------
-        derivatives : OrbitDerivatives
-            Of an orbit by tables.
-
-        Returns
-        -------
-        value : float
-        derivatives : array (q,)
-
-        Raises
-        ------
-        InputError
-            Where there is no derivative.
+        Raises `InputError` if there is no derivative.
         """
         along, _ = derivatives.orbit.evaluation.along(derivatives)
         return KINDS[self.kind](along, self.output, self.text)
 
 
 def response_quantity(text: str, structure: Structure) -> ResponseQuantity:
-    """Read what is measured of a steady response.
+    """A quantity of a steady response, from its text ``KIND:OUTPUT``.
 
-    Parameters
-    ----------
-    text : str
-        ``KIND:OUTPUT``: a key of `KINDS`, and an affine function of states, accelerations and
-        forces, such as ``amplitude:x1 - x2`` or ``rms:acceleration:x``.
-    structure : Structure
-
-    Raises
-    ------
-    InputError
-        For an unknown kind, no affine function, or a first harmonic without a forcing.
+    KIND is a key of `KINDS` and OUTPUT an affine function of states, accelerations and forces,
+    such as ``amplitude:x1 - x2`` or ``rms:acceleration:x``. Refused are an unknown kind, a
+    function that is not affine, and a first harmonic without a forcing.
     """
     kind, colon, output = (part.strip() for part in text.partition(":"))
     if not colon or not output:
@@ -98,7 +68,7 @@ Value = tuple[float, np.ndarray]
 
 
 def _row(along: OrbitMotionDerivatives, output: Output) -> Callable[[int], np.ndarray]:
-    """The output (q, N + 1) in a configuration, with its steps."""
+    """The output (q, N + 1) as a function of the configuration, with complex steps."""
     numbers = along.numbers
 
     def row(configuration: int) -> np.ndarray:
@@ -109,7 +79,7 @@ def _row(along: OrbitMotionDerivatives, output: Output) -> Callable[[int], np.nd
 
 
 def _extremes(along: OrbitMotionDerivatives, output: Output) -> tuple[Value, Value]:
-    """Largest and smallest value."""
+    """The largest and the smallest value, with derivatives."""
     high, low = along.extremes(_row(along, output))
     return (float(high.value), high.rates), (float(low.value), low.rates)
 
@@ -165,7 +135,10 @@ def _parts(number: np.ndarray) -> Value:
 
 
 def _averages(along: OrbitMotionDerivatives, output: Output) -> np.ndarray:
-    """Averages of f, f^2, f cos and f sin of the first forcing's angle, (4, q), with steps."""
+    """Averages (4, q) of f, f^2, f cos and f sin, with complex steps.
+
+    The angle is that of the first forcing; without one there are zeros.
+    """
     row, forcing = _row(along, output), along.structure.forcing
     total = np.zeros((4, len(along.by)), dtype=complex)
     period = np.zeros(len(along.by), dtype=complex)

@@ -25,29 +25,17 @@ _LEVEL = 0.95
 
 @dataclass(frozen=True, eq=False)
 class Statistics:
-    """Uncertainties at a minimum; q unknowns.
+    """Uncertainties at a minimum with q unknowns, k of which are not at a bound."""
 
-    Attributes
-    ----------
-    covariance : array (q, q)
-        Infinite variances where the data do not tell an unknown, or no degree of freedom is
-        left to tell the noise, NaN beside these; NaN for unknowns at a bound.
-    half_widths : array (q,)
-        Of the 95 % intervals.
-    singular_values : array (q,)
-        Of the Jacobian, each column times its unknown's size: how many standard deviations the
-        data move where a combination of relative changes is 1.
-    combinations : array (q, q)
-        Unit vectors of relative changes, in rows.
-    unidentified : tuple of int
-        Rows of combinations that nothing tells.
-    """
-
+    # (q, q); variances are infinite for an unknown that the data do not determine, or without a
+    # degree of freedom to estimate the noise, and NaN beside these; NaN for unknowns at a bound
     covariance: np.ndarray
-    half_widths: np.ndarray
+    half_widths: np.ndarray  # (q,), of the 95 % intervals
+    # (k,), of the Jacobian with each column times its unknown's size: by how many standard
+    # deviations the data move where a combination of relative changes is 1
     singular_values: np.ndarray
-    combinations: np.ndarray
-    unidentified: tuple[int, ...]
+    combinations: np.ndarray  # (k, q), unit vectors of relative changes, in rows
+    unidentified: tuple[int, ...]  # rows of combinations that nothing determines
 
 
 def statistics(
@@ -60,22 +48,11 @@ def statistics(
     given: bool,
     held: np.ndarray,
 ) -> Statistics:
-    """Uncertainties from the residuals and the Jacobian at a minimum.
+    """Uncertainties from the residuals (m + p,) and the Jacobian (m + p, q) at a minimum.
 
-    Parameters
-    ----------
-    scale : array (q,)
-        What is a large change of each unknown.
-    residuals : array (m + p,)
-        Of data and priors.
-    jacobian : array (m + p, q)
-    data : int
-        m.
-    loss : str
-    given : bool
-        Whether all standard deviations were given.
-    held : array (q,) of bool
-        Unknowns at a bound.
+    `scale` (q,) is a large change of each unknown; `data` is the number m of measured values,
+    which come before those of priors. `given` says whether all standard deviations were given,
+    and `held` (q,) marks unknowns at a bound.
     """
     from scipy.stats import norm, t
 
@@ -127,12 +104,7 @@ def _factor(residuals: np.ndarray, data: int, freedom: int, loss: str, *, given:
 
 
 def combination_text(names: Sequence[str], combination: np.ndarray) -> str:
-    """Say a combination of relative changes in words.
-
-    Parameters
-    ----------
-    names : sequence of str
-    combination : array (q,)
+    """A text for a combination (q,) of relative changes.
 
     Examples
     --------

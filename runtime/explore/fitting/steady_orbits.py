@@ -43,27 +43,21 @@ Point = Mapping[str, Any]
 
 
 class KnownResponses:
-    """Responses that were found so far at each of several points, where others are begun from."""
+    """Responses that are known at each of several points, from which others are followed."""
 
     def __init__(self) -> None:
         self._orbits: dict[tuple[int, int], list[OrbitDerivatives]] = {}
 
     def at(self, experiment: int, place: int) -> list[OrbitDerivatives]:
-        """Those of a point of an experiment."""
+        """Known responses at a point of an experiment."""
         return self._orbits.get((experiment, place), [])
 
     def keep(self, experiment: int, place: int, orbits: Sequence[OrbitDerivatives]) -> None:
-        """Remember responses in place of those that were known, the latest ones first.
-
-        Parameters
-        ----------
-        experiment, place : int
-        orbits : sequence of OrbitDerivatives
-        """
+        """Replace the known responses at a point of an experiment; the latest ones come first."""
         self._orbits[experiment, place] = list(orbits[:_MOST])
 
     def known(self, experiment: int) -> bool:
-        """Whether an experiment's responses were looked for."""
+        """Whether the responses of an experiment have been searched for."""
         return any(known == experiment for known, _ in self._orbits)
 
 
@@ -75,26 +69,11 @@ def responses_at(
     *,
     unstable: bool,
 ) -> tuple[list[OrbitDerivatives], list[OrbitDerivatives]]:
-    """Follow responses to other parameters; where the first is lost, see what takes its place.
+    """The responses at other parameters, each once, and the known ones that were lost on the way.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    parameters : mapping of str to number
-        All of them.
-    by : sequence of str
-        Those by which it is differentiated.
-    known : sequence of OrbitDerivatives
-        Responses at parameters nearby, the one that was chosen first.
-    unstable : bool
-        Whether unstable ones count: those of an itinerary that was told.
-
-    Returns
-    -------
-    found : list of OrbitDerivatives
-        Each response once.
-    lost : list of OrbitDerivatives
-        Those known that could not be followed, for later.
+    Where the first known one is lost, a motion from it shows what takes its place. `by` lists
+    the parameters of the derivatives; `known` are responses at parameters nearby, the chosen
+    one first. With `unstable`, unstable responses count too, for a given itinerary.
     """
     found: list[OrbitDerivatives] = []
     lost: list[OrbitDerivatives] = []
@@ -132,19 +111,9 @@ def settled_from(
     start: Sequence[float],
     configuration: str | None = None,
 ) -> list[Orbit]:
-    """Find the response on which a motion settles.
+    """The periodic response on which a motion from a state (N,) settles, in a list.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    parameters : mapping of str to number
-    start : sequence (N,) of float
-    configuration : str, optional
-
-    Returns
-    -------
-    list of Orbit
-        Empty where it does not settle on a periodic one.
+    The list is empty where the motion does not settle on a periodic one.
     """
     try:
         motion = simulate(kernels, parameters, start, configuration, transitions=_TRANSITIONS)
@@ -164,14 +133,7 @@ def settled_from(
 
 
 def survey(kernels: SystemKernels, points: Sequence[Point]) -> list[list[Orbit]]:
-    """Look for the stable responses at several points.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    points : sequence of mapping
-        All parameters of each, in the order of a sweep.
-    """
+    """The stable responses at each of several points, which are in the order of a sweep."""
     found: list[list[Orbit]] = [[] for _ in points]
     for place, parameters in enumerate(points):
         for start in _starts(piecewise(grown(kernels), parameters)):
@@ -190,19 +152,10 @@ def survey(kernels: SystemKernels, points: Sequence[Point]) -> list[list[Orbit]]
 def survey_of(
     kernels: SystemKernels, points: Sequence[Point], itinerary: Itinerary
 ) -> list[list[Orbit]]:
-    """Look for the responses of an itinerary at several points, unstable ones too.
+    """The responses of an itinerary at each of several points, unstable ones too.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    points : sequence of mapping
-        All parameters of each, in the order of a sweep.
-    itinerary : tuple of (str, str)
-
-    Returns
-    -------
-    list of list of Orbit
-        Followed from point to point, from where one is stable, or found near a motion.
+    The points are in the order of a sweep. Responses are followed from point to point, from
+    where one is stable or lies near a motion.
     """
     turn = canonical(itinerary)
     wanted = itinerary[turn:] + itinerary[:turn]
@@ -234,7 +187,7 @@ def survey_of(
 
 
 def _starts(system: PiecewiseLinear) -> list[list[float]]:
-    """Rest, and a few states at random."""
+    """The state of rest, and a few random states."""
     limits = start_box(system)
     generator = np.random.default_rng(0)
     drawn = generator.uniform(limits[:, 0], limits[:, 1], (_STARTS, len(limits)))
@@ -258,7 +211,7 @@ def _followed(
 
 
 def _counts(orbit: Orbit, *, unstable: bool) -> bool:
-    """Whether an orbit is a motion that is seen in a test."""
+    """Whether an orbit is a motion that a test can show, or any motion if `unstable`."""
     if not orbit.converged or not (orbit.dwell_times > 0).all():
         return False
     judged: Admissibility = orbit.admissibility

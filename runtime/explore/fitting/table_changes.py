@@ -13,13 +13,7 @@ __all__ = ["table_changes"]
 
 
 def table_changes(motion: Trajectory, by: Sequence[str]) -> TableDerivatives:
-    """Derivatives of the tables by names; zero by those that are no parameters.
-
-    Parameters
-    ----------
-    motion : Trajectory
-    by : sequence (q,) of str
-    """
+    """Derivatives of the system's tables by q names, zero by those that are no parameters."""
     kernels = motion.structure.kernels
     assert kernels is not None
     names = [table.name for table in kernels.parameters]

@@ -29,25 +29,12 @@ Table = dict[str, np.ndarray]
 
 
 def read_table(data: Any) -> Table:
-    """Give the columns of measurements; what is missing is NaN.
+    """The columns (n,) of a table of measurements, by name; missing values are NaN.
 
-    Parameters
-    ----------
-    data : path, mapping of str to array, or xarray.Dataset
-        A path ends in .csv (with a header), .npz, .nc or .zarr. Of a dataset the variables
-        along its dimension ``t`` or ``time``, or its only one, are columns.
-
-    Returns
-    -------
-    dict of str to array (n,)
-        Columns may have different lengths.
-
-    Raises
-    ------
-    InputError
-        If a file cannot be read, or a column is no row of real numbers.
-    MissingExtra
-        For .nc and .zarr without xarray.
+    `data` are columns by name, an xarray Dataset, or a path to .csv (with a header), .npz, .nc
+    or .zarr. Columns of a dataset are its variables along ``t`` or ``time``, or along its only
+    dimension. Columns may have different lengths. Raises `InputError` if a file cannot be read
+    or a column is no row of real numbers, and `MissingExtra` for .nc and .zarr without xarray.
     """
     if isinstance(data, str | os.PathLike):
         with naming(data) as path:
@@ -103,7 +90,7 @@ def _from_file(path: Path) -> Table:
 
 
 def _arrays(content: bytes) -> Iterator[tuple[str, np.ndarray]]:
-    """Arrays of an archive by name, which together take a few times as much as it."""
+    """Arrays of an archive by name, which together may take only a few times its size."""
     left: float = _SMALL + _LOOSEST * len(content)
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as file:

@@ -25,33 +25,23 @@ Bounds = Mapping[str, tuple[object, object]]
 
 @dataclass(frozen=True)
 class FreeNumber:
-    """A number that is fitted.
+    """A number that is fitted."""
 
-    Attributes
-    ----------
-    name : str
-        As it is reported: ``k``, ``x10``, ``offset``; with ``@2`` behind it where each of
-        several experiments has its own.
-    kind : {"parameter", "start", "offset"}
-    target : str
-        The parameter, or the state that starts with it.
-    experiment : int or None
-        To which it belongs; None for all.
-    """
-
+    # as reported: ``k``, ``x10`` or ``offset``, with ``@2`` behind it where each experiment has its
+    # own
     name: str
     kind: Literal["parameter", "start", "offset"]
-    target: str
-    experiment: int | None
+    target: str  # the parameter, or the state that starts with it
+    experiment: int | None  # to which it belongs, None for all
 
     def concerns(self, experiment: int) -> bool:
-        """Tell whether an experiment depends on it."""
+        """Whether an experiment depends on it."""
         return self.experiment in (None, experiment)
 
 
 @dataclass(frozen=True)
 class MotionSettings:
-    """What is known of one experiment at one point: parameters, start and clock."""
+    """Parameters, start and clock of one experiment at one point of the unknowns."""
 
     parameters: dict[str, object]
     start: dict[str, object]
@@ -60,52 +50,31 @@ class MotionSettings:
 
 @dataclass(frozen=True, eq=False)
 class Unknowns:
-    """All that is fitted, and what is fixed beside it.
-
-    Attributes
-    ----------
-    entries : tuple of FreeNumber
-    guess, lower, upper : array (q,)
-    priors : tuple of (int, float, float)
-        Which, its mean and its standard deviation.
-    fixed : tuple of MotionSettings
-        One for each experiment, without what is fitted.
-    """
+    """All numbers that are fitted, and those that are fixed."""
 
     entries: tuple[FreeNumber, ...]
-    guess: np.ndarray
-    lower: np.ndarray
-    upper: np.ndarray
+    guess: np.ndarray  # (q,)
+    lower: np.ndarray  # (q,)
+    upper: np.ndarray  # (q,)
+    # number of an unknown, its mean and its standard deviation
     priors: tuple[tuple[int, float, float], ...]
-    fixed: tuple[MotionSettings, ...]
+    fixed: tuple[MotionSettings, ...]  # of each experiment, without what is fitted
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Their names."""
+        """Names of the unknowns."""
         return tuple(entry.name for entry in self.entries)
 
     def sizes(self, point: np.ndarray) -> np.ndarray:
-        """Give what is a large change of each: its own size, or that of its guess; 1 for zeros.
+        """A large change (q,) of each unknown at a point (q,): its own size, or that of its guess.
 
-        Parameters
-        ----------
-        point : array (q,)
-
-        Returns
-        -------
-        array (q,)
+        The size is 1 where both are zero.
         """
         usual = np.where(self.guess != 0, abs(self.guess), 1.0)
         return np.where(abs(point) > _VANISHING * usual, abs(point), usual)
 
     def condition(self, point: np.ndarray, experiment: int) -> MotionSettings:
-        """Give the conditions of an experiment at a point.
-
-        Parameters
-        ----------
-        point : array (q,)
-        experiment : int
-        """
+        """Parameters, start and clock of an experiment at a point (q,) of the unknowns."""
         fixed = self.fixed[experiment]
         parameters, start, offset = dict(fixed.parameters), dict(fixed.start), fixed.offset
         for entry, value in zip(self.entries, point.tolist(), strict=True):
@@ -131,25 +100,12 @@ def unknowns_of(
     start: Mapping[str, object],
     offset: float,
 ) -> Unknowns:
-    """Sort what is fitted from what is known.
+    """The unknowns of a fit, with their guesses, bounds and priors, and what is fixed.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    experiments : sequence of Measured
-    parameters : mapping of str to number
-        Known ones, and guesses of free ones.
-    free : sequence of str
-        Names of parameters, of states at the start (x10 of x1), and ``offset``.
-    bounds : mapping of str to (lower, upper)
-    priors : mapping of str to (mean, standard deviation)
-    start : mapping of state to number
-    offset : float
-
-    Raises
-    ------
-    InputError
-        For unknown names, a parameter that is free and known, or bounds in the wrong order.
+    `parameters` are known ones and guesses of free ones; `free` names parameters, states at the
+    start (x10 of x1) and ``offset``. Bounds are (lower, upper), priors (mean, standard
+    deviation). Refused are unknown names, a parameter that is both free and known, and bounds
+    in the wrong order.
     """
     structure = structure_of(kernels)
     tables = {table.name: table for table in kernels.parameters}
@@ -222,7 +178,7 @@ def unknowns_of(
 
 
 def _based(entries: Sequence[FreeNumber]) -> list[tuple[FreeNumber, str]]:
-    """Each with the name by which bounds and priors know it."""
+    """Each free number with the name under which its bounds and prior are given."""
     return [(entry, entry.name.partition("@")[0]) for entry in entries]
 
 
@@ -270,7 +226,7 @@ def _guess(
     upper: float,
     mean: float | None,
 ) -> float:
-    """Where the search for one begins: what was given, its prior, or the middle of its bounds."""
+    """Start of the search for a free number: given value, prior, or middle of the bounds."""
     place = entry.experiment or 0
     given: object | None
     if entry.kind == "parameter":
