@@ -84,7 +84,7 @@ class CheckedTile:
         return found
 
     def holds(self, value: Any, others: Sequence[Any]) -> bool:
-        """Return whether the other coordinates lie in the tube at a value of the tile's own."""
+        """Return whether the other coordinates lie in the tube at a value of the tile's."""
         sides = zip(others, self.centre(value), self.radii, strict=True)
         return all(abs(x - c) < r for x, c, r in sides)
 
