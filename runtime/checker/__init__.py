@@ -4,7 +4,7 @@ A file states a declaration of the system and what is claimed. Each kind of file
 
 - `check`: one orbit, in a box of unknowns, with its derivatives by parameters;
 - `check_tiles`: a map over a box of parameters, `check_branch`: a branch, also beyond its borders;
-- `check_events`: events of a branch, `check_cascade`: doublings between branches;
+- `check_events`: single events of orbits, `check_cascade`: doublings between branches;
 - `check_census`: the orbits of a list, that each exists and no two are one, not that there are
   no others;
 - `check_chaos`: coverings and cone conditions of sets, `check_basin`: a contracted core and what
@@ -13,9 +13,10 @@ A file states a declaration of the system and what is claimed. Each kind of file
 A claim that is not proved raises `Failure`, an entry of the wrong shape `Malformed`. Of the rest
 of the program only `core` is imported: arithmetic (Taylor models, jets, rational functions and
 irrational numbers, chains of matrices), sets and flows in double precision with bounds of their
-rounding, grids of boxes, and what gives work to processes. What the prover computed is not.
+rounding, grids of boxes, errors, and what gives work to processes. None of the code that finds
+or proves orbits is.
 
-The provers ask these functions, or those for a part of a file, before they state anything: those
+The provers ask these functions, or those for a part of a file, before they state anything; those
 of basins and graphs do not. ``python -m nonsmooth.runtime.checker FILE`` checks a file.
 """
 

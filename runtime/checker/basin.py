@@ -184,7 +184,7 @@ def _check_tiles(
 
 
 def _begin_tiles(content: dict[str, Any]) -> Callable[[Any], bool]:
-    """Return a test of tiles, by their numbers: do all motions from them come to ranked boxes."""
+    """Return a test whether all motions from tiles, by their numbers, come to ranked boxes."""
     with ctx.workprec(_BITS):
         motions = _motions(content)
     demand(not motions.forced, "tiles of other states")

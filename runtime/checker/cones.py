@@ -179,7 +179,7 @@ def _longest(mapped: MappedSet, part: _MappedPart) -> int:
 
 
 def _spread(part: _MappedPart) -> float:
-    """Return the sum of the radii of the derivatives relative to the unstable entry, at most."""
+    """Return the largest sum of a derivative's radii, relative to its unstable entry."""
     largest = 0.0
     for matrix in part.slopes.values():
         size = abs(float(matrix[0][0].mid()))

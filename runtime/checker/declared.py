@@ -237,12 +237,14 @@ class StatedSystem:
         return [*map(self.row, entries)]
 
     def closes(self) -> dict[str, Any]:
-        """Prove why the cycle closes beyond its equations; return the energy of each configuration.
+        """Prove that the cycle closes in what is no equation; return each configuration's energy.
 
-        With a forcing its states return; where the period is given, energies (N + 1, N + 1)
-        of a kept symplectic form are returned, and nothing for other closings. The field is f
-        = Omega^-1 grad E with E = y'H y/2, so each phase keeps E and Omega. At a boundary the
-        reset keeps E, and Omega on its tangents: the monodromy is symplectic.
+        With a forcing, its states are shown to return after whole turns. Where the period is
+        given, the energies are matrices (N + 1, N + 1) over (y, 1), and a symplectic form is
+        shown to be kept; else there are none. The field is f = Omega^-1 grad E with E = y'H
+        y/2, so each phase keeps E and Omega. At a boundary the reset keeps E, and Omega on
+        its tangents: the monodromy is symplectic. `Failure` is raised if what the file states
+        of the closing is not so.
         """
         kind = self.closing["kind"]
         demand((kind == "forcing") == bool(self.forcing), "a forcing is left out")

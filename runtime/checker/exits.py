@@ -112,7 +112,7 @@ class PhaseExits:
         return spans, lost
 
     def _bounds(self, states: ManySets, begin: int) -> tuple[Any, Any]:
-        """Return bool arrays (set, window, function): may rise through zero; ends positive."""
+        """Return bool arrays (set, window, function): may rise through zero; positive at end."""
         shape = len(states), _WINDOWS, len(self.functions)
         if begin not in self._bounded:
             numbers = range(begin, begin + _WINDOWS)
@@ -158,7 +158,10 @@ class PhaseExits:
     def _pieces(
         self, number: int, states: ManySets, origin: Any, first: Floats, last: Floats
     ) -> Exit:
-        """Return the same for one piece of time of each set, with the time as a side."""
+        """Return the states that reach the zero in one piece of time of each set.
+
+        The time within the piece is a side of each set.
+        """
         first, last, some = self._corrected(number, states[origin], first, last)
         origin, first, last = origin[some], first[some], last[some]
         _, found = self.flow.between(states[origin], first, last)
@@ -208,7 +211,7 @@ class PhaseExits:
         return begin, end, some
 
     def _with_another(self, one: Exit, number: int, lost: Any) -> Iterator[Exit]:
-        """Yield exits that reach a second boundary at once; those of three make sets lost."""
+        """Yield exits by a second boundary at once; sets that may reach a third are lost."""
         others = [k for k, own in enumerate(self.functions) if own.names]
         if number not in others or not len(one.origin):
             return

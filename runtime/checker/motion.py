@@ -25,9 +25,9 @@ _SMALL = 5  # halvings behind which the exponential of a field is that of a smal
 
 
 class Border(NamedTuple):
-    """An inequality of admissibility that ceases to hold at an event; its number is negative.
+    """An inequality of admissibility that ceases to hold at an event.
 
-    The number rises through zero where the inequality ceases to hold.
+    Its number is negative where it holds and rises through zero where it ceases to hold.
     """
 
     kind: str

@@ -31,7 +31,7 @@ class PhaseNumbers(NamedTuple):
     fields: list[Any]  # each (N + 1, N + 1)
     rows: list[Any]  # each (1, N + 1), zero at the end of the phase
     resets: list[Any]  # each (N + 1, N + 1)
-    period: Any  # None where it is not given
+    period: Any  # None where neither given nor that of a forcing
 
     def each(self, change: Callable[[Any], Any]) -> "PhaseNumbers":
         """Return the same phases with `change` applied to each matrix and number."""

@@ -215,7 +215,10 @@ def joined_portions(several: list[Portions]) -> Portions:
 
 
 def direction(row: Any) -> tuple[Any, ...]:
-    """Return an exact function up to a positive factor: its first entry becomes 1 or -1."""
+    """Return an exact function up to a positive factor.
+
+    Its first entry that is not zero becomes 1 or -1.
+    """
     size = next((abs(x) for x in row if x), fmpq(1))
     return tuple(x / size for x in row)
 

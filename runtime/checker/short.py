@@ -103,10 +103,10 @@ def quotient(b: Any, time: Any) -> Any:
 
 
 def quotients(b: Any, vector: Any, time: Any) -> Any:
-    """Return the derivative by the time of that mean, times a vector (m, 1).
+    """Return the derivative of `quotient` by the time, times a vector (m, 1).
 
-    It is b (p1 - p2), with p1 and p2 the integrals of exp (b t s) and (1 - s) exp (b t
-    s).
+    It is b (p1 - p2), with p1 and p2 the integrals of exp (b t s) and (1 - s) exp (b t s)
+    over s from 0 to 1.
     """
     size, inner = b.nrows(), b * time
     rows: list[list[Any]] = [

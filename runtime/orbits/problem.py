@@ -50,7 +50,7 @@ class OrbitProblem(Protocol):
 
     @property
     def symmetry(self) -> Symmetry | None:
-        """The symmetry that closes the first part of the orbit, if it is solved for by that part."""
+        """The symmetry that closes the orbit's first part, if it is solved for by that part."""
 
     @property
     def state_names(self) -> tuple[str, ...]:

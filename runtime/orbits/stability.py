@@ -111,7 +111,7 @@ def _exit_rates(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
 
 
 def _exit_rates_of_fields(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
-    """Yield the same along damped and forced motions: n (A y + b) at the end y of a phase."""
+    """Yield these rates along damped and forced motions: n (A y + b) at the end y of a phase."""
     kernels = orbit.kernels
     fields, _, ends, rows = (np.array(a, dtype=object) for a in orbit.evaluate("phase_fields"))
     fields = fields.reshape(len(ends), -1, fields.shape[-1])

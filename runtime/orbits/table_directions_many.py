@@ -227,7 +227,7 @@ def _in_python(
     timed: bool,
     maps: bool,
 ) -> ManyDirections:
-    """Return the same derivatives by complex steps, where each point stands q times."""
+    """Return derivatives of orbits by complex steps, where each point stands q times."""
     (k, size), q = start.shape, len(places)
     steps = np.tile(np.eye(points.shape[1])[list(places)], (k, 1))
     every = stepped(np.repeat(points, q, axis=0), steps, None)
