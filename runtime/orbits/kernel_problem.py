@@ -162,10 +162,7 @@ class KernelProblem:
         return physical_parameters(orbit, beside, near)
 
     def system_start(self, orbit: Orbit, values: Mapping[str, Value]) -> list[Any]:
-        """Return the start (N): the orbit's, or what fits the dwell times in other coordinates.
-
-        The fit is the best one.
-        """
+        """Return the start (N): the orbit's, or the best fit of dwell times in other states."""
         if self._in_system_states:
             return list(orbit.states[0].tolist())
         point = piecewise(self.system, values)
