@@ -1,11 +1,23 @@
-"""The check of certificates, from nothing but their files and ball arithmetic.
+"""The checker proves the claims of a certificate again, from its file alone.
 
-A certificate holds a declaration, an itinerary, a box of unknowns or tiles of parameters, and
-what is claimed. Here all of it is proved again, of a census each orbit, apart from the program
-that wrote it: of that only the arithmetic is imported, Taylor models, jets, rational functions,
-and sets in double precision with their linear flows, and what gives parts to processes.
-The prover asks the same functions before it states anything, but for basins and graphs.
-``python -m nonsmooth.runtime.checker FILE`` checks a file.
+A file states a declaration of the system and what is claimed. Each kind of file has its function:
+
+- `check`: one orbit, in a box of unknowns, with its derivatives by parameters;
+- `check_tiles`: a map over a box of parameters, `check_branch`: a branch, also beyond its borders;
+- `check_events`: single events of orbits, `check_cascade`: doublings between branches;
+- `check_census`: the orbits of a list, that each exists and no two are one, not that there are
+  no others;
+- `check_chaos`: coverings and cone conditions of sets, `check_basin`: a contracted core and what
+  leads to it, `check_graph`: images of boxes of a section, and trapping regions.
+
+A claim that is not proved raises `Failure`, an entry of the wrong shape `Malformed`. Of the rest
+of the program only `core` is imported: arithmetic (Taylor models, jets, rational functions and
+irrational numbers, chains of matrices), sets and flows in double precision with bounds of their
+rounding, grids of boxes, errors, and what gives work to processes. None of the code that finds
+or proves orbits is.
+
+The provers ask these functions, or those for a part of a file, before they state anything; those
+of basins and graphs do not. ``python -m nonsmooth.runtime.checker FILE`` checks a file.
 """
 
 from nonsmooth.runtime.checker.basin import check_basin

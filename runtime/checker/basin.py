@@ -39,23 +39,10 @@ def check_basin(
     workers: int = 1,
     progress: Callable[[int, int], object] = lambda done, count: None,
 ) -> None:
-    """Prove a basin again; Failure says what cannot be.
+    """Prove a basin's certificate again; `Failure` names a claim that is not proved.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-    workers : int
-        Processes that follow tiles.
-    progress : callable
-        Told how many tiles of how many are proved again.
-
-    Raises
-    ------
-    Failure
-        If something that is claimed is not proved.
-    Malformed
-        If the file has another shape.
+    `Malformed` is raised if the file, read as JSON, has another shape. The tiles are followed in
+    `workers` processes; `progress` is called with the tiles proved so far and their count.
     """
     check_shape(content, BASIN)
     check_sum(content)
@@ -79,7 +66,7 @@ def check_basin(
 
 
 def _check_core(content: dict[str, Any]) -> Rounded:
-    """The core is mapped into itself and contracted; gives the matrix to its coordinates."""
+    """Prove that the core is mapped into itself and contracted; return its coordinates' matrix."""
     declared, core = content["declaration"], {**content["core"], "name": "core"}
     alone = [entry for entry in declared["transitions"] if len(entry["boundaries"]) == 1]
     motions = SectionMotions(
@@ -111,7 +98,10 @@ def _check_core(content: dict[str, Any]) -> Rounded:
 
 
 def _contracted(part: SectionPart, box: Box, told: Any) -> bool:
-    """Whether a part of the core is mapped into it, with derivatives that shorten all."""
+    """Return whether a part of the core is mapped into it by a contraction.
+
+    All sums of absolute derivatives along a row have to be less than the stated contraction.
+    """
     seen = part.seen("core", part.image(box))
     if not all(abs(x) < 1 for x in seen.hull.entries()):
         return False
@@ -123,7 +113,7 @@ def _contracted(part: SectionPart, box: Box, told: Any) -> bool:
 def _check_ranks(
     content: dict[str, Any], motions: ManyMotions, core: Rounded, grid: BoxGrid, ranks: Any
 ) -> None:
-    """Boxes of the section have the ranks that are stated."""
+    """Prove that every ranked box of the section leads to the core or to boxes of lower rank."""
     named = [motions.system.states[k] for k in motions.free]
     demand(content["coordinates"] == named, "the coordinates are not those of the section")
 
@@ -152,7 +142,10 @@ def _check_ranks(
 
 
 def _attracted(content: dict[str, Any]) -> Any:
-    """The tiles that are stated to be attracted: they cover the box, and no larger one."""
+    """Return the numbers of the tiles that are stated to be attracted.
+
+    The tiles have to cover the stated box, and their rows at its ends have to meet it.
+    """
     if content["tiles"] is None:
         told = (content[name] for name in ("verdicts", "states", "box"))
         demand(not any(told), "verdicts of no tiles")
@@ -179,7 +172,7 @@ def _attracted(content: dict[str, Any]) -> Any:
 def _check_tiles(
     content: dict[str, Any], good: Any, workers: int, progress: Callable[[int, int], object]
 ) -> None:
-    """From tiles that are stated to be attracted all motions come to boxes with a rank."""
+    """Prove that all motions from the attracted tiles come to boxes with a rank."""
     size = max(1, min(_BATCH, -(-len(good) // workers)))
     batches = (good[begin : begin + size] for begin in range(0, len(good), size))
     given, done = {**content, "verdicts": []}, 0
@@ -191,7 +184,7 @@ def _check_tiles(
 
 
 def _begin_tiles(content: dict[str, Any]) -> Callable[[Any], bool]:
-    """What says of tiles, by their numbers, whether all motions from them come to known boxes."""
+    """Return a test whether all motions from tiles, by their numbers, come to ranked boxes."""
     with ctx.workprec(_BITS):
         motions = _motions(content)
     demand(not motions.forced, "tiles of other states")
@@ -215,7 +208,7 @@ def _begin_tiles(content: dict[str, Any]) -> Callable[[Any], bool]:
 
 
 def _motions(content: dict[str, Any]) -> ManyMotions:
-    """Sets of states on their way to the section that is stated."""
+    """Return the first-arrival map of sets of states to the section that the file states."""
     section = StatedSection(
         content["configuration"], tuple(content["phase"]), content["source"], content["boundary"]
     )

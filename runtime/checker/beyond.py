@@ -41,19 +41,9 @@ _Parts = list[tuple[int, tuple[int, ...]]]
 
 
 def check_branch(content: dict[str, Any]) -> None:
-    """Prove every claim of a branch; Failure says which one cannot be.
+    """Prove every claim of a branch again; `Failure` names a claim that is not proved.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Raises
-    ------
-    Failure
-        If a claim is not proved.
-    Malformed
-        If the file has another shape.
+    `Malformed` is raised if the file, read as JSON, has another shape.
     """
     check_shape(content, BRANCH)
     check_sum(content)
@@ -76,21 +66,10 @@ def _rotations(itinerary: Sequence[Sequence[str]]) -> set[tuple[tuple[str, ...],
 
 
 def check_beyond(content: dict[str, Any], tile: CheckedTile, beyond: dict[str, Any]) -> None:
-    """Prove what is stated of orbits that begin at an event.
+    """Prove what is stated of the orbits of another itinerary that begin at an event.
 
-    Parameters
-    ----------
-    content : dict
-        Entries of the event's branch.
-    tile : CheckedTile
-        The event's, proved.
-    beyond : dict
-        Entries of the orbits.
-
-    Raises
-    ------
-    Failure
-        If a claim is not proved.
+    `content` holds the entries of the event's branch, `tile` is the event's tile, already proved,
+    and `beyond` holds the entries of the orbits that begin there.
     """
     with ctx.workprec(_BITS):
         _check(content, tile, beyond)
@@ -120,7 +99,7 @@ def _check(content: dict[str, Any], tile: CheckedTile, beyond: dict[str, Any]) -
 
 
 def _one_system(tile: CheckedTile, other: CheckedTile) -> None:
-    """What both declarations tell is the same, as functions of the parameter."""
+    """Demand that both declarations state the same system, as functions of the parameter."""
     one, two = tile.curve.declared, other.curve.declared
     constants = [str(x) for x in tile.curve.constants], [str(x) for x in other.curve.constants]
     demand(constants[0] == constants[1], "other irrational numbers")
@@ -143,7 +122,7 @@ def _one_system(tile: CheckedTile, other: CheckedTile) -> None:
 
 
 def _side(tile: CheckedTile) -> str:
-    """On which side of the event's parameter its orbits are motions."""
+    """Return the side of the event's parameter on which the tile's orbits are motions."""
     before, after = tile.tile["before"], tile.tile["after"]
     demand((before == _NONE) != (after == _NONE), "no orbits begin at the event")
     sign = 1 if (before == _NONE) == tile.forwards else -1
@@ -163,7 +142,7 @@ def _side(tile: CheckedTile) -> str:
 
 
 class _Met:
-    """A branch where it meets a border."""
+    """A branch at the event of one of its tiles, where it meets a border."""
 
     def __init__(self, tile: CheckedTile) -> None:
         self.tile, self.curve, self.event = tile, tile.curve, tile.event
@@ -182,27 +161,31 @@ class _Met:
 
     @property
     def free(self) -> bool:
-        """Whether it reaches no boundary."""
+        """Whether the itinerary reaches no boundary."""
         return _FORCING_PHASE in self.steps[0].taken.begins
 
     @cached_property
     def point(self) -> list[Any]:
-        """All coordinates at the event."""
+        """All coordinates at the event, enclosed: the unknowns, then the parameter."""
         low, high = exact(self.event["lower"]), exact(self.event["upper"])
         return self.tile.at(arb((low + high) / 2) + arb(0, arb((high - low) / 2)))
 
     @cached_property
     def orbit(self) -> Any:
-        """What passes there."""
+        """The orbit at the event."""
         return self.curve.orbit(self.point)
 
     def chain(self, place: int) -> list[int]:
-        """A phase and the one behind it that lasts no time, if that does."""
+        """Return a phase and, if it vanishes at the event, the phase behind it."""
         ahead = (place + 1) % len(self.steps)
         return [place, ahead] if ahead in self.gone else [place]
 
     def row(self, border: Border, before: dict[int, Any], behind: tuple[int, Any]) -> Any:
-        """What is zero at a border, by the state at a junction."""
+        """Return the function that is zero at a border, as a row over the state at a junction.
+
+        `before` maps phases to the state at their end, `behind` is the next phase with the state at
+        its start; both states are linear maps of the state at the junction.
+        """
         at = before.get(border.phase)
         if border.instant == "start":  # the first phase begins long before
             starts = {**dict([*before.items()][1:]), behind[0]: behind[1]}
@@ -223,7 +206,7 @@ class _Met:
 
 
 class _CheckedState:
-    """The state at which a phase ends, and what happens there at once."""
+    """The state at which a phase ends, with all that happens there in no time."""
 
     def __init__(self, met: _Met, place: int) -> None:
         self.met, self.place, self.chain = met, place, met.chain(place)
@@ -241,7 +224,10 @@ class _CheckedState:
         self.behind = (self.chain[-1] + 1) % len(met.steps), self.map
 
     def facts(self) -> list[Any]:
-        """All that is zero: with no divisor that is zero at this parameter."""
+        """Return reduced rows of all functions that are zero at this state.
+
+        No divisor of the elimination is zero at this parameter, which is demanded.
+        """
         met = self.met
         rows = [*met.curve.declared.known[self.place][2], *self.rows]
         first = met.borders[0]
@@ -259,7 +245,7 @@ class _CheckedState:
         return found
 
     def demand_met(self, facts: list[Any]) -> None:
-        """All of its borders are met exactly where facts are true."""
+        """Demand that all borders of the branch are met exactly where the facts are true."""
         met = self.met
         for border in met.borders:
             if border.kind != "vanishing-phase":
@@ -269,7 +255,7 @@ class _CheckedState:
             self._demand_turn(facts)
 
     def _demand_turn(self, facts: list[Any]) -> None:
-        """The parameter turns where the phase vanishes: fields agree there."""
+        """Demand that the branch turns where the phase vanishes: the fields agree there."""
         met = self.met
         demand(len(self.chain) == 2, "the branch turns elsewhere")
         first, gone = (met.steps[k] for k in self.chain)
@@ -282,7 +268,7 @@ class _CheckedState:
 
 
 def _demand_one_motion(longer: _Met, shorter: _Met) -> None:
-    """The longer one's motion is the orbit of the shorter one at its event."""
+    """Demand that the motion of the longer itinerary is the shorter one's orbit at its event."""
     one, two = longer.curve.declared.closing, shorter.curve.declared.closing
     demand(one["kind"] == two["kind"] and one.get("turns") == two.get("turns"), "other closings")
     demand(not longer.free, "both reach no boundary")
@@ -302,7 +288,7 @@ def _demand_one_motion(longer: _Met, shorter: _Met) -> None:
 
 
 def _matches(longer: _Met, shorter: _Met) -> Iterator[_Parts]:
-    """Phases of the shorter itinerary, each with those of the longer one that it consists of."""
+    """Yield ways to compose each phase of the shorter itinerary of phases of the longer one."""
     xs, ys = longer.lasting, shorter.lasting
     first = shorter.borders[0]
     grazes = first.kind == "grazing" and len(shorter.borders) == 1
@@ -319,7 +305,10 @@ def _matches(longer: _Met, shorter: _Met) -> Iterator[_Parts]:
 
 
 def _demand_exactly(longer: _Met, shorter: _Met, parts: _Parts) -> None:
-    """It is an orbit of the shorter one's equations, and meets all borders at one state."""
+    """Demand that the longer motion is an orbit of the shorter one's equations.
+
+    Both meet all their borders at one and the same state.
+    """
     special: list[tuple[int, int, bool]] = []
     for y, own in parts:
         step = shorter.steps[y]
@@ -354,7 +343,7 @@ def _demand_exactly(longer: _Met, shorter: _Met, parts: _Parts) -> None:
 
 
 def _demand_touch(shorter: _Met, junction: _CheckedState, facts: list[Any]) -> None:
-    """The shorter one's boundary is touched at a state that stays as it is."""
+    """Demand that the shorter orbit's boundary is touched at a state that does not jump."""
     border = shorter.borders[0]
     row = border.watched(shorter.orbit).row
     rate = product(row, shorter.steps[border.phase].field)
@@ -366,9 +355,10 @@ def _demand_touch(shorter: _Met, junction: _CheckedState, facts: list[Any]) -> N
 
 
 def _demand_free(longer: _Met, shorter: _Met) -> None:
-    """The longer one's motion reaches no boundary: it is the shorter one, that grazes one.
+    """Demand that a longer orbit is the motion without a boundary that grazes one at its event.
 
-    That begins where the sine of the first forcing is zero: the motion is followed to there.
+    The shorter orbit begins where the sine of the first forcing is zero, so the longer motion is
+    followed to that time.
     """
     single = len(longer.lasting) == 1 and len(shorter.borders) == 1
     demand(single and shorter.borders[0].kind == "grazing", "no motion without a boundary grazes")
@@ -395,7 +385,10 @@ def _demand_free(longer: _Met, shorter: _Met) -> None:
 
 
 def _points(longer: _Met, shorter: _Met, parts: _Parts) -> Iterator[list[Any]]:
-    """The longer one's motion by the coordinates of the shorter one."""
+    """Yield the longer orbit in the coordinates of the shorter itinerary's equations.
+
+    With a forcing, the time at the start is tried with a few whole turns added.
+    """
     orbit, others, pairs = longer.orbit, shorter.orbit, dict(parts)
     times: list[Any] = [arb(0)] * len(shorter.steps)
     for y, own in parts:
@@ -418,7 +411,7 @@ def _points(longer: _Met, shorter: _Met, parts: _Parts) -> Iterator[list[Any]]:
 
 
 def _holds(tile: CheckedTile, point: Sequence[Any]) -> bool:
-    """Whether an orbit is one of a tile."""
+    """Return whether an orbit lies in the tube of a tile."""
     value = point[tile.place]
     others = [*point[: tile.place], *point[tile.place + 1 :]]
     inside = value > arb(tile.low) and value < arb(tile.high)
@@ -439,5 +432,5 @@ def _same(left: Any, right: Any) -> bool:
 
 
 def _alike(left: Any, right: Any, facts: list[Any]) -> bool:
-    """Whether two maps are the same where facts are true."""
+    """Return whether two affine maps agree wherever the facts are true."""
     return not any(any(reduced(row, facts)) for row in _difference(left, right))

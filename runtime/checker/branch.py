@@ -22,23 +22,7 @@ _FINISHED, _VANISHED = "end of the interval", "a phase vanishes"
 
 
 def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
-    """Prove every claim of a branch whose entries have their shape.
-
-    Parameters
-    ----------
-    content : dict
-        Entries of a branch.
-
-    Returns
-    -------
-    list of CheckedTile
-        Its tiles, proved.
-
-    Raises
-    ------
-    Failure
-        If a claim is not proved.
-    """
+    """Prove every claim of a branch whose entries have their shape; return its tiles."""
     tiles = content["tiles"]
     _claimed(content)
     if not tiles:
@@ -62,17 +46,10 @@ def checked_tiles(content: dict[str, Any]) -> list[CheckedTile]:
 
 
 def curve_of(content: dict[str, Any]) -> CheckedCurve:
-    """The equations of a branch, of which nothing is proved yet.
+    """Return the equations of a branch, of which nothing is proved yet.
 
-    Parameters
-    ----------
-    content : dict
-        Entries of a branch, in their shape.
-
-    Raises
-    ------
-    Failure
-        If its declaration is not exact, or it names unknowns or a stability of another one.
+    `Failure` is raised if the declaration is not exact, or if the unknowns or the kind of
+    stability are not those of the declaration.
     """
     demand(content["declaration"], "claims about no declaration")
     with ctx.workprec(BITS):
@@ -88,7 +65,7 @@ def curve_of(content: dict[str, Any]) -> CheckedCurve:
 
 
 def _claimed(content: dict[str, Any]) -> None:
-    """What is said of the whole branch follows from its tiles."""
+    """Demand that the claim about the whole branch follows from its tiles."""
     tiles = content["tiles"]
     demand(0 <= content["start"] <= len(tiles), "it starts in none of its tiles")
     low, high = map(exact, content["interval"])
@@ -108,15 +85,7 @@ def _claimed(content: dict[str, Any]) -> None:
 def check_joint(tile: CheckedTile, other: CheckedTile) -> None:
     """Prove that one tile ends with the orbit with which the next begins, and leads its way.
 
-    Parameters
-    ----------
-    tile, other : CheckedTile
-        In the order of the branch.
-
-    Raises
-    ------
-    Failure
-        If that is not proved.
+    The two tiles are in the order of the branch.
     """
     curve = tile.curve
     with ctx.workprec(SHARP):
@@ -138,7 +107,7 @@ def check_joint(tile: CheckedTile, other: CheckedTile) -> None:
 
 
 def _same_equations(tile: CheckedTile, other: CheckedTile) -> None:
-    """Where two tiles divide other conditions none is divided by zero at their joint."""
+    """Demand that no dwell time divided by is zero at a joint of tiles with other divisions."""
     if tile.tile["divided"] == other.tile["divided"]:
         return
     names = tile.curve.declared.dwell
@@ -151,7 +120,7 @@ def _same_equations(tile: CheckedTile, other: CheckedTile) -> None:
 
 
 def _meets(tile: CheckedTile, point: Sequence[Any], *, entering: bool) -> None:
-    """An orbit lies in a tile: in front of its event where that is entered, else behind it."""
+    """Demand that an orbit lies in a tile: before its event if `entering`, else behind it."""
     value = point[tile.place]
     demand(value > tile.low and value < tile.high, "they are apart")
     demand(tile.holds(value, without_entry(tile.place, point)), "two orbits")
@@ -162,19 +131,9 @@ def _meets(tile: CheckedTile, point: Sequence[Any], *, entering: bool) -> None:
 
 
 def check_ends(tiles: Sequence[CheckedTile], ends: Sequence[str]) -> None:
-    """Prove that a branch reaches an end of the interval where that is said.
+    """Prove that a branch ends as `ends` says: at an end of the interval, or at a vanishing phase.
 
-    Parameters
-    ----------
-    tiles : sequence of CheckedTile
-        Its first and its last one at least.
-    ends : sequence of str
-        Why it ends.
-
-    Raises
-    ------
-    Failure
-        If that is not proved.
+    `tiles` contains at least the first and the last tile of the branch.
     """
     curve = tiles[0].curve
     reached = (tiles[0].begin, tiles[0].place), (tiles[-1].end, tiles[-1].place)

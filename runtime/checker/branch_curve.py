@@ -18,9 +18,10 @@ __all__ = ["CheckedCurve", "solution", "with_entry", "without_entry"]
 
 
 class CheckedCurve:
-    """The equations of the orbits: their unknowns, and last the parameter, on one footing.
+    """The equations of a branch's orbits, with the parameter as the last coordinate.
 
-    Other parameters, beside that one, have values of their own.
+    The n equations have n + 1 coordinates: the unknowns and the parameter. Parameters
+    beside the varying one have fixed values.
     """
 
     def __init__(
@@ -35,7 +36,10 @@ class CheckedCurve:
         self.short: Short | None = None
 
     def divided(self, place: int | None) -> "CheckedCurve":
-        """The same orbits by equations with one phase's condition divided by its dwell time."""
+        """Return the same curve with one phase's switching condition divided by its dwell time.
+
+        Phases are counted from 1; None divides nothing.
+        """
         if place is None:
             return self
         found = copy(self)
@@ -43,23 +47,23 @@ class CheckedCurve:
         return found
 
     def undivided(self) -> "CheckedCurve":
-        """The same orbits by the equations of all phases."""
+        """Return the same curve with no switching condition divided."""
         found = copy(self)
         found.short = None
         return found
 
     def place(self, name: str) -> int:
-        """The coordinate of a name: of the parameter, if an unknown has its name too."""
+        """Return the index of a coordinate; an unknown named as the parameter is passed over."""
         demand(name in self.names, "there is no such coordinate")
         return self.last if name == self.names[self.last] else self.names.index(name)
 
     def _with(self, parameter: Any) -> CheckedOrbit:
-        """An orbit of which only the parameter is known."""
+        """Return the orbit's equations at a value of the parameter, with no unknowns set."""
         values = [*self.beside[: self.axis], parameter, *self.beside[self.axis :]]
         return CheckedOrbit(self.declared, number_at([*values, *self.constants]), self.short)
 
     def orbit(self, point: Sequence[Any]) -> CheckedOrbit:
-        """What passes with these numbers for unknowns and parameter."""
+        """Return one passage of the cycle at these coordinates, root of the equations or not."""
         orbit = self._with(point[-1])
         orbit.along(point[:-1])
         return orbit
@@ -67,9 +71,10 @@ class CheckedCurve:
     def slopes(
         self, point: Sequence[Any], middle: Sequence[Any] | None = None
     ) -> tuple[list[Any], list[list[Any]]]:
-        """Values of the equations (n), and their derivatives (n, n + 1) by all coordinates.
+        """Return values (n) of the equations, and derivatives (n, n + 1) by all coordinates.
 
-        Flows over a box are those of its middle, times short ones.
+        If `middle` is given, flows over a box are those of its middle times flows over short
+        times.
         """
         parameter = jet(point[-1], arb(1))
         orbit = self._with(parameter)
@@ -88,7 +93,11 @@ class CheckedCurve:
     def krawczyk(
         self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
     ) -> list[Any] | None:
-        """The image of a box of the other coordinates, where it lies inside: one root is there."""
+        """Return Krawczyk's image of a box of the other coordinates, or None if it is not inside.
+
+        If it lies inside the box, there is exactly one root in it for each value of the
+        coordinate at `place` (Krawczyk 1969).
+        """
         found = self._moved(place, value, centre, radii)
         if found is None or not all(abs(d) < r for d, r in zip(found, radii, strict=True)):
             return None
@@ -97,14 +106,20 @@ class CheckedCurve:
     def nearer(
         self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
     ) -> list[Any] | None:
-        """Where the roots are that a box of the other coordinates is known to hold."""
+        """Return an enclosure of the roots that a box of the other coordinates is known to hold.
+
+        None is returned where the slopes are singular.
+        """
         found = self._moved(place, value, centre, radii)
         return None if found is None else [x + d for x, d in zip(centre, found, strict=True)]
 
     def _moved(
         self, place: int, value: Any, centre: Sequence[Any], radii: Sequence[Any]
     ) -> list[Any] | None:
-        """How far Krawczyk's map leads from the centre of a box: every root of the box is there."""
+        """Return how far Krawczyk's map leads from a box's centre: every root of the box is there.
+
+        None is returned where the slopes are singular.
+        """
         box = [x + arb(0, r) for x, r in zip(centre, radii, strict=True)]
         values, slopes = self.slopes(with_entry(place, value, centre))
         try:
@@ -120,7 +135,7 @@ class CheckedCurve:
         return entries
 
     def jets(self, place: int, point: Sequence[Any], order: int) -> list[Any]:
-        """The coordinates with their derivatives by one of them, at enclosed roots."""
+        """Return all coordinates as jets: their derivatives by one of them, at enclosed roots."""
         none = [None] * (order - 1)
         found: list[Any] = [jet(x, None, *none) for x in point]
         found[place] = jet(point[place], arb(1), *none)
@@ -144,25 +159,11 @@ class CheckedCurve:
 
 
 def solution(square: Any, y: Any, right: Any) -> list[Any]:
-    """Enclosures of the solution of a linear system, from about the inverse.
+    """Return enclosures of the solution (n) of a linear system with an approximate inverse.
 
-    Parameters
-    ----------
-    square : matrix (n, n)
-        Of balls or Taylor models.
-    y : matrix (n, n)
-        About its inverse, exact.
-    right : matrix (n, 1)
-
-    Returns
-    -------
-    list of arb or TaylorModel
-        They hold for all values of the variables.
-
-    Raises
-    ------
-    Failure
-        If the matrix may be singular.
+    `square` (n, n) and `right` (n, 1) hold balls or Taylor models, the approximate
+    inverse `y` is exact. Enclosures hold for all values of the variables. `Failure` is
+    raised if the matrix may be singular.
     """
     size = square.nrows()
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
@@ -184,7 +185,7 @@ def solution(square: Any, y: Any, right: Any) -> list[Any]:
 
 
 def _largest(numbers: Sequence[Any]) -> Any:
-    """A bound of all numbers; no number if one of them is none."""
+    """Return an upper bound of all numbers; NaN if one of them is NaN."""
     found = numbers[0]
     for number in numbers[1:]:
         found = found.max(number)
@@ -192,33 +193,10 @@ def _largest(numbers: Sequence[Any]) -> Any:
 
 
 def with_entry(place: int, value: Any, others: Sequence[Any]) -> list[Any]:
-    """Coordinates with one of them at its place.
-
-    Parameters
-    ----------
-    place : int
-    value : object
-    others : sequence
-        In their order.
-
-    Returns
-    -------
-    list
-    """
+    """Return all coordinates: the others in their order, with one value put in at its place."""
     return [*others[:place], value, *others[place:]]
 
 
 def without_entry(place: int, point: Sequence[Any]) -> list[Any]:
-    """The other coordinates.
-
-    Parameters
-    ----------
-    place : int
-    point : sequence
-
-    Returns
-    -------
-    list
-        In their order.
-    """
+    """Return the coordinates without the one at a place."""
     return [*point[:place], *point[place + 1 :]]

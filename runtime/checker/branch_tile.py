@@ -38,7 +38,7 @@ _SHARPENINGS = 8  # of the enclosures on a part, at most
 
 
 class CheckedTile:
-    """One tile of a branch."""
+    """One tile of a branch: a tube of orbits along one coordinate, with a verdict or an event."""
 
     def __init__(self, curve: CheckedCurve, tile: dict[str, Any]) -> None:
         self.curve, self.tile = curve.divided(tile["divided"]), tile
@@ -57,23 +57,23 @@ class CheckedTile:
 
     @property
     def turns(self) -> bool:
-        """Whether the branch turns at its event."""
+        """Whether the branch turns at the tile's event: the parameter has an extreme there."""
         if self.event is None:
             return False
         return "fold" in (self.event["kind"], *(kind for kind, *_ in self.event["also"]))
 
     @property
     def begin(self) -> Any:
-        """Where it begins along the branch."""
+        """Value of the tile's coordinate where the branch enters it."""
         return self.low if self.forwards else self.high
 
     @property
     def end(self) -> Any:
-        """Where it ends."""
+        """Value of the tile's coordinate where the branch leaves it."""
         return self.high if self.forwards else self.low
 
     def centre(self, value: Any) -> list[Any]:
-        """The polynomials where the coordinate has a value."""
+        """Return the tube's middle, the stated polynomials, at a value of the tile's coordinate."""
         e = (value - arb((self.low + self.high) / 2)) / arb((self.high - self.low) / 2)
         found = []
         for row in self.tile["centre"]:
@@ -84,12 +84,12 @@ class CheckedTile:
         return found
 
     def holds(self, value: Any, others: Sequence[Any]) -> bool:
-        """Whether coordinates are in the tube where its own has a value."""
+        """Return whether the other coordinates lie in the tube at a value of the tile's."""
         sides = zip(others, self.centre(value), self.radii, strict=True)
         return all(abs(x - c) < r for x, c, r in sides)
 
     def at(self, value: Any) -> list[Any]:
-        """All coordinates of its orbit at a value, sharply."""
+        """Return sharp enclosures of all coordinates of the tile's orbit at a value."""
         curve, place, middle = self.curve, self.place, value.mid()
         point = [x.mid() for x in self.centre(middle)]
         for _ in range(_STEPS):
@@ -109,7 +109,7 @@ class CheckedTile:
         return with_entry(place, value, found)
 
     def check_sharply(self) -> None:
-        """Prove what is claimed of it; with more bits if need be, as in a narrow tube."""
+        """Prove the claims about the tile; retry with twice the bits, as a narrow tube may need."""
         try:
             self.check()
         except Failure:
@@ -117,7 +117,7 @@ class CheckedTile:
                 self.check()
 
     def check(self) -> None:
-        """Prove that there is one orbit in the tube, and what is claimed of it."""
+        """Prove that the tube holds one orbit for each value, and the claims about these orbits."""
         curve, place = self.curve, self.place
         half = arb((self.high - self.low) / 2)
         value = self.space.variable(0, arb((self.low + self.high) / 2), half)
@@ -146,7 +146,7 @@ class CheckedTile:
     def parts(
         self, prove: Callable[[Sequence[Any]], None], point: Any = None, depth: int = 0
     ) -> None:
-        """Prove something of all of it, on smaller parts if need be."""
+        """Call `prove` on the whole tile or, where that fails, on its halves again and again."""
         point = self.point if point is None else point
         try:
             prove(point)
@@ -159,7 +159,7 @@ class CheckedTile:
             self.parts(prove, self._sharper([x.at([e]) for x in point]), depth + 1)
 
     def _sharper(self, point: Sequence[Any]) -> list[Any]:
-        """Enclosures of its orbits on a part, again and again from the boxes that hold them."""
+        """Return narrower enclosures of the orbits on a part, by repeated Krawczyk steps."""
         found, value = without_entry(self.place, point), point[self.place]
         widths = list(map(_width, found))
         for _ in range(_SHARPENINGS):
@@ -173,7 +173,7 @@ class CheckedTile:
         return with_entry(self.place, value, found)
 
     def _goes_on(self, point: Sequence[Any]) -> None:
-        """The parameter changes all along it."""
+        """Demand that the parameter is strictly monotone along a part of the tile."""
         if self.place != self.curve.last:
             slope = range_of(part_of(self.curve.jets(self.place, point, 1)[-1], 1))
             demand(slope > 0 or slope < 0, "the branch may turn")
@@ -190,7 +190,7 @@ class CheckedTile:
 
 
 def _verdict(orbit: CheckedOrbit) -> str:
-    """What an orbit is that is a motion of its system."""
+    """Return the verdict on an admissible orbit: its kind of stability, unstable or undecided."""
     words = {"proved": orbit.declared.stability, "refuted": "unstable"}
     return words.get(stability(orbit), OPEN)
 
@@ -247,11 +247,11 @@ class _CheckedEvent:
 
     @property
     def _moves(self) -> bool:
-        """Whether the orbits are motions of the system, beside which multipliers do not matter."""
+        """Whether the orbits are admissible; multipliers do not matter for those that are not."""
         return not (self.event["kind"] == "fold" and self.below == self.above == "not admissible")
 
     def _no_other(self, point: Sequence[Any]) -> None:
-        """All other ways past the unit circle are closed."""
+        """Demand that no multiplier passes the unit circle in any other way on a part."""
         kind, orbit = self.event["kind"], self.curve.orbit(point)
         orbit.returns(self.curve.energies)
         admissible = admissibility(orbit, [])
@@ -261,7 +261,7 @@ class _CheckedEvent:
         demand_alone(orbit, kind)
 
     def _verdicts(self) -> None:
-        """Verdicts at both ends of the tile: on each side there is one."""
+        """Demand the stated verdicts at both ends: on each side of the event there is only one."""
         for verdict, end in ((self.below, self.tile.low), (self.above, self.tile.high)):
             if self._moves:
                 with ctx.workprec(SHARP):
@@ -269,7 +269,7 @@ class _CheckedEvent:
                 demand(found == verdict != OPEN, f"at an end it is {found}")
 
     def _border(self) -> None:
-        """If the borders are not crossed it is a motion; beyond the first it is none."""
+        """Demand motions where no border is crossed, and none beyond the first border."""
         event, steps = self.event, self.curve.declared.steps
         demand(len({*self.borders}) == len(self.borders), "a border twice")
         demand(all(0 <= border.phase < len(steps) for border in self.borders), "no such phase")
@@ -295,7 +295,7 @@ class _CheckedEvent:
         demand(verdicts == [self.below, self.above], "other verdicts beside the event")
 
     def _verdict_beside(self, orbit: CheckedOrbit) -> str:
-        """What an orbit is where the borders are not crossed."""
+        """Return the verdict on an orbit on the side where no border is crossed."""
         verdict = _verdict(orbit)
         slow = [b.phase for b in self.borders if (b.kind, b.instant) == ("tangent", "end")]
         if verdict == OPEN and len(slow) == 1 and outside_if_reached(orbit, slow[0]):
@@ -303,7 +303,7 @@ class _CheckedEvent:
         return verdict
 
     def _passes(self, which: Any, border: Border | None) -> bool:
-        """Whether its number rises through zero, once; Failure if it does not pass."""
+        """Return whether the event's number rises through zero, once; `Failure` if it may not."""
         tile = self.tile
         signs: set[bool] = set()
 
@@ -327,7 +327,10 @@ class _CheckedEvent:
     def _number(
         self, which: Any, border: Border | None, point: Sequence[Any], order: int
     ) -> tuple[Any, Any]:
-        """What is zero at the event, and its derivative along the branch."""
+        """Return the number that is zero at the event, and its derivative along the branch.
+
+        The derivative is None for `order` 0.
+        """
         curve, place = self.curve, self.tile.place
         if which == "fold":
             slope = curve.jets(place, point, 1 + order)[-1]
@@ -345,5 +348,5 @@ class _CheckedEvent:
 
 
 def _width(number: Any) -> Any:
-    """How far what a model encloses may be from its polynomial."""
+    """Return a bound of how far the enclosed function may be from the model's polynomial."""
     return abs(range_of(number - number.mid())).upper()

@@ -31,19 +31,10 @@ _GUARD = 96
 
 
 def check_census(content: dict[str, Any]) -> None:
-    """Prove the certificate of each orbit, and that no two are one; Failure says what cannot be.
+    """Prove each orbit's certificate again, and that no two orbits are one.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Raises
-    ------
-    Failure
-        If a claim is not proved.
-    Malformed
-        If the file has another shape.
+    `Failure` names a claim that is not proved; `Malformed` is raised if the file, read as JSON, has
+    another shape.
     """
     check_shape(content, CENSUS)
     check_sum(content)
@@ -56,17 +47,9 @@ def check_census(content: dict[str, Any]) -> None:
 
 
 def check_listed(content: dict[str, Any]) -> None:
-    """Prove that certificates, if they hold, are of different orbits that the census counts.
+    """Prove that the certificates, if they hold, are of different orbits that the census counts.
 
-    Parameters
-    ----------
-    content : dict
-        Entries of a census, in their shape.
-
-    Raises
-    ------
-    Failure
-        If that is not proved.
+    `content` holds the entries of a census, already in their shape.
     """
     bits, orbits = content["bits"], content["orbits"]
     demand(content["count"] == len(orbits), "the count is not that of the orbits")
@@ -90,7 +73,7 @@ def check_listed(content: dict[str, Any]) -> None:
 
 @contextmanager
 def _of_orbit(number: int) -> Iterator[None]:
-    """What fails tells of which orbit."""
+    """Name the orbit in the message of a `Failure` raised within the context."""
     try:
         yield
     except Failure as problem:
@@ -99,7 +82,7 @@ def _of_orbit(number: int) -> Iterator[None]:
 
 
 def _check_place(content: dict[str, Any], orbit: dict[str, Any], found: dict[str, Any]) -> None:
-    """The certificate is of an orbit that the census counts, at its parameters."""
+    """Demand that a certificate is of an orbit that the census counts, at its parameters."""
     demand(found["claims"]["existence"] == "proved", "it is not proved to exist")
     same = all(found[name] == content[name] for name in ("system", "orbit", "itinerary", "bits"))
     demand(same, "it is an orbit of something else")
@@ -120,7 +103,7 @@ def _check_place(content: dict[str, Any], orbit: dict[str, Any], found: dict[str
 
 
 def _check_side(side: str, enclosures: dict[str, Any]) -> None:
-    """A dwell time is inside the bounds that are stated as inequalities."""
+    """Demand that a dwell time is inside the bounds that a text states as inequalities."""
     told = _SIDE.fullmatch(side)
     demand(told and told["name"] in enclosures, f"{side[:60]!r} bounds no dwell time")
     assert told is not None
@@ -131,7 +114,7 @@ def _check_side(side: str, enclosures: dict[str, Any]) -> None:
 
 
 def _apart(first: dict[str, Any], second: dict[str, Any]) -> bool:
-    """Whether two orbits are surely different, wherever they begin."""
+    """Return whether two orbits surely differ, whichever phase each is said to begin with."""
 
     def differ(*names: tuple[str, str]) -> bool:
         one, other = first["enclosures"], second["enclosures"]

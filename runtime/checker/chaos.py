@@ -40,19 +40,9 @@ Box = tuple[tuple[Any, Any], ...]
 
 
 def check_chaos(content: dict[str, Any]) -> None:
-    """Prove the symbolic dynamics of a file again; Failure says what cannot be.
+    """Prove the symbolic dynamics of a file again; `Failure` names a claim that is not proved.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Raises
-    ------
-    Failure
-        If something that is claimed is not proved.
-    Malformed
-        If the file has another shape.
+    `Malformed` is raised if the file, read as JSON, has another shape.
     """
     check_shape(content, CHAOS)
     check_sum(content)
@@ -82,19 +72,22 @@ def check_chaos(content: dict[str, Any]) -> None:
 
 
 class _Set(NamedTuple):
-    """An h-set: exact centre and sides, and the matrix to its own coordinates."""
+    """An h-set: a parallelepiped in the section's coordinates, with exact centre and sides.
+
+    The matrix `inward` leads from (coordinates, 1) to the set's coordinates, from -1 to 1.
+    """
 
     centre: list[Any]
     sides: list[list[Any]]
     inward: Any
 
     def seen(self, image: StateSet) -> list[Any]:
-        """Balls around the coordinates in it of a set of (coordinates, 1)."""
+        """Return balls around the set's coordinates of an image, a set of (coordinates, 1)."""
         found: list[Any] = image.through(self.inward).hull.entries()
         return found
 
     def lengths(self, box: Box) -> list[float]:
-        """How long the sides of a part are, about."""
+        """Return approximate lengths of the sides of a part of the set."""
         return [
             float(b - a) / 2 * sum(abs(float(x.p) / float(x.q)) for x in own)
             for (a, b), own in zip(box, self.sides, strict=True)
@@ -102,14 +95,10 @@ class _Set(NamedTuple):
 
 
 class SectionMotions:
-    """The system, section, sets and ways of a file, exactly.
+    """The system, section, h-sets and itineraries of a file, in exact numbers.
 
-    Parameters
-    ----------
-    content : dict
-        With the entries of a certificate of chaos that tell of them.
-    most : int
-        Images of parts, of all sets together.
+    `content` holds the entries of a certificate of chaos that state these. At most `most` images of
+    parts may be computed, of all sets together.
     """
 
     def __init__(self, content: dict[str, Any], most: int) -> None:
@@ -167,7 +156,7 @@ class SectionMotions:
             self._check_way(way)
 
     def _check_way(self, way: list[list[str]]) -> None:
-        """A way leads from the section to the section, by transitions that are declared."""
+        """Demand that an itinerary leads from the section to itself, by declared transitions."""
         here, passed = self.here, 0
         for source, boundary, target in way:
             demand(source == here, "a way does not lead from configuration to configuration")
@@ -194,7 +183,7 @@ class SectionMotions:
         return [*map(self._row, entries)]
 
     def _facts(self, content: dict[str, Any]) -> Any:
-        """What is exactly true on the section; of a forcing also that it comes back there."""
+        """Return reduced rows that are zero on the section; check that a forcing returns."""
         if not self.forcing:
             source, boundary, target = self.section
             demand(not content["phase"], "a phase of no forcing")
@@ -225,7 +214,7 @@ class SectionMotions:
         return self.exactly.echelon([*self.forced, *self.held[self.here]])
 
     def _behind(self, facts: Any, reset: Any) -> Any:
-        """Facts behind a reset."""
+        """Return reduced rows that are zero behind a reset where the facts hold before it."""
         return self.exactly.echelon(
             self.exactly.left_kernel([reduced(row, facts) for row in reset])
         )
@@ -247,7 +236,10 @@ class SectionMotions:
             yield entry["name"], _Set(centre, rows, arb_mat(fmpq_mat(inward)))
 
     def part(self, name: str, box: Box, sloped: bool) -> StateSet:
-        """States of a part of a set, the time 0 and 1; also along which sides of the set."""
+        """Return the set of (states, time 0, 1) of a part of an h-set.
+
+        If `sloped`, the set carries tangents along the sides of the h-set.
+        """
         own, d = self.sets[name], len(self.free)
         middles = [(a + b) / 2 for a, b in box]
         points = [
@@ -266,7 +258,7 @@ class SectionMotions:
         return StateSet.of(arb_mat(centre), arb_mat(sides), none, tuple(tangents))
 
     def _lifted(self, columns: list[list[Any]]) -> list[list[Any]]:
-        """States, the time 0 and 1 of coordinates, and of what these change by."""
+        """Return columns of (states, time 0, 1): the first of a point, the others of directions."""
         given = {next(k for k, x in enumerate(row) if x): row for row in self.facts}
         rows = []
         for k in range(self.size):
@@ -285,7 +277,10 @@ class SectionMotions:
         return found
 
     def image(self, name: str, box: Box, sloped: bool = False) -> StateSet:
-        """Coordinates and 1 of the image of a part of a set; TooWide if it is not shown."""
+        """Return (coordinates, 1) of the image of a part of an h-set; `TooWide` if it is not shown.
+
+        `sloped` asks for derivatives along the sides of the h-set.
+        """
         self.left -= 1
         demand(self.left >= 0, f"{name} has too many parts")
         here, facts, states = self.here, self.facts, self.part(name, box, sloped)
@@ -315,7 +310,7 @@ class SectionMotions:
         return StateSet(centre, sides, box, tuple(map(self._coordinates, states.tangents)))
 
     def _to_phase(self, here: str, facts: Any, states: StateSet) -> tuple[StateSet, Any]:
-        """On to where the forcing comes back, with no boundary on the way."""
+        """Carry states on to where the forcing returns; no boundary may be reached on the way."""
         phase = self.phases[here]
         whole = self.iterates * 2 * arb.pi() / arb(self.speed)
         clock = arb_mat([[*(arb(0) for _ in range(self.size)), arb(1), -whole]])
@@ -328,7 +323,11 @@ class SectionMotions:
         return arrived, self.exactly.echelon([*lasting, *self.forced])
 
     def _watched(self, here: str, facts: Any, states: StateSet) -> dict[str, int]:
-        """Boundaries that are not zero all along, with the order in which they are left."""
+        """Return the boundaries that are not zero all along, with the order of a derivative.
+
+        It is that of the first derivative at the start that is not exactly zero, which has to be
+        negative.
+        """
         found = {}
         hull = states.hull.tolist()
         hull.pop(self.size)
@@ -344,7 +343,7 @@ class SectionMotions:
     def _taken(
         self, source: str, boundary: str, target: str, facts: Any, states: StateSet
     ) -> tuple[Any, Any]:
-        """The reset of the transition that follows for all states; it leads to the target."""
+        """Return the reset that all states take, exactly and in balls; it leads to the target."""
         hull = states.hull.tolist()
         hull.pop(self.size)
         own = self.phases[source].rows[boundary]
@@ -370,33 +369,26 @@ class SectionMotions:
 
 
 class SectionPart:
-    """One set whose parts are mapped, with derivatives.
-
-    Parameters
-    ----------
-    motions : SectionMotions
-    name : str
-        Of the set.
-    """
+    """One h-set whose parts are mapped with derivatives; `name` is the set's."""
 
     def __init__(self, motions: SectionMotions, name: str) -> None:
         self.motions, self.name = motions, name
 
     def image(self, box: Box) -> StateSet:
-        """Coordinates and 1 of the image of a part; see `MappedSet`."""
+        """Return (coordinates, 1) of the image of a part; see `MappedSet`."""
         return self.motions.image(self.name, box, sloped=True)
 
     def seen(self, target: str, image: StateSet) -> StateSet:
-        """The same in the coordinates of a target."""
+        """Return an image in the coordinates of a target set."""
         return image.through(self.motions.sets[target].inward)
 
     def lengths(self, box: Box) -> list[float]:
-        """How long the sides of a part are, about."""
+        """Return approximate lengths of the sides of a part."""
         return self.motions.sets[self.name].lengths(box)
 
 
 def _check_apart(sets: dict[str, _Set]) -> None:
-    """No two sets have a point in common."""
+    """Demand that no two h-sets have a point in common."""
     names = [*sets]
     for k, one in enumerate(names):
         for other in names[:k]:
@@ -412,7 +404,7 @@ def _check_apart(sets: dict[str, _Set]) -> None:
 
 
 def _check_coverings(motions: SectionMotions, name: str) -> None:
-    """A set covers those that the file states."""
+    """Demand that an h-set covers those that the file states."""
     targets, size = motions.targets[name], len(motions.free)
     whole: Box = ((fmpq(-1), fmpq(1)),) * size
     beyond: dict[str, list[int]] = {target: [] for target in targets}
@@ -434,7 +426,7 @@ def _check_coverings(motions: SectionMotions, name: str) -> None:
 def _images(
     motions: SectionMotions, name: str, whole: Box, targets: Sequence[str], side: bool
 ) -> Iterator[StateSet]:
-    """Images of parts of a set that are all beyond its targets, or else between their sides."""
+    """Yield images of parts of a set: beyond its targets, or between their stable sides."""
     boxes = [whole]
     while boxes:
         box, image = boxes.pop(), None
@@ -461,14 +453,14 @@ def _images(
 
 
 def _placed(seen: list[Any], side: bool) -> bool:
-    """Whether a part's image lies beyond a set, or, but for a side's, between its stable sides."""
+    """Return whether an image lies beyond a set or, unless of a side, between its stable sides."""
     unstable, *stable = seen
     beyond = bool(unstable > 1 or unstable < -1)
     return beyond or (not side and all(abs(x) < 1 for x in stable))
 
 
 def _check_entropy(content: dict[str, Any], targets: dict[str, list[str]]) -> None:
-    """The spectral radius of the graph is no less than stated, nor is the entropy."""
+    """Demand that the graph's spectral radius and the entropy are no less than stated."""
     told = Fraction(content["growth"])
     demand(told > 1, "a graph that does not grow")
     demand(told <= _radius(targets), "the graph grows less than stated")
@@ -479,7 +471,10 @@ def _check_entropy(content: dict[str, Any], targets: dict[str, list[str]]) -> No
 
 
 def _radius(targets: dict[str, list[str]]) -> Fraction:
-    """A lower bound of the spectral radius of a strong graph, by a power of 1 + A."""
+    """Return a lower bound of the spectral radius of a strongly connected graph.
+
+    It comes from a power of 1 + A, with A the adjacency matrix.
+    """
     sources = {name: [n for n, others in targets.items() if name in others] for name in targets}
     for ahead in (targets, sources):
         reached, left = set[str](), [*targets][:1]

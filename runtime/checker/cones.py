@@ -28,16 +28,16 @@ Matrix = list[list[Any]]
 
 
 class MappedSet(Protocol):
-    """A set that is mapped part by part, and those that it covers."""
+    """A set that is mapped part by part, and seen in the coordinates of those that it covers."""
 
     def image(self, box: Box) -> StateSet:
-        """Coordinates and 1 of the image of a part, with derivatives; TooWide if not shown."""
+        """Return (coordinates, 1) of a part's image, with derivatives, or raise `TooWide`."""
 
     def seen(self, target: str, image: StateSet) -> StateSet:
-        """The same in the coordinates of a target."""
+        """Return an image in the coordinates of a target."""
 
     def lengths(self, box: Box) -> list[float]:
-        """How long the sides of a part are, about."""
+        """Return approximate lengths of the sides of a part."""
 
 
 class _MappedPart(NamedTuple):
@@ -53,25 +53,10 @@ def check_cones(
     size: int,
     iterates: int,
 ) -> None:
-    """Prove a cone condition again.
+    """Prove again the cone condition that a file states for its coverings.
 
-    Parameters
-    ----------
-    cones : dict
-        As the file states it.
-    targets : dict of str to sequence of str
-        Which sets each set covers.
-    mapped : function of str
-        The sets.
-    size : int
-        Coordinates of the section.
-    iterates : int
-        k.
-
-    Raises
-    ------
-    Failure
-        If it is not proved.
+    `targets` says which sets each set covers, `mapped` gives the sets by name, `size` is the
+    dimension of the section, and `iterates` the number k of the map's iterates.
     """
     forms = {name: [*map(exact, form)] for name, form in cones["forms"].items()}
     demand(forms.keys() == targets.keys(), "cones of other sets")
@@ -140,7 +125,11 @@ def _check_set(
 
 
 def _looked_at(mapped: MappedSet, box: Box, strips: dict[str, Box]) -> tuple[bool, _MappedPart]:
-    """Whether the image of a part is away from those it is stated to be away from."""
+    """Return whether a part's image avoids those targets in whose strips the part does not lie.
+
+    The part is returned with its derivatives to the targets in whose strips it lies. A part whose
+    image is not shown counts as not avoiding.
+    """
     try:
         image = mapped.image(box)
     except TooWide:
@@ -157,7 +146,7 @@ def _looked_at(mapped: MappedSet, box: Box, strips: dict[str, Box]) -> tuple[boo
 
 
 def _border(box: Box, strips: Any) -> tuple[int, Any] | None:
-    """A coordinate, and there the border of a strip, across which a box is cut."""
+    """Return a coordinate and the strip's border there that cuts a box; None if none does."""
     for strip in strips:
         if any(b <= c or d <= a for (a, b), (c, d) in zip(box, strip, strict=True)):
             continue
@@ -179,7 +168,7 @@ def _divided(box: Box, k: int, place: Any) -> list[Box]:
 
 
 def _longest(mapped: MappedSet, part: _MappedPart) -> int:
-    """The coordinate that is longest at the start and behind the map together."""
+    """Return the coordinate along which the part and its image together are longest."""
     lengths = mapped.lengths(part.box)
     if part.image is not None:
         moved = part.image.sides.tolist()
@@ -190,7 +179,7 @@ def _longest(mapped: MappedSet, part: _MappedPart) -> int:
 
 
 def _spread(part: _MappedPart) -> float:
-    """Radii of derivatives, against what stretches."""
+    """Return the largest sum of a derivative's radii, relative to its unstable entry."""
     largest = 0.0
     for matrix in part.slopes.values():
         size = abs(float(matrix[0][0].mid()))
@@ -200,7 +189,7 @@ def _spread(part: _MappedPart) -> float:
 
 
 def _hull(matrices: list[Matrix]) -> Matrix:
-    """Balls around all entries of some matrices."""
+    """Return balls that contain the entries of all these matrices."""
     demand(matrices, "a strip has no part")
     first, *others = matrices
     found = [[*row] for row in first]
@@ -213,10 +202,10 @@ def _hull(matrices: list[Matrix]) -> Matrix:
 
 
 def _positive(matrix: Matrix, behind: list[Any], before: list[Any], rate: Any) -> bool:
-    """V^T Q_M V - m Q_N is positive definite for all V in balls.
+    """Return whether V^T Q_M V - m Q_N is positive definite for all V in balls.
 
-    It is looked at in the basis of the columns of C = ((1/V_uu, -V_us/V_uu), (0, 1)): then V C
-    has the first row (1, 0).
+    Sylvester's minors are taken in the basis of the columns of C = ((1/V_uu, -V_us/V_uu), (0, 1)),
+    where V C has the first row (1, 0).
     """
     first, size = matrix[0], len(matrix)
     if not (first[0] > 0 or first[0] < 0):

@@ -18,7 +18,7 @@ _REGIMES = {True: ("slip", "stick", "overshoot"), False: ("free", "contact")}
 
 
 class ContactLaw:
-    """What a certificate tells of a law; `row` and `number` read its entries."""
+    """A contact law as a certificate states it; `row` and `number` read its entries."""
 
     def __init__(self, told: dict[str, Any], row: Any, number: Any, exactly: Elimination) -> None:
         self.contacts, self.exactly = told["contacts"], exactly
@@ -38,29 +38,16 @@ class ContactLaw:
 
     @property
     def rows(self) -> list[Any]:
-        """All functions of the state that the law is told."""
+        """All affine functions of the state that the law states."""
         limits = [row for own in self.limits for row in own.values()]
         return [*limits, *chain.from_iterable(self.free.values())]
 
     def check(self, entry: dict[str, Any], conditions: list[tuple[Any, str, bool]]) -> int:
-        """A transition is one of the law; how many conditions are of steps before the last.
+        """Demand that a transition is one of the law; return its number of earlier conditions.
 
-        Parameters
-        ----------
-        entry : dict
-            The transition, as the file states it.
-        conditions : list of (row, configuration, sign)
-            Its conditions.
-
-        Returns
-        -------
-        int
-            The first conditions are these.
-
-        Raises
-        ------
-        Failure
-            If the law lets another thing happen.
+        `entry` is the transition as the file states it; `conditions` are its triples (row,
+        configuration, sign). The returned number counts the first conditions, those of steps
+        before the last. `Failure` is raised if the law lets another thing happen.
         """
         before, behind = (self.configurations[entry[key]] for key in ("source", "target"))
         moved = {(self.arrivals | self.reaching).get(name, -1) for name in entry["boundaries"]}
@@ -93,7 +80,7 @@ class ContactLaw:
         return early
 
     def _resting(self, before: dict[str, Any], moved: set[int]) -> list[int]:
-        """Contacts that are decided: those that moved, and what is at rest and coupled to them."""
+        """Return the contacts to decide: those that moved and those at rest coupled to them."""
         still = {i for i, regime in enumerate(before["regimes"]) if regime in ("stick", "contact")}
         still |= set(before["idle"])
         found = set(moved)
@@ -106,7 +93,7 @@ class ContactLaw:
     def _signs(
         self, others: str, resting: list[int], kinetic: set[int], regimes: list[str]
     ) -> list[tuple[Any, bool]]:
-        """Rows of a step, and which of them are to be positive."""
+        """Return the rows of a step's conditions, each with whether it has to be positive."""
         zero = tuple(0 * x for x in self.free[others][0])
         forces = [zero] * len(regimes)
         for i, regime in enumerate(regimes):
@@ -136,7 +123,7 @@ class ContactLaw:
         return found
 
     def _balanced(self, others: str, held: list[int], forces: list[Any]) -> list[Any]:
-        """Forces with those that leave the directions that hold without acceleration."""
+        """Return the forces, with those at held contacts that cancel the accelerations there."""
         right = {i: [-x for x in self._moves(others, i, forces)] for i in held}
         found = list(forces)
         for i, solved in zip(held, self._solved(held, right), strict=True):
@@ -144,7 +131,7 @@ class ContactLaw:
         return found
 
     def _solved(self, held: list[int], right: dict[int, list[Any]]) -> list[Any]:
-        """Forces along the directions that hold, by the accelerations that they are to give."""
+        """Return the forces along the held directions that give the accelerations `right`."""
         lines = [(*(self.coupling[i][j] for j in held), *right[i]) for i in held]
         found: list[Any] = [None] * len(held)
         for solved in self.exactly.echelon(lines):
@@ -154,7 +141,7 @@ class ContactLaw:
         return found
 
     def _bound(self, i: int, held: list[int]) -> bool:
-        """Whether what holds leaves a contact's direction no acceleration."""
+        """Return whether the held contacts leave a contact's direction no acceleration."""
         answers = self._solved(held, {j: [self.coupling[j][i]] for j in held})
         left = self.coupling[i][i]
         for j, (answer,) in zip(held, answers, strict=True):
@@ -162,7 +149,7 @@ class ContactLaw:
         return not left
 
     def _moves(self, others: str, i: int, forces: list[Any]) -> list[Any]:
-        """Acceleration along a direction by these forces."""
+        """Return the acceleration along a contact's direction that these forces give, as a row."""
         total = list(self.free[others][i])
         for factor, force in zip(self.coupling[i], forces, strict=True):
             if factor:

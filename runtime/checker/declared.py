@@ -31,7 +31,7 @@ _FORCING_PHASE = "forcing-phase"  # ends the one phase of a motion that reaches 
 
 
 def _has_balls(entry: Any) -> bool:
-    """Whether a number of a declaration is a ball."""
+    """Return whether any number of a declaration is stated as a ball."""
     if isinstance(entry, dict):
         ball = entry.keys() == {"mid", "rad"} and isinstance(entry["mid"], str)
         return ball or any(map(_has_balls, entry.values()))
@@ -39,87 +39,71 @@ def _has_balls(entry: Any) -> bool:
 
 
 class Transition(NamedTuple):
-    """What leads from a configuration and boundaries to another: conditions, affine reset."""
+    """A declared transition from a configuration and boundaries to another, with affine reset."""
 
-    begins: tuple[str, ...]
+    begins: tuple[str, ...]  # source configuration, then its boundaries
+    # row, configuration along which it is differentiated, whether it has to be positive
     conditions: list[tuple[Any, str, bool]]
-    reset: Any
+    reset: Any  # (N + 1, N + 1)
     target: str
     order: int = 0  # of those in which stops may act that are reached together; 0 is in all
     early: int | None = None  # conditions of a law's steps before the last; None: it is listed
 
 
 class Way(NamedTuple):
-    """A transition that may follow: conditions by their rows, None where zero.
+    """A transition that may follow the end of a phase."""
 
-    Whether it leads where the itinerary does; whether a law's steps are decided by their own
-    functions.
-    """
-
+    # leading row, None where zero, and whether it has to be positive
     conditions: list[tuple[Any, bool]]
-    wanted: bool
-    decided: bool
+    wanted: bool  # whether it leads where the itinerary does
+    decided: bool  # whether a law's earlier steps are decided by their functions, not derivatives
 
 
 class Step(NamedTuple):
-    """A phase of the itinerary: its field, the row that ends it, the transition behind that.
+    """A phase of the itinerary: its field, the row that ends it, and the transition behind it."""
 
-    The reset is the transition's, at the end of the cycle projected along what it closes up to.
-    """
-
-    name: str
-    field: Any
-    exit: Any
+    name: str  # configuration
+    field: Any  # (N + 1, N + 1)
+    exit: Any  # row of the first boundary that ends it
     taken: Transition
     target: str
-    reset: Any
+    reset: Any  # the transition's; in the last phase projected along the translations
 
 
 class StatedBoundary(NamedTuple):
-    """A boundary in a phase; rows are reduced by what is known to be zero there.
+    """A boundary's function in a phase, with its leading derivatives at both ends.
 
-    The first derivative where the phase begins that is not zero has the order, and `begins` is
-    its row: None where the function is zero all along. `follows` is the order of the next one.
+    Rows are reduced by what is known to be zero where they are taken.
     """
 
     name: str
     row: Any
-    ends_it: bool
-    order: int
-    begins: Any
-    follows: int
-    still: bool
-    end: Any
-    speed: Any
+    ends_it: bool  # whether it ends the phase
+    order: int  # of the first derivative that is not zero where the phase begins
+    begins: Any  # row of that derivative, None where the function is zero all along
+    follows: int  # order of the next derivative that is not zero there
+    still: bool  # whether the rate is zero all along
+    end: Any  # the function where the phase ends
+    speed: Any  # the function's rate where the phase ends
 
 
 class StatedPhase(NamedTuple):
-    """What has to hold in a phase.
+    """All that has to hold in a phase."""
 
-    Rows that vanish where it begins; boundaries; for each order in which stops may act what may
-    follow, of which the first whose conditions hold has to be wanted. Whether what contradicts
-    that leaves it open, as a law or several orders do, and whether a law's steps are decided and
-    its reset moves nothing.
-    """
-
-    held: list[Any]
+    held: list[Any]  # rows that vanish where it begins
     watched: list[StatedBoundary]
+    # of each order in which stops may act, what may follow; first come first
     orders: list[list[Way]]
-    lawful: bool
-    decided: bool
+    lawful: bool  # whether a contradiction leaves it open, as with a law or several orders
+    decided: bool  # whether a law's steps are decided and its reset moves nothing
 
 
 class StatedSystem:
-    """The system, itinerary and closing of a certificate.
+    """The system, itinerary and closing of a certificate, in exact numbers.
 
-    Parameters
-    ----------
-    content : dict
-    values : mapping of str to fmpq or RationalFunction
-        Of all parameters that the file names: the declaration's entries are functions of them.
-        Where it takes roots its entries are numbers, and bound to no names.
-    constants : sequence of fmpq or RationalFunction, optional
-        The irrational numbers of the declaration, in its order.
+    `values` has all parameters that the file names; entries of the declaration are
+    functions of them. `constants` are the irrational numbers of the declaration, in its
+    order. A declaration that takes roots has numbers for entries and names no parameters.
     """
 
     def __init__(
@@ -187,13 +171,13 @@ class StatedSystem:
 
     @property
     def unknowns(self) -> list[str]:
-        """Names of the unknowns of the orbit's equations."""
+        """Names of the unknowns: free states at the start, the forcing's time, dwell times."""
         time = ["forcing time"] if self.forcing else []
         return [*(self.start[k] for k in self.free), *time, *self.dwell]
 
     @property
     def stability(self) -> str:
-        """What can be claimed of the multipliers."""
+        """The stability that can be claimed: "neutral" if the period is given, else "stable"."""
         return "neutral" if self.closing["kind"] == "period" else "stable"
 
     @property
@@ -202,7 +186,7 @@ class StatedSystem:
         return int(self.closing.get("dropped", -1))
 
     def _check_names(self, states: list[str]) -> None:
-        """A state at the start is called as the state, or x10 for x1, or has a name of its own."""
+        """Demand distinct names at the start: x1's is x1 or x10, or one of no other state."""
         demand(len(self.start) == len(states), "every state has a name at the start")
         demand(len({*states}) == len(states), "two states have one name")
         named = [*self.start, *self.dwell, "period", "trace"]
@@ -213,7 +197,7 @@ class StatedSystem:
             demand(free or name == f"{states[place]}0", f"{name} is that of another state")
 
     def _lawful(self, declared: dict[str, Any]) -> None:
-        """Transitions with steps are those of the contact law."""
+        """Demand that all transitions with steps are those of the stated contact law."""
         try:
             law = ContactLaw(declared["law"], self.row, self.number, self.exactly)
             self.lawful = law.rows
@@ -225,7 +209,7 @@ class StatedSystem:
             raise Failure(f"the contact law is malformed: {problem!r}") from None
 
     def _whole_turn(self, name: str) -> Step:
-        """A phase that ends where the first forcing begins anew, and changes nothing."""
+        """Return a phase that ends where the first forcing begins anew, with no reset."""
         demand(bool(self.forcing), "without a forcing there is no phase of it")
         sine = self.forcing[0][1]
         row = tuple(fmpq(int(k == sine)) for k in range(self.size + 1))
@@ -236,85 +220,31 @@ class StatedSystem:
         return Step(name, self.fields[name], row, staying, name, identity)
 
     def number(self, entry: Any) -> Any:
-        """A fraction, a ball, or a rational function.
-
-        Parameters
-        ----------
-        entry : str or dict
-            As the file states it.
-
-        Returns
-        -------
-        fmpq, arb or RationalFunction
-            The number itself.
-
-        Raises
-        ------
-        Failure
-            If the entry is no number.
-        """
+        """Return a file's entry as a fraction, ball, or rational function of the parameters."""
         found = number_of(entry, self.variables)
         if isinstance(found, RationalFunction) and not found.below.is_one():
             self.poles.append(found)
         return found
 
     def row(self, entries: list[Any]) -> tuple[Any, ...]:
-        """An affine function of the state.
-
-        Parameters
-        ----------
-        entries : list
-            N + 1 numbers, as the file states them.
-
-        Returns
-        -------
-        tuple of fmpq, arb or RationalFunction, length N + 1
-            Acts on (y, 1).
-
-        Raises
-        ------
-        Failure
-            If it has another length.
-        """
+        """Return an affine function of the state as a row (N + 1) that acts on (y, 1)."""
         demand(len(entries) == self.size + 1, "a row of another size")
         return tuple(map(self.number, entries))
 
     def rows(self, entries: list[Any]) -> list[Any]:
-        """As many of them as there are states.
-
-        Parameters
-        ----------
-        entries : list of lists
-            N rows of N + 1 numbers, as the file states them.
-
-        Returns
-        -------
-        list of tuple
-            N rows of length N + 1.
-
-        Raises
-        ------
-        Failure
-            If they are not as many.
-        """
+        """Return N rows (N + 1), one for each state."""
         demand(len(entries) == self.size, "a matrix of another size")
         return [*map(self.row, entries)]
 
     def closes(self) -> dict[str, Any]:
-        """What is no equation follows: forcings return; else the energies of a kept form.
+        """Prove that the cycle closes in what is no equation; return each configuration's energy.
 
-        The field is f = Omega^-1 grad E with E = y'H y/2, so each phase keeps E and Omega. At a
-        boundary the reset keeps E, and Omega on its tangents: monodromy is symplectic.
-
-        Returns
-        -------
-        dict of str to rows (N + 1, N + 1)
-            Energy of each configuration; empty where no form is kept.
-
-        Raises
-        ------
-        Failure
-            If what the file states of the closing is not so.
+        With a forcing, its states are shown to return after whole turns. Where the period is
+        given, the energies are matrices (N + 1, N + 1) over (y, 1), and a symplectic form is
+        shown to be kept; else there are none. The field is f = Omega^-1 grad E with E = y'H
+        y/2, so each phase keeps E and Omega. At a boundary the reset keeps E, and Omega on
+        its tangents: the monodromy is symplectic. `Failure` is raised if what the file states
+        of the closing is not so.
         """
         kind = self.closing["kind"]
         demand((kind == "forcing") == bool(self.forcing), "a forcing is left out")
@@ -351,9 +281,10 @@ class StatedSystem:
         return energies
 
     def _close_along(self, direction: tuple[Any, ...]) -> None:
-        """Close up to a translation of all that is declared: y + s d is a motion when y is.
+        """Close the cycle up to a translation of all that is declared: y + s d is a motion if y is.
 
-        Behind the last phase the state is moved along it until its first coordinate is zero.
+        Behind the last phase the state is moved along it until the direction's first
+        coordinate is zero.
         """
         rows = [*self.lawful, *(row for field in self.fields.values() for row in field)]
         for boundaries, held in self.configurations.values():
@@ -394,11 +325,11 @@ class StatedSystem:
 
     @cached_property
     def known(self) -> list[tuple[Any, Any, Any]]:
-        """Facts where each phase begins, those of them that last, and where it ends."""
+        """Reduced facts of each phase: where it begins, those that last, and where it ends."""
         return self._from([])
 
     def _from(self, facts: list[Any]) -> list[tuple[Any, Any, Any]]:
-        """The same where some are known to be true where the cycle begins."""
+        """Return the facts of each phase, given some that are true where the cycle begins."""
         found: list[tuple[Any, Any, Any]] = []
         count = -1
         while len(facts) > count:  # till nothing is added
@@ -413,22 +344,10 @@ class StatedSystem:
         return found
 
     def phases(self, vanishing: list[Any]) -> list[StatedPhase]:
-        """What has to hold in each phase of an orbit where some functions vanish at its start.
+        """Return what has to hold in each phase of an orbit along which some functions vanish.
 
-        Parameters
-        ----------
-        vanishing : list of rows, each of length N + 1
-            What vanishes where the orbit begins.
-
-        Returns
-        -------
-        list of StatedPhase
-            One for each phase.
-
-        Raises
-        ------
-        Failure
-            If the declaration is not exact.
+        `vanishing` holds rows (N + 1) that are zero where the orbit begins. `Failure` is
+        raised if the declaration is not exact.
         """
         demand(self.rational, "the declaration is not exact")
         facts = self._from(vanishing) if vanishing else self.known
@@ -436,9 +355,10 @@ class StatedSystem:
 
     @cached_property
     def section(self) -> tuple[int, list[int], list[Any]]:
-        """The phase with most facts, coordinates that they leave free, changes by these.
+        """The smallest section: its phase, n free coordinates, and changes (N + 1, n) by them.
 
-        At fixed times, as those of forced orbits are, only facts that last hold for changes.
+        Facts fix the other coordinates. Forced orbits are compared at fixed times, where only
+        facts that last hold for changes.
         """
         found = []
         forced = [[fmpq(int(j == k)) for j in range(self.size)] for k in self.forced]
@@ -489,9 +409,10 @@ class StatedSystem:
     def _ways(
         self, taken: Transition, listed: list[Transition], number: int, own: list[Any], end: Any
     ) -> list[Way]:
-        """What may follow in one order in which stops act: up to the one that is taken, if alone.
+        """Return what may follow if stops act in one order: up to the transition that is taken.
 
-        Of several orders each has to lead where the transition leads that is taken.
+        Of several orders, all ways are returned; each has to lead where the taken transition
+        leads.
         """
         found = []
         for other in listed:
@@ -513,21 +434,13 @@ class StatedSystem:
 
 
 def gauge_of(direction: Any) -> int:
-    """The first coordinate of a direction: zero where the cycle begins.
+    """Return the first coordinate of a direction (N) that is not zero.
 
-    Parameters
-    ----------
-    direction : sequence, length N
-        Exact entries, not all zero.
-
-    Returns
-    -------
-    int
-        Number of the first entry that is not zero.
+    Along a translation, this coordinate is zero where the cycle begins.
     """
     return next(k for k, x in enumerate(direction) if x)
 
 
 def _seen(form: Any, rows: Any) -> list[Any]:
-    """A bilinear form between vectors that are given as rows."""
+    """Return the matrix of a bilinear form between vectors that are given as rows."""
     return [product(product(row, form), list(zip(*rows, strict=True))) for row in rows]

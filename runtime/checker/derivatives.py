@@ -25,21 +25,10 @@ _PARTS = ("re", "im")
 def check_derivatives(
     content: dict[str, Any], parameters: Mapping[str, str], orbit: CheckedOrbit
 ) -> None:
-    """Prove what a certificate states of derivatives; Failure says which cannot be.
+    """Prove all derivatives that a certificate states; `Failure` names one that is not proved.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-    parameters : dict of str to str
-        Values of all parameters, the period among them where it is given.
-    orbit : CheckedOrbit
-        The orbit, located.
-
-    Raises
-    ------
-    Failure
-        If a derivative is not proved.
+    `parameters` holds the values of all parameters, the period among them where it is
+    given; `orbit` is already located.
     """
     stated, along = content.get("derivatives", {}), content.get("directions", {})
     demand(bool(stated) == bool(along), "derivatives by nothing")
@@ -80,7 +69,7 @@ def check_derivatives(
 
 
 def _sharper(orbit: CheckedOrbit) -> CheckedOrbit:
-    """The same orbit in a box around its enclosure, where that can be shown to be sharper."""
+    """Return the orbit located in a smaller box around its enclosure, where that succeeds."""
     found = CheckedOrbit(orbit.declared, orbit.number)
     widest = max((x.rad() for x in orbit.root), key=float)
     radii = [2 * x.rad() + widest / 2**16 for x in orbit.root]  # no side is empty
@@ -91,7 +80,7 @@ def _sharper(orbit: CheckedOrbit) -> CheckedOrbit:
 def _rates(
     moving: CheckedOrbit, orbit: CheckedOrbit, slopes: Any, multipliers: list[Any]
 ) -> dict[str, Any]:
-    """Derivatives of all that is stated of the orbit, along a direction."""
+    """Return the derivatives of all stated quantities of the orbit along one direction."""
     missed = moving.along(orbit.root)
     try:
         rates = slopes.solve(arb_mat([[-part_of(value, 1)] for value in missed])).entries()
@@ -116,6 +105,6 @@ def _rates(
 
 
 def _fraction(ball: Any) -> Any:
-    """The middle of a ball, exactly."""
+    """Return the middle of a ball as an exact fraction."""
     mantissa, exponent = ball.mid().man_exp()
     return fmpq(mantissa) * fmpq(2) ** int(exponent)

@@ -40,27 +40,11 @@ _VERDICTS = {"proved": "proved", "refuted": "unstable"}
 def checked_band(
     event: dict[str, Any], names: Sequence[str], place: Sequence[tuple[int, int]]
 ) -> tuple[int, list[Any], Any]:
-    """The band of a tile's event: narrow, and with sides of one part each.
+    """Return the band of a tile's event: the axis across it, its curve's coefficients, its radius.
 
-    Parameters
-    ----------
-    event : dict
-        As the file states it.
-    names : sequence of str
-        Parameters of the box.
-    place : sequence of (int, int)
-        Step and level of the tile along each of them.
-
-    Returns
-    -------
-    tuple of (int, list of fmpq, fmpq)
-        The number of the parameter across, coefficients of the curve, and the radius; from -1 to
-        1 over the tile.
-
-    Raises
-    ------
-    Failure
-        If it is too wide, or a side may consist of several parts.
+    The band runs over the tile's coordinates from -1 to 1; `place` has the tile's step
+    and level along each axis. `Failure` is raised if the band is too wide, or if one of
+    its sides in the tile may consist of several parts.
     """
     demand(len(names) == _PARAMETERS and event["across"] in names, "a curve in no plane")
     axis, centre = names.index(event["across"]), [fraction(c) for c in event["centre"]]
@@ -79,18 +63,10 @@ def checked_band(
 
 
 class Division:
-    """What is claimed of a tile that a curve divides.
+    """The claims about a tile that a curve divides, with one event on the curve.
 
-    Parameters
-    ----------
-    event : dict
-        As the file states it.
-    claims : tuple of (str, str, str)
-        Verdicts on existence, admissibility and stability of all of the tile.
-    names : sequence of str
-        Parameters of the box.
-    place : sequence of (int, int)
-        Step and level of the tile along each of them.
+    `claims` are the verdicts on existence, admissibility and stability of the whole tile;
+    `place` is its step and level along each axis.
     """
 
     def __init__(
@@ -126,7 +102,7 @@ class Division:
         self.signs: set[bool] = set()
 
     def phases(self, orbit: CheckedOrbit) -> None:
-        """The phases of borders are those of the orbit."""
+        """Demand that the phases of the event's borders are those of the orbit."""
         steps = orbit.declared.steps
         demand(all(0 <= border.phase < len(steps) for border in self.borders), "no such phase")
         if self.borders:
@@ -137,23 +113,11 @@ class Division:
         self, orbit: CheckedOrbit, energies: Any, parameters: Sequence[Any], constants: Any,
         part: Part,
     ) -> None:  # fmt: skip
-        """Prove what holds on a part of the tile.
+        """Prove on a part of the tile what the division needs.
 
-        Parameters
-        ----------
-        orbit : CheckedOrbit
-            Located, in Taylor models of the parameters on the part.
-        energies : dict
-            As `StatedSystem.closes` gives them.
-        parameters : sequence of TaylorModel
-        constants : sequence of arb
-        part : sequence of (fmpq, fmpq)
-            The part, from -1 to 1 over the tile.
-
-        Raises
-        ------
-        Failure
-            If something is not proved.
+        The orbit is located, in Taylor models of the parameters on the part; `energies` are
+        those of `StatedSystem.closes`, and the part is in the tile's coordinates from -1 to
+        1.
         """
         orbit.returns(energies)
         kind = self.event["kind"]
@@ -177,7 +141,10 @@ class Division:
             self.signs.add(bool(rate > 0))
 
     def _beyond(self, number: TaylorModel, part: Part, sign: int) -> None:
-        """Beyond the band a number, with a derivative of this sign, has one sign."""
+        """Demand that a number has one sign on each side of the band, on a part.
+
+        Its derivative by the parameter across the band has the given sign on the part.
+        """
         axis = self.axis
         side, along, other = self._over(part)
         if side:
@@ -200,7 +167,7 @@ class Division:
         demand(missed < radius * abs(slope), "there may be an event beside its band")
 
     def _over(self, part: Part) -> tuple[int, Any, Any]:
-        """-1 or 1 if a part is below or above the band; the curve over it, and its variable."""
+        """Return -1 or 1 if a part is below or above the band, else 0; the curve; its variable."""
         middles = [(low + high) / 2 for low, high in part]
         halves = [(high - low) / 2 for low, high in part]
         space, axis = space_of(1, _ORDER), self.axis
@@ -215,12 +182,9 @@ class Division:
         return side, along, other
 
     def verdicts(self, at: Callable[[Sequence[Any]], CheckedOrbit]) -> None:
-        """Verdicts on both sides, when all parts are proved.
+        """Demand the verdicts on both sides, when all parts are proved.
 
-        Parameters
-        ----------
-        at : callable
-            Gives the orbit at a point of the tile, from -1 to 1 over it.
+        `at` gives the orbit at a point of the tile, in its coordinates from -1 to 1.
         """
         demand(self.borders or len(self.signs) == 1, "an event may happen twice")
         below, above = self.event["below"], self.event["above"]
@@ -250,24 +214,14 @@ class Division:
 
 
 def _power(bound: Any, power: int) -> Any:
-    """All powers of numbers between -bound and bound: even ones are not negative."""
+    """Return an enclosure of a power of all numbers from -bound to bound; even ones are >= 0."""
     if power == 0:
         return arb(1)
     return arb(0, bound**power) if power % 2 else arb(0).union(bound**power)
 
 
 def fraction(number: float) -> Any:
-    """The exact value of a number in a file.
-
-    Returns
-    -------
-    fmpq
-
-    Raises
-    ------
-    Failure
-        If it is not finite.
-    """
+    """Return the exact value of a file's float; `Failure` if it is not finite."""
     demand(abs(number) < float("inf"), "a curve without bounds")
     return fmpq(*Fraction(number).as_integer_ratio())
 
@@ -275,7 +229,7 @@ def fraction(number: float) -> Any:
 def _moving(
     orbit: CheckedOrbit, parameters: Sequence[Any], constants: Any, axis: int
 ) -> CheckedOrbit:
-    """The orbit with its derivatives by a parameter: implicit differentiation."""
+    """Return the orbit with derivatives by one parameter, by implicit differentiation."""
     moved = [jet(x, arb(1)) if k == axis else x for k, x in enumerate(parameters)]
     number = number_at([*moved, *constants])
     first = CheckedOrbit(orbit.declared, number)
@@ -296,7 +250,7 @@ def _number(
     orbit: CheckedOrbit, moving: CheckedOrbit, kind: str, border: Border | None,
     window: tuple[Any, Any] | None,
 ) -> tuple[Any, Any]:  # fmt: skip
-    """What is zero at the event, and its derivative by the parameter."""
+    """Return the number that is zero at the event, and its derivative by the parameter."""
     if border is None:
         found = passing(characteristic(moving.section), kind)
     else:

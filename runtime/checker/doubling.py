@@ -45,19 +45,9 @@ _ALIKE = ("parameters", "parameter", "stability")
 
 
 def check_cascade(content: dict[str, Any]) -> None:
-    """Prove every claim of a cascade; Failure says which one cannot be.
+    """Prove every claim of a cascade again; `Failure` names a claim that is not proved.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Raises
-    ------
-    Failure
-        If a claim is not proved.
-    Malformed
-        If the file has another shape.
+    `Malformed` is raised if the file, read as JSON, has another shape.
     """
     check_shape(content, CASCADE)
     check_sum(content)
@@ -91,21 +81,9 @@ def check_doubling(
     branches: Sequence[dict[str, Any]],
     tiles: Sequence[Sequence[CheckedTile]],
 ) -> None:
-    """Prove one doubling of branches that are proved; Failure says what cannot be.
+    """Prove one doubling between two branches that are already proved.
 
-    Parameters
-    ----------
-    doubling : dict
-        Its entries.
-    branches : sequence of dict
-        The branch with the flip, and the one that begins there.
-    tiles : sequence of sequence of CheckedTile
-        Of both.
-
-    Raises
-    ------
-    Failure
-        If a claim is not proved.
+    `branches` and `tiles` are those of the branch with the flip and of the one that begins there.
     """
     _same_system(*branches)
     with ctx.workprec(_BITS):
@@ -113,7 +91,7 @@ def check_doubling(
 
 
 def _same_system(branch: dict[str, Any], beyond: dict[str, Any]) -> None:
-    """The second branch is one of the first one's cycle, passed twice, in the same system."""
+    """Demand that the second branch's cycle is the first one's, passed twice, in one system."""
     demand(all(branch[name] == beyond[name] for name in _ALIKE), "another system's branch")
     declared, other = branch["declaration"], beyond["declaration"]
     demand(declared and other, "claims about no declaration")
@@ -132,7 +110,10 @@ def _same_system(branch: dict[str, Any], beyond: dict[str, Any]) -> None:
 
 
 class _CheckedDoubling:
-    """The doubled orbits next to a flip."""
+    """The doubled orbits next to a flip, over the amplitude a; n unknowns become 2 n.
+
+    They are the middle m, the direction w without its entry 1, and the parameter.
+    """
 
     def __init__(
         self,
@@ -165,7 +146,7 @@ class _CheckedDoubling:
         self.centre = [TaylorModel(self.space, tuple(map(arb, row))) for row in centre]
 
     def check(self) -> None:
-        """Prove that these orbits begin at the flip, their side, and their verdict."""
+        """Prove that these orbits begin at the flip, and their side and verdict."""
         a = self.space.variable(0, arb(0), self.amplitude)
         found = self.krawczyk(a, self.centre, self.radii)
         demand(found is not None, "existence is not proved: Krawczyk's test fails")
@@ -192,13 +173,13 @@ class _CheckedDoubling:
         demand(told == self.doubling["verdict"], f"at one of them it is {told}")
 
     def holds(self, a: Any, found: Sequence[Any]) -> bool:
-        """Whether a solution is in the tube."""
+        """Return whether a solution of amplitude a lies in the tube."""
         place = a / self.amplitude
         sides = zip(found, self.centre, self.radii, strict=True)
         return bool(abs(place) < 1) and all(abs(x - c.at([place])) < r for x, c, r in sides)
 
     def _begins_at_the_flip(self, side: str) -> None:
-        """The solution at zero is the flip of the branch, and the rate there is as stated."""
+        """Demand that the solution at amplitude zero is the branch's flip, with the stated rate."""
         zero = arb(0)
         point = [x.at([zero]).mid() for x in self.centre]
         for _ in range(_STEPS):
@@ -224,9 +205,9 @@ class _CheckedDoubling:
         demand(inside(rate, self.doubling["rate"]), "the rate is not in its enclosure")
 
     def _goes_on(self) -> list[Any]:
-        """The doubled branch begins with an orbit of the tube.
+        """Demand that the doubled branch begins with an orbit of the tube; return this orbit.
 
-        Solutions of equations divided by a dwell time solve those that are not.
+        Solutions of equations that are divided by a dwell time solve the undivided ones, too.
         """
         twice = self.twice
         demand(self.first.place == twice.last, "the doubled branch begins by another coordinate")
@@ -248,7 +229,7 @@ class _CheckedDoubling:
         return orbit
 
     def _decided(self, point: Sequence[Any]) -> None:
-        """They are motions of the system, and no multiplier but 1 at the flip is on the circle."""
+        """Demand that orbits are motions, with no multiplier on the circle but 1 at the flip."""
         orbit = self.twice.orbit(point)
         demand(orbit.declared.alone, "one-sided maps")
         told = admissibility(orbit, [])
@@ -262,7 +243,7 @@ class _CheckedDoubling:
     def _parts(
         self, prove: Callable[[Sequence[Any]], None], point: Sequence[Any], depth: int = 0
     ) -> None:
-        """Prove something of all orbits, on smaller parts if need be."""
+        """Call `prove` on all orbits or, where that fails, on halves of them again and again."""
         try:
             prove(point)
             return
@@ -274,7 +255,10 @@ class _CheckedDoubling:
             self._parts(prove, [x.at([e]) for x in point], depth + 1)
 
     def krawczyk(self, a: Any, centre: Sequence[Any], radii: Sequence[Any]) -> list[Any] | None:
-        """The image of a box of solutions, where it lies inside: one solution is there."""
+        """Return Krawczyk's image of a box (2 n) of solutions, or None if it is not inside the box.
+
+        If it is inside, there is exactly one solution in the box for each amplitude.
+        """
         values, slopes = self.equations(a, centre)
         try:
             y = slopes.mid().inv().mid()
@@ -291,7 +275,7 @@ class _CheckedDoubling:
         return [x + d for x, d in zip(centre, found, strict=True)]
 
     def equations(self, a: Any, unknowns: Sequence[Any]) -> tuple[Any, Any]:
-        """Values (2 n, 1) of the equations and their derivatives (2 n, 2 n)."""
+        """Return values (2 n, 1) of the equations and their derivatives (2 n, 2 n)."""
         middle, away = self._split(unknowns)
         point, direction, value = self._between(a, middle, away, unknowns[-1])
         moving = jet(value, arb(1))
@@ -326,7 +310,7 @@ class _CheckedDoubling:
         return matrix(told), matrix([*upper, *lower])
 
     def rate(self, a: Any, unknowns: Sequence[Any]) -> Any:
-        """The derivative of the parameter by the square of a."""
+        """Return the derivative of the parameter by the square of the amplitude."""
         middle, away = self._split(unknowns)
         point, direction, value = self._between(a, middle, away, unknowns[-1])
         pairs = zip(point, direction, strict=True)
@@ -343,7 +327,7 @@ class _CheckedDoubling:
         return solution(slopes, y, right)[-1]
 
     def _split(self, unknowns: Sequence[Any]) -> tuple[list[Any], list[Any]]:
-        """The middle, and the direction with its entry 1."""
+        """Return the middle (n) and the direction (n), with its entry 1, of the unknowns (2 n)."""
         away = list(unknowns[self.size : -1])
         return list(unknowns[: self.size]), [*away[: self.scaled], arb(1), *away[self.scaled :]]
 
@@ -355,7 +339,7 @@ class _CheckedDoubling:
     def _between(
         self, a: Any, middle: Sequence[Any], away: Sequence[Any], value: Any
     ) -> tuple[list[Any], list[Any], Any]:
-        """Points between the halves, the direction and the parameter as models of e and f."""
+        """Return points between the halves, direction and parameter as models of e and f."""
         if not isinstance(a, TaylorModel):
             demand(a.is_zero(), "an amplitude that is not zero")
             return list(middle), list(away), value
@@ -366,7 +350,7 @@ class _CheckedDoubling:
         return [lifted(m, space) + step * w for m, w in pairs], wide, lifted(value, space)
 
     def _passage(self, point: Sequence[Any], value: Any) -> Any:
-        """The cycle from points that are roots or not."""
+        """Return the passage of the cycle from a point, root of the equations or not."""
         curve: CheckedCurve = self.curve
         orbit = CheckedOrbit(curve.declared, number_at([value, *curve.constants]))
         flows = []
@@ -376,7 +360,7 @@ class _CheckedDoubling:
         return orbit.passage(orbit.chain, point, flows)
 
     def _start_rows(self) -> Any:
-        """The matrix that picks the start in the closure's equations."""
+        """Return the matrix (n, n) that picks the start's part in the closure equations."""
         declared = self.curve.declared
         found = arb_mat(self.size, self.size)
         phases, free = len(declared.steps), declared.free

@@ -11,12 +11,9 @@ _Side = list[tuple[int, int, int]]
 
 
 def neighbours(places: Sequence[Sequence[tuple[int, int]]]) -> list[list[int]]:
-    """Of each tile those with which it has more than a point in common.
+    """Return for each tile the numbers of those with which it shares more than a point.
 
-    Parameters
-    ----------
-    places : sequence of ((int, int), (int, int))
-        Along each axis, which of 2^level parts. Tiles do not overlap.
+    A place is a (step, level) along each of two axes: part `step` of 2^level. Tiles do not overlap.
     """
     ends = [
         [(step << SMALLEST - level, step + 1 << SMALLEST - level) for step, level in place]

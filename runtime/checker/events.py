@@ -41,19 +41,9 @@ _INSTANTS = {**dict.fromkeys([*_MULTIPLIERS, "vanishing-phase"], ""),
 
 
 def check_events(content: dict[str, Any]) -> None:
-    """Prove every event of a file; Failure says which one cannot be.
+    """Prove every event of a file again; `Failure` names an event that is not proved.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Raises
-    ------
-    Failure
-        If an event is not proved.
-    Malformed
-        If the file has another shape.
+    `Malformed` is raised if the file, read as JSON, has another shape.
     """
     check_shape(content, EVENTS)
     check_sum(content)
@@ -111,7 +101,10 @@ def _check(event: dict[str, Any]) -> None:
 def _roots(
     misses: Callable[..., list[Any]], middles: list[Any], radii: list[Any], again: bool = False
 ) -> list[Any]:
-    """Balls around all roots of a box; unless they were proved before, that there are any."""
+    """Return balls around all roots of a box, which is proved to contain one.
+
+    With `again`, existence was proved before and is not demanded.
+    """
     values = misses(middles, radii)
     demand(len(values) == len(middles), "as many equations as unknowns are needed")
     slopes = arb_mat([[part or 0 for part in value.parts[1:]] for value in values])
@@ -129,7 +122,7 @@ def _roots(
 
 
 def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> list[Any]:
-    """What an event's own equations miss."""
+    """Return the residuals of an event's equations at an orbit."""
     kind, place, declared = event["kind"], event["phase"], orbit.declared
     demand(event["instant"] == _INSTANTS.get(kind, event["instant"]), "another instant")
     if kind in _MULTIPLIERS:
@@ -170,7 +163,7 @@ def _event(orbit: CheckedOrbit, event: dict[str, Any], more: Sequence[Any]) -> l
 
 
 def _multiplier(orbit: CheckedOrbit, kind: str) -> Any:
-    """The characteristic polynomial at -1 or 1; for a torus what is zero for a pair."""
+    """Return a number that is zero where a multiplier is -1 or 1, or a pair has the product 1."""
     demand(orbit.declared.alone, "one-sided maps")
     demand(kind == "flip" or not orbit.declared.omega, "1 is always a multiplier")
     polynomial = characteristic(orbit.section)

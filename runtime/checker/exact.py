@@ -39,68 +39,27 @@ _HIGHEST = 10_000  # power of a parameter
 
 
 class Failure(Exception):
-    """Something that is claimed could not be proved."""
+    """A claim that could not be proved."""
 
 
 def demand(condition: object, otherwise: str) -> None:
-    """Fail unless a condition holds.
-
-    Parameters
-    ----------
-    condition : object
-        What has to be true.
-    otherwise : str
-        The message if it is not.
-
-    Raises
-    ------
-    Failure
-        If the condition is false.
-    """
+    """Raise `Failure` with the message `otherwise` unless a condition holds."""
     if not condition:
         raise Failure(otherwise)
 
 
 def check_sum(content: dict[str, Any]) -> None:
-    """The content is as it was written.
-
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Raises
-    ------
-    Failure
-        If the checksum differs.
-    """
+    """Raise `Failure` if the content's checksum differs from the stated one."""
     covered = {key: value for key, value in content.items() if key != "sha256"}
     digest = hashlib.sha256(json.dumps(covered, sort_keys=True).encode()).hexdigest()
     demand(content["sha256"] == digest, "edited or damaged: the checksum differs")
 
 
 def agreed_claims(claims: dict[str, str], reasons: dict[str, str]) -> tuple[str, str, str]:
-    """Verdicts on existence, admissibility and stability that may go together.
+    """Return the verdicts on existence, admissibility and stability, if they go together.
 
-    There is a reason for each that is not proved, and for no other; where no orbit is proved that
-    reason may stand for all.
-
-    Parameters
-    ----------
-    claims : dict of str to str
-        Verdict on each claim.
-    reasons : dict of str to str
-        Why claims are not proved.
-
-    Returns
-    -------
-    tuple of (str, str, str)
-        The three verdicts.
-
-    Raises
-    ------
-    Failure
-        If they do not go together.
+    A reason has to be given for each claim that is not proved, and for no other; where no orbit is
+    proved that reason may stand for all. Otherwise `Failure` is raised.
     """
     exists, *others = (claims[name] for name in ("existence", "admissibility", "stability"))
     if exists != "proved":
@@ -112,23 +71,7 @@ def agreed_claims(claims: dict[str, str], reasons: dict[str, str]) -> tuple[str,
 
 
 def exact(text: str) -> Any:
-    """A fraction, or a decimal with an exponent, without rounding.
-
-    Parameters
-    ----------
-    text : str
-        As in "1.25e-3" or "5/4".
-
-    Returns
-    -------
-    fmpq
-        The number itself.
-
-    Raises
-    ------
-    Failure
-        If the text is no number.
-    """
+    """Return the exact fraction of a text such as "1.25e-3" or "5/4"; `Failure` if it is none."""
     demand(NUMBER.fullmatch(text), f"{text[:60]!r} is no number")
     digits, _, exponent = text.partition("e")
     whole, _, decimals = digits.partition(".")
@@ -140,68 +83,20 @@ def exact(text: str) -> Any:
 
 
 def ball(stated: dict[str, str]) -> Any:
-    """The ball of a middle and a radius.
-
-    Parameters
-    ----------
-    stated : dict of str to str
-        "mid" and "rad", as decimal texts.
-
-    Returns
-    -------
-    arb
-        It contains all that is stated.
-
-    Raises
-    ------
-    Failure
-        If a text is no number.
-    """
+    """Return a ball that contains all that a stated "mid" and "rad", decimal texts, allow."""
     return arb(exact(stated["mid"])) + arb(0, arb(exact(stated["rad"])))
 
 
 def inside(found: Any, stated: dict[str, str]) -> Any:
-    """Whether a number lies inside a ball that is stated.
-
-    Parameters
-    ----------
-    found : arb or TaylorModel
-        The number.
-    stated : dict of str to str
-        "mid" and "rad", as decimal texts.
-
-    Returns
-    -------
-    bool
-        True if that is certain.
-
-    Raises
-    ------
-    Failure
-        If a text is no number.
-    """
+    """Return whether a ball or Taylor model lies inside a stated ball, with certainty."""
     return abs(found - arb(exact(stated["mid"]))) < arb(exact(stated["rad"]))
 
 
 def number_of(entry: Any, variables: Sequence[Any]) -> Any:
-    """A fraction, a ball, or the value of a rational function of the variables.
+    """Return a file's entry as a fraction, a ball, or a rational function of the variables.
 
-    Parameters
-    ----------
-    entry : str or dict
-        A text, "mid" and "rad", or "above" and "below" of a fraction.
-    variables : sequence of RationalFunction
-        What functions are functions of.
-
-    Returns
-    -------
-    fmpq, arb or RationalFunction
-        The number itself.
-
-    Raises
-    ------
-    Failure
-        If a divisor is zero, or a text is no number.
+    The entry is a text, a "mid" and "rad", or an "above" and "below" of a rational function.
+    `Failure` is raised if a divisor is zero or a text is no number.
     """
     if isinstance(entry, str):
         return exact(entry)
@@ -226,38 +121,14 @@ def _polynomial(terms: list[Any], variables: Sequence[Any]) -> Any:
 
 
 def is_integer(number: Any) -> bool:
-    """Whether a fraction or a function is one and the same integer.
-
-    Parameters
-    ----------
-    number : fmpq or RationalFunction
-        Exact.
-
-    Returns
-    -------
-    bool
-        False for functions that are not constant.
-    """
+    """Return whether a fraction or function is one constant integer."""
     if isinstance(number, RationalFunction):
         number = number.rational
     return number is not None and bool(number.q == 1)
 
 
 def product(row: Any, rows: Any) -> tuple[Any, ...]:
-    """A row times a matrix: with a field, the row of the derivative.
-
-    Parameters
-    ----------
-    row : sequence, length n
-        Exact entries.
-    rows : sequence of rows, (n, m)
-        Exact entries.
-
-    Returns
-    -------
-    tuple, length m
-        Exactly.
-    """
+    """Return a row (n) times a matrix (n, m), exactly; times a field, the row of the derivative."""
     return tuple(
         sum((x * y for x, y in zip(row, column, strict=True) if x and y), fmpq(0))
         for column in zip(*rows, strict=True)
@@ -265,19 +136,10 @@ def product(row: Any, rows: Any) -> tuple[Any, ...]:
 
 
 def reduced(row: Any, facts: Any) -> Any:
-    """The same function of a state for which the facts hold.
+    """Return the same affine function of a state for which the facts hold, with pivots removed.
 
-    Parameters
-    ----------
-    row : sequence, length N + 1
-        Exact entries of an affine function, acting on (y, 1).
-    facts : list of rows, each of length N + 1
-        Functions that are zero, reduced.
-
-    Returns
-    -------
-    sequence, length N + 1
-        Zero where the facts make the function zero.
+    Rows and facts have length N + 1 and act on (y, 1); facts are reduced rows that are zero. The
+    result is zero if the facts make the function zero.
     """
     for fact in facts:
         if factor := row[next(j for j, x in enumerate(fact) if x)]:
@@ -286,23 +148,10 @@ def reduced(row: Any, facts: Any) -> Any:
 
 
 def leading(row: Any, field: Any, facts: Any, order: int) -> tuple[int, Any]:
-    """Order and row of the first derivative that is not known to be zero; None if none is.
+    """Return order and row of the first derivative along a field that the facts leave nonzero.
 
-    Parameters
-    ----------
-    row : sequence, length N + 1
-        Exact entries of an affine function, acting on (y, 1).
-    field : rows (N + 1, N + 1)
-        Exact entries, acting on (y, 1).
-    facts : list of rows, each of length N + 1
-        Functions that are zero, reduced.
-    order : int
-        Lower derivatives are passed over.
-
-    Returns
-    -------
-    tuple of (int, row or None)
-        The row has length N + 1.
+    Derivatives of an order below `order` are skipped. The row is None if no derivative is nonzero.
+    Rows have length N + 1 and act on (y, 1).
     """
     for k in range(len(row) + 1):
         if k >= order and any(found := reduced(row, facts)):
@@ -312,28 +161,20 @@ def leading(row: Any, field: Any, facts: Any, order: int) -> tuple[int, Any]:
 
 
 class Elimination:
-    """Gauss and Jordan's; remembers by what was divided.
+    """Gauss-Jordan elimination in exact numbers that remembers what it divided by.
 
-    Facts are rows that vanish along an orbit. Where numbers are rational functions a fact may
-    be false at parameters at which a divisor is zero; these are nowhere dense, the orbit is
-    continuous, and so it holds at all parameters at which its entries are finite.
+    Facts are rows that vanish along an orbit. Where numbers are rational functions a fact may be
+    false at parameters at which a divisor is zero. These parameters are nowhere dense and the orbit
+    is continuous, so the fact holds at all parameters at which its entries are finite.
     """
 
     def __init__(self) -> None:
         self.divisors: list[Any] = []
 
     def echelon(self, rows: Any) -> list[Any]:
-        """Independent rows of a span, reduced.
+        """Return reduced independent rows that span what the rows span.
 
-        Parameters
-        ----------
-        rows : sequence of rows
-            Exact entries.
-
-        Returns
-        -------
-        list of tuple
-            A basis of their span; its divisors are kept in `divisors`.
+        Divisors are appended to `divisors`.
         """
         left, found = [list(row) for row in rows], list[list[Any]]()
         for column in range(len(left[0]) if left else 0):
@@ -351,38 +192,14 @@ class Elimination:
         return [tuple(row) for row in found]
 
     def left_kernel(self, matrix: Any) -> list[Any]:
-        """Rows c with c M = 0.
-
-        Parameters
-        ----------
-        matrix : sequence of rows
-            Exact entries, at least one row.
-
-        Returns
-        -------
-        list of row
-            A basis.
-        """
+        """Return a basis of the rows c with c M = 0, for a matrix of at least one row."""
         size, width = len(matrix), len(matrix[0])
         unit = [[fmpq(int(i == j)) for j in range(size)] for i in range(size)]
         joined = [[*row, *more] for row, more in zip(matrix, unit, strict=True)]
         return [row[width:] for row in self.echelon(joined) if not any(row[:width])]
 
     def lasting(self, facts: Any, field: Any) -> Any:
-        """The facts that stay true along a field: the largest part that it maps into itself.
-
-        Parameters
-        ----------
-        facts : list of rows, each of length N + 1
-            Functions that are zero, reduced.
-        field : rows (N + 1, N + 1)
-            Exact entries, acting on (y, 1).
-
-        Returns
-        -------
-        list of rows
-            Reduced.
-        """
+        """Return the facts that stay true along a field: the largest part mapped into itself."""
         while facts:
             rates = [reduced(product(row, field), facts) for row in facts]
             kept = [product(c, facts) for c in self.left_kernel(rates)]

@@ -27,36 +27,27 @@ _MARGIN = 2.0**-40  # of times
 
 
 class ExitFunction(NamedTuple):
-    """What is zero where states leave by some boundaries.
-
-    Its row over (y, t, 1); the order of the first derivative that is not exactly zero at the
-    start; what is exactly true where it is zero; its rate there.
-    """
+    """A function that is zero where states leave a phase by some boundaries."""
 
     names: frozenset[str]
-    row: Any
-    order: int
-    facts: Any
-    rate: Any
+    row: Any  # (1, N + 2), over (y, t, 1)
+    order: int  # of the first derivative that is not exactly zero at the start
+    facts: Any  # reduced rows that are exactly zero where the function is
+    rate: Any  # its rate there
 
 
 class Exit(NamedTuple):
-    """Sets that leave by some functions, and of which of the given sets they are parts."""
+    """Sets that leave by some functions, as parts of given sets."""
 
     states: ManySets
-    origin: Any
-    by: tuple[int, ...]
+    origin: Any  # number of the given set that each is a part of
+    by: tuple[int, ...]  # numbers of the functions
 
 
 class PhaseExits:
-    """A configuration with the functions that end its phases.
+    """The ways out of a configuration, along its flow, by the functions that end its phases.
 
-    Parameters
-    ----------
-    flow : FloatFlow
-    functions : sequence of ExitFunction
-    finest : float
-        Part of a window: shorter pieces of time are not taken.
+    Pieces of time shorter than `finest`, a share of a window, are not divided further.
     """
 
     def __init__(self, flow: FloatFlow, functions: Sequence[ExitFunction], finest: float) -> None:
@@ -68,35 +59,18 @@ class PhaseExits:
         self._bounded: dict[int, Any] = {}
 
     def common(self, by: Sequence[int]) -> list[Any]:
-        """What is exactly true where some functions are zero together.
-
-        Parameters
-        ----------
-        by : sequence of int
-            Numbers of the functions.
-
-        Returns
-        -------
-        list of row
-            Reduced.
-        """
+        """Return reduced rows that are exactly zero where all functions of these numbers are."""
         return Elimination().echelon([row for k in by for row in self.functions[k].facts])
 
     def _apart(self, *by: int) -> bool:
-        """Whether some functions are never zero together."""
+        """Return whether some functions are never zero together."""
         return not all(any(row[:-1]) for row in self.common(by))
 
     def leave(self, states: ManySets) -> tuple[list[Exit], Any]:
-        """All ways out, and for which sets they are not known.
+        """Return all ways out, and of which sets (B,) they are not known.
 
-        Parameters
-        ----------
-        states : ManySets
-            Where no function is positive, nor its first derivative that is not exactly zero.
-
-        Returns
-        -------
-        tuple of (list of Exit, array of bool (B,))
+        In the given states no function is positive, nor its first derivative that is not
+        exactly zero.
         """
         spans, lost = self._spans(states)
         found: list[Exit] = []
@@ -111,7 +85,7 @@ class PhaseExits:
         return found, lost
 
     def _spans(self, states: ManySets) -> tuple[list[Any], Any]:
-        """Of each function the sets, the first and the last window of each span."""
+        """Return each function's spans (sets, first and last windows), and which sets are lost."""
         count = len(self.functions)
         lost, left, begin = np.zeros(len(states), dtype=bool), np.arange(len(states)), 0
         opened: list[Any] = []
@@ -138,7 +112,7 @@ class PhaseExits:
         return spans, lost
 
     def _bounds(self, states: ManySets, begin: int) -> tuple[Any, Any]:
-        """Of sets, windows and functions: may rise through zero, and are positive at the end."""
+        """Return bool arrays (set, window, function): may rise through zero; positive at end."""
         shape = len(states), _WINDOWS, len(self.functions)
         if begin not in self._bounded:
             numbers = range(begin, begin + _WINDOWS)
@@ -162,7 +136,7 @@ class PhaseExits:
     def _through(
         self, number: int, states: ManySets, origin: Any, begin: Floats, end: Floats
     ) -> Exit:
-        """The states that reach a function's zero between some times."""
+        """Return the states that reach a function's zero between some times."""
         begin, end, some = self._corrected(number, states[origin], begin, end)
         origin, begin, end = origin[some], begin[some], end[some]
         count = np.ceil((end - begin) / self._length(states[origin])).clip(1).astype(int)
@@ -184,7 +158,10 @@ class PhaseExits:
     def _pieces(
         self, number: int, states: ManySets, origin: Any, first: Floats, last: Floats
     ) -> Exit:
-        """The same, each set once, with the time as a side."""
+        """Return the states that reach the zero in one piece of time of each set.
+
+        The time within the piece is a side of each set.
+        """
         first, last, some = self._corrected(number, states[origin], first, last)
         origin, first, last = origin[some], first[some], last[some]
         _, found = self.flow.between(states[origin], first, last)
@@ -197,7 +174,7 @@ class PhaseExits:
         return Exit(found[alive], origin[alive], (number,))
 
     def _length(self, states: ManySets) -> Floats:
-        """Times in which the states on the way are not much more than the states."""
+        """Return times (B,) in which the states on the way spread little beyond the states."""
         spread = states.spread
         size = _SLACK * spread.max(axis=1, initial=0.0)
         grows = (spread @ np.abs(self.flow.rate.middle).T).max(axis=1, initial=1e-300)
@@ -209,7 +186,7 @@ class PhaseExits:
     def _corrected(
         self, number: int, states: ManySets, begin: Floats, end: Floats
     ) -> tuple[Floats, Floats, Any]:
-        """Narrower times, where the function rises for all; and whether it is zero for any."""
+        """Return narrower times where a function rises for all states, and if it has a zero."""
         some = np.ones(len(begin), dtype=bool)
         for _ in range(_CORRECTIONS):
             if not len(begin):
@@ -234,7 +211,7 @@ class PhaseExits:
         return begin, end, some
 
     def _with_another(self, one: Exit, number: int, lost: Any) -> Iterator[Exit]:
-        """Those that reach a second one just then; where it may be three they are lost."""
+        """Yield exits by a second boundary at once; sets that may reach a third are lost."""
         others = [k for k, own in enumerate(self.functions) if own.names]
         if number not in others or not len(one.origin):
             return
@@ -252,20 +229,10 @@ class PhaseExits:
 
 
 def rounded(row: Sequence[Any]) -> Rounded:
-    """A function of the state over (y, t, 1).
-
-    Parameters
-    ----------
-    row : sequence, length N + 1
-        Exact.
-
-    Returns
-    -------
-    Rounded (1, N + 2)
-    """
+    """Return an exact affine function of the state as a rounded row (1, N + 2) over (y, t, 1)."""
     return Rounded.of(arb_mat([[*map(arb, row[:-1]), arb(0), arb(row[-1])]]))
 
 
 def negative(row: Rounded) -> Rounded:
-    """The function with the other sign."""
+    """Return the function with the other sign."""
     return Rounded(-row.middle, row.radius)

@@ -41,20 +41,10 @@ _VERDICTS = {"proved": "proved", "refuted": "unstable"}
 
 
 class FoldedTile:
-    """What is claimed of a tile near which two orbits meet.
+    """A tile near a fold, with all its claims proved when it is made.
 
-    Parameters
-    ----------
-    declared : StatedSystem
-    energies : dict
-        As `StatedSystem.closes` gives them.
-    constants : sequence of arb
-    tile : dict
-        As the file states it.
-    names : sequence of str
-        Parameters of the box.
-    where : sequence of (fmpq, fmpq)
-        The tile's ends.
+    `energies` are those of `StatedSystem.closes`, `where` holds the tile's ends along
+    each axis.
     """
 
     def __init__(
@@ -95,7 +85,7 @@ class FoldedTile:
         )  # fmt: skip
 
     def _prove(self, order: int) -> None:
-        """Prove all of it in Taylor models of one order, of e over the tube and q over the tile."""
+        """Prove all of it in Taylor models of one order, over the tube (e) and the tile (q)."""
         space = space_of(2, order)
         low, high = self.where[1 - self.axis]
         beside = space.variable(1, arb((low + high) / 2), arb((high - low) / 2))
@@ -112,7 +102,7 @@ class FoldedTile:
         self._verdicts(curve, beside, point)
 
     def _locate(self, order: int, beside: Any, value: Any) -> None:
-        """One root for each place in the tube, next to polynomials that are found here."""
+        """Prove one root for each place in the tube, next to polynomials of Newton's method."""
         others: list[Any] = list(self.guess)
         cuts: list[Callable[[Any], Any]] = [middle_of] * _NEWTON
         cuts += [_cut(k) for k in (1, 3, order)]
@@ -144,7 +134,7 @@ class FoldedTile:
         demand(near, "the orbits are not near the numbers that are stated")
 
     def _leaves(self, order: int, slope: Any, bend: Any) -> None:
-        """At both ends of the tube the parameter is beyond the tile, and moves away from it."""
+        """Demand that at both ends of the tube the parameter is beyond the tile and moves away."""
         self.sign = 1 if bend > 0 else -1
         edge = arb(self.where[self.axis][1 if self.sign > 0 else 0])
         for end in (-1, 1):
@@ -153,7 +143,7 @@ class FoldedTile:
             demand(rate * end * self.sign > 0, "two orbits may not meet in the tube")
 
     def _meets(self, order: int, slope: Any, bend: Any) -> None:
-        """The curve on which they meet is in its band, and the verdicts are on their sides."""
+        """Demand that the curve where orbits meet is in its band, with verdicts on its sides."""
         low, high = self.where[self.axis]
         space = space_of(1, order)
         along = space.variable(0, arb(0), arb(1))
@@ -170,7 +160,7 @@ class FoldedTile:
         demand(self.verdict != BEYOND, "no verdict on the side of both orbits")
 
     def _verdicts(self, curve: CheckedCurve, beside: Any, point: Sequence[Any]) -> None:
-        """Those of both orbits: no multiplier is at the unit circle but for the curve."""
+        """Demand both orbits' verdicts; only on the curve is a multiplier on the unit circle."""
         orbit = curve.orbit(point)
         orbit.returns(self.energies)
         told = {"below": self.fold["other"], "above": self.fold["other"]}
@@ -188,30 +178,14 @@ class FoldedTile:
             demand(found == told[sheet], f"an orbit beside the fold is {found}")
 
     def claims_at(self, point: Sequence[Any]) -> bool:
-        """Whether there is clearly an orbit at a point, from -1 to 1 over the tile.
-
-        Parameters
-        ----------
-        point : sequence of fmpq
-        """
+        """Return whether a point, from -1 to 1 over the tile, clearly has orbits."""
         away = point[self.axis] - _sum(self.centre, point[1 - self.axis])
         return bool(away * self.sign > self.radius)
 
     def at(self, point: Sequence[Any]) -> list[Any]:
-        """Unknowns of the map's own orbit at a point of the tile, from -1 to 1 over it.
+        """Return enclosed unknowns of the map's orbit at a point, from -1 to 1 over the tile.
 
-        Parameters
-        ----------
-        point : sequence of fmpq
-
-        Returns
-        -------
-        list of arb
-
-        Raises
-        ------
-        Failure
-            If it is not proved.
+        `Failure` is raised if this orbit is not proved.
         """
         values = [
             arb((low + high) / 2 + x * (high - low) / 2)
@@ -235,14 +209,9 @@ class FoldedTile:
         return list(orbit.root)
 
     def holds(self, point: Sequence[Any], found: Sequence[Any]) -> bool:
-        """Whether an orbit at a point is the map's own.
+        """Return whether an orbit at a point, from -1 to 1 over the tile, is the map's.
 
-        Parameters
-        ----------
-        point : sequence of fmpq
-            From -1 to 1 over the tile.
-        found : sequence of arb
-            Its unknowns.
+        `found` holds the orbit's unknowns, as balls.
         """
         other = arb(point[1 - self.axis])
         low, high = self.where[self.axis]
@@ -263,23 +232,11 @@ def beyond_folds(
     names: Sequence[str],
     beside: Sequence[Sequence[int]],
 ) -> list[bool]:
-    """Which undecided tiles are beside nothing but each other and what is beyond folds.
+    """Return which undecided tiles border on nothing but each other and what is beyond folds.
 
-    Parameters
-    ----------
-    tiles : sequence of dict
-        As the file states them; of two parameters.
-    verdicts : sequence of str
-        Of each by itself.
-    names : sequence of str
-        Parameters of the box.
-    beside : sequence of sequence of int
-        Of each tile those with which it has an edge in common.
-
-    Returns
-    -------
-    list of bool
-        One for each tile.
+    `tiles` have two parameters, `verdicts` has one of each tile by itself, and `beside`
+    has for each tile those with which it shares an edge. The answer has one bool for each
+    tile.
     """
     where = [
         [(fmpq(step, 2**level), fmpq(step + 1, 2**level)) for step, level in tile["place"]]
@@ -318,10 +275,11 @@ def beyond_folds(
 def _is_beyond(
     tile: dict[str, Any], names: Sequence[str], place: Sequence[Any], edge: Sequence[Any]
 ) -> bool:
-    """Whether all of an edge is on a tile's side beyond its fold; nothing beside it is assumed.
+    """Return whether an edge lies on the side beyond a tile's fold, where there are no orbits.
 
-    Along the curve's parameter the polynomial has no larger values than the sum of its terms; if
-    it only rises or falls those at the ends tell.
+    Nothing is assumed about what is beside the edge. Along the curve's parameter, the
+    polynomial is at most the sum of its terms' sizes; if it is monotone, its values at
+    the ends bound it.
     """
     event = tile["event"]
     if event is None or event["kind"] != "fold":
@@ -343,7 +301,7 @@ def _is_beyond(
 
 
 def _sum(centre: Sequence[Any], place: Any) -> Any:
-    """A polynomial."""
+    """Return the value of a polynomial at a place."""
     total: Any = place * 0
     for coefficient in reversed(centre):
         total = total * place + (coefficient if isinstance(place, fmpq) else arb(coefficient))
@@ -351,13 +309,13 @@ def _sum(centre: Sequence[Any], place: Any) -> Any:
 
 
 def _along(model: Any, end: int, order: int) -> Any:
-    """All values of a model where e has a value."""
+    """Return the range of a model where e has a given value."""
     other = space_of(1, order).variable(0, arb(0), arb(1))
     return range_of(model.at([arb(end), other]))
 
 
 def _cut(order: int) -> Callable[[Any], Any]:
-    """To polynomials of an order."""
+    """Return a function that cuts numbers to polynomials of an order."""
     space = space_of(2, order)
 
     def cut(number: Any) -> Any:

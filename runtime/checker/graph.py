@@ -30,19 +30,9 @@ _FAR = 4.0  # boxes beyond the region: further is not looked at
 
 
 def check_graph(content: dict[str, Any]) -> None:
-    """Prove a graph of boxes again; Failure says what cannot be.
+    """Prove a graph of boxes again; `Failure` names a claim that is not proved.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Raises
-    ------
-    Failure
-        If something that is claimed is not proved.
-    Malformed
-        If the file has another shape.
+    `Malformed` is raised if the file, read as JSON, has another shape.
     """
     check_shape(content, GRAPH)
     check_sum(content)
@@ -68,7 +58,7 @@ def check_graph(content: dict[str, Any]) -> None:
 
 
 class _StatedGraph:
-    """Boxes and edges of a file."""
+    """The boxes and edges of a file."""
 
     def __init__(self, content: dict[str, Any], size: int) -> None:
         self.grid: DividedGrid = stated_divided_grid(content["grid"], content["divided"], size)
@@ -93,7 +83,10 @@ class _StatedGraph:
         return told == 1
 
     def check_order(self, content: dict[str, Any]) -> None:
-        """What is said of the edges: nothing leaves, all descends but for components."""
+        """Demand what is stated of the edges: none leaves the trap, and ranks fall along them.
+
+        Ranks need not fall along edges within a component. The verdict has to follow from these.
+        """
         trapping = self._flags(content["trapping"])
         leaves = self.outside | self.unknown
         closed = trapping[self.target[trapping[self.source]]].all()
@@ -113,7 +106,7 @@ class _StatedGraph:
         demand((content["claim"] == "proved") == (len(stays) > 0), "the verdict is another one")
 
     def check_images(self, motions: ManyMotions) -> None:
-        """Images of all boxes that are not unknown lie where the edges lead."""
+        """Demand that the images of all boxes not stated as unknown lie where the edges lead."""
         left, whole = np.flatnonzero(~self.unknown), self.grid.grid
         first, counts = np.array(whole.first), np.array(whole.counts)
         least, most = (first - _FAR) * whole.sides, (first + counts + _FAR) * whole.sides

@@ -18,20 +18,7 @@ _NUMBERS = 2**40  # of boxes
 
 
 def stated_grid(entries: Any, size: int) -> BoxGrid:
-    """A grid of boxes of some coordinates.
-
-    Parameters
-    ----------
-    entries : dict or None
-        Of a file.
-    size : int
-        How many coordinates.
-
-    Raises
-    ------
-    Failure
-        If there is no such grid.
-    """
+    """Return the grid in `size` coordinates that a file states; `Failure` if it is none."""
     demand(entries is not None, "there is no grid")
     exponents, first, counts = (tuple(entries[x]) for x in ("exponents", "first", "counts"))
     demand(size > 0 and all(len(x) == size for x in (exponents, first, counts)), "no such grid")
@@ -42,21 +29,9 @@ def stated_grid(entries: Any, size: int) -> BoxGrid:
 
 
 def stated_divided_grid(entries: Any, levels: Sequence[Any], size: int) -> DividedGrid:
-    """A grid of which some boxes are divided, in levels.
+    """Return a grid in `size` coordinates of which some boxes are divided, level by level.
 
-    Parameters
-    ----------
-    entries : dict
-        Of a file: the grid.
-    levels : sequence of runs
-        Which cells of each level are divided.
-    size : int
-        How many coordinates.
-
-    Raises
-    ------
-    Failure
-        If there is no such grid.
+    `entries` states the grid, `levels` which cells of each level are divided, as runs.
     """
     whole = stated_grid(entries, size)
     demand(0 < len(levels) <= _LEVELS, "no such levels of a grid")
@@ -76,22 +51,9 @@ def stated_divided_grid(entries: Any, levels: Sequence[Any], size: int) -> Divid
 
 
 def listed(runs: Sequence[Any], size: int) -> Any:
-    """The numbers of all boxes, of runs of them.
+    """Return the number of each box, an int array (size,), from runs (number, count).
 
-    Parameters
-    ----------
-    runs : sequence of (int, int)
-    size : int
-        How many boxes there are.
-
-    Returns
-    -------
-    array of int (size,)
-
-    Raises
-    ------
-    Failure
-        If there are more or fewer.
+    `Failure` is raised if the runs cover more or fewer boxes.
     """
     fits = all(n > 0 for _, n in runs) and sum(n for _, n in runs) == size <= _LARGEST
     demand(fits, "another number of boxes than the grid has")

@@ -40,50 +40,23 @@ _RADIANS = 0.125  # of the fastest motion in a window
 
 
 class Arrivals(NamedTuple):
-    """Boxes (L, d) of the section's coordinates, of which set each is, and which sets are lost.
+    """Boxes that contain the first arrivals of sets at a section."""
 
-    And how many portions were followed.
-    """
-
-    origin: Any
-    low: Floats
-    high: Floats
-    lost: Any
-    portions: int
+    origin: Any  # (L,) number of the set of each box
+    low: Floats  # (L, d) lower ends, in the section's coordinates
+    high: Floats  # (L, d)
+    lost: Any  # whether nothing is known of each set
+    portions: int  # how many were followed
 
 
 class ManyMotions:
-    """Where sets of states come to a section first.
+    """The first arrivals of sets of states at a section, of a declaration in a file.
 
-    Parameters
-    ----------
-    declared : dict
-        The declaration of a file.
-    parameters : mapping of str to str
-        That the file names.
-    section : StatedSection
-    scales : sequence of float, length N
-        Of the states.
-    widest : float, optional
-        Sets that are wider, in these units, are halved where a phase begins.
-    most : int, optional
-        Parts of one set.
-    longest : int, optional
-        Transitions on one way.
-    finest : float, optional
-        Part of a window of time in which sets on their way are not divided further.
-
-    Attributes
-    ----------
-    facts : list of row
-        What is exactly zero on the section.
-    free : list of int
-        The states that are its coordinates.
-
-    Raises
-    ------
-    Failure
-        If there is no such section, or the declaration is of another kind.
+    Sets wider than `widest`, in units of `scales` (N), are halved where a phase begins. A
+    set may have at most `most` portions and pass at most `longest` transitions; sets on
+    their way are divided down to the share `finest` of a window of time. `facts` are the
+    reduced rows that are zero on the section, `free` the states that are its coordinates.
+    `Failure` is raised if there is no such section or the declaration is of another kind.
     """
 
     def __init__(
@@ -108,13 +81,7 @@ class ManyMotions:
         self._phases: dict[KnownStart, DividingPhase] = {}
 
     def arrivals(self, starts: ManySets) -> Arrivals:
-        """Of states on the section.
-
-        Parameters
-        ----------
-        starts : ManySets
-            Of its coordinates and 1.
-        """
+        """Return the first arrivals of sets on the section, given as sets of (coordinates, 1)."""
         with ctx.workprec(_BITS):
             lifted = starts.mapped(self.lift(self.facts, timed=False))
         return self.leaves(lifted, self.section.configuration, self.facts)
@@ -123,23 +90,13 @@ class ManyMotions:
     def leaves(
         self, starts: ManySets, configuration: str, facts: Sequence[Any], whole: float = np.inf
     ) -> Arrivals:
-        """Boxes that contain the first arrival of every state of every set.
+        """Return boxes that contain the first arrival of every state of every set.
 
-        Parameters
-        ----------
-        starts : ManySets
-            Of (y, 0, 1); those of their states are meant that no boundary lies behind.
-        configuration : str
-            In which they are.
-        facts : sequence of row
-            What is exactly zero for them; of a forcing also that it has the section's phase.
-        whole : int, optional
-            Portions of all sets together: beyond so many all sets are lost.
-
-        Raises
-        ------
-        Failure
-            If the configuration is not declared, or a forcing has another phase.
+        The sets are of (y, 0, 1) in one configuration; only their states beyond no boundary
+        count. `facts` are rows that are exactly zero for them; with a forcing these imply the
+        section's phase. All sets are lost if they have more than `whole` portions together.
+        `Failure` is raised if the configuration is not declared or the forcing has another
+        phase.
         """
         demand(configuration in self.system.fields, "a configuration is not declared")
         times = np.abs(np.array(starts.hull)[:, :, self.system.size])
@@ -171,20 +128,12 @@ class ManyMotions:
         facts: Sequence[Any],
         known: Callable[[Any, Any, Any], Any],
     ) -> bool:
-        """Whether all states of all sets come to what is known, in parts if need be.
+        """Return whether all states of all sets come to known places, in parts if need be.
 
-        On average over the sets a quarter of the portions is followed that one set may have,
-        halves included: so the work is bounded by the number of sets, whether it is true or not.
-
-        Parameters
-        ----------
-        starts : ManySets
-        configuration : str
-        facts : sequence of row
-            As for `leaves`.
-        known : callable
-            Of numbers (L,) of the sets and of boxes (L, d) whether parts of these sets may come
-            to these boxes.
+        `known` takes numbers (L,) of sets and boxes (L, d), and says whether parts of these
+        sets may come to these boxes. The other arguments are those of `leaves`. On average
+        over the sets at most a quarter of the portions that one set may have is followed,
+        halves included: so the work is bounded by the number of sets, whatever the answer is.
         """
         origin, most = np.arange(len(starts)), 2 * len(starts) + _HALVES
         left = self.most * (len(starts) / _SHARE + 1)
@@ -204,7 +153,7 @@ class ManyMotions:
     def _followed(
         self, known: KnownStart, portions: Portions, remaining: Remaining
     ) -> Iterator[Portions]:
-        """Portions through one phase: those on the section are given, others are left to do."""
+        """Yield the portions that one phase leads to the section; add others to the remaining."""
         remaining.lose(portions.origin[(portions.passed >= self.longest) | portions.astray])
         portions = self._narrow(portions.some(~remaining.lost[portions.origin]), remaining)
         if not len(portions.origin):
@@ -222,7 +171,7 @@ class ManyMotions:
                     remaining.lose(own.origin)
 
     def _inside(self, known: KnownStart, own: Portions, remaining: Remaining) -> Portions:
-        """Of arrivals those that no boundary lies behind: what is beyond one goes on at once."""
+        """Return those arrivals that are beyond no boundary; the others go on at once."""
         for name, row in self.system.boundaries[known.configuration].items():
             if name in known.below or not any(reduced(row, known.facts)):
                 continue
@@ -249,7 +198,10 @@ class ManyMotions:
     def _behind(
         self, known: KnownStart, end: Departure, remaining: Remaining
     ) -> Iterator[tuple[KnownStart, Portions, bool]]:
-        """What states become behind an end of a phase; whether they are on the section."""
+        """Yield what is known behind an end of a phase, its portions, and if they have arrived.
+
+        Those have arrived that are on the section.
+        """
         here, size = known.configuration, self.system.size
         astray = end.portions.astray
         remaining.lose(end.portions.origin[astray])
@@ -295,9 +247,11 @@ class ManyMotions:
     def _chosen(
         self, listed: list[Any], end: Departure, signs: frozenset[Any], remaining: Remaining
     ) -> Iterator[tuple[Any, str, Portions, Any, frozenset[Any]]]:
-        """Resets and targets: the first transition follows whose conditions hold.
+        """Yield resets and targets of the first transitions whose conditions hold.
 
-        With what is exactly zero: so is a function on a side of zero on which it never is.
+        With each come its portions, the rows that are exactly zero for them, and functions
+        that are not positive. A function that is never on one side of zero is zero for those
+        portions that are there.
         """
         left = [(0, 0, end.portions, list(end.facts), signs)]
         while left:
@@ -330,7 +284,7 @@ class ManyMotions:
                     left.append((number, place, own, zero, still))
 
     def _box(self, states: ManySets, signs: frozenset[Any]) -> ManySets:
-        """Boxes around states for which functions are not positive."""
+        """Return boxes around the states of sets for which these functions are not positive."""
         low, high = states.hull
         for row in signs:
             if any(row[:-1]):
@@ -343,9 +297,9 @@ class ManyMotions:
     def _stays_below(
         self, row: Any, target: str, facts: Any, reset: Any, before: Any, signs: frozenset[Any]
     ) -> bool:
-        """Whether a boundary's first derivative behind a reset is known not to be positive.
+        """Return whether a boundary's first derivative behind a reset is known not to be positive.
 
-        As a function of the states before it is one of those whose sign is known.
+        As a function of the states before the reset, it has to be one whose sign is known.
         """
         _, first = leading(row, self.system.fields[target], facts, 0)
         if first is None:
@@ -360,18 +314,10 @@ class ManyMotions:
         return [*free, self.system.size] if self.forced else free
 
     def lift(self, facts: Any, timed: bool) -> Rounded:
-        """(y, t, 1) of states by the coordinates that facts leave free, and 1.
+        """Return the map (N + 2, d + 1) to (y, t, 1) from free coordinates and 1.
 
-        Parameters
-        ----------
-        facts : rows
-            Reduced.
-        timed : bool
-            Whether the time is one of these coordinates, the last one; else it is 0.
-
-        Returns
-        -------
-        Rounded (N + 2, d + 1)
+        Free coordinates are those that the facts, reduced rows, do not determine. If `timed`,
+        time is the last of these coordinates; else it is 0.
         """
         size = self.system.size
         places = [*_without_pivots(facts, size), *([size] if timed else [])]
@@ -387,7 +333,7 @@ class ManyMotions:
         return Rounded.of(found)
 
     def flow(self, configuration: str) -> FloatFlow:
-        """The flow of a configuration."""
+        """Return the flow of a configuration."""
         if configuration not in self._flows:
             matrix = matrix_of(self.system.fields[configuration], runs=True)
             rates = [abs(complex(x)) for x in arb_mat(matrix.mid()).eig(algorithm="approx")]

@@ -25,9 +25,9 @@ _SMALL = 5  # halvings behind which the exponential of a field is that of a smal
 
 
 class Border(NamedTuple):
-    """An inequality that ceases to hold at an event.
+    """An inequality of admissibility that ceases to hold at an event.
 
-    Its number is negative where it holds.
+    Its number is negative where it holds and rises through zero where it ceases to hold.
     """
 
     kind: str
@@ -36,24 +36,9 @@ class Border(NamedTuple):
     instant: str
 
     def number(self, orbit: CheckedOrbit, time: Any = None) -> Any:
-        """Its number.
+        """Return the number that is negative where the inequality holds, in the orbit's numbers.
 
-        Parameters
-        ----------
-        orbit : CheckedOrbit
-            In any numbers.
-        time : arb or TaylorModel, optional
-            Of a grazing.
-
-        Returns
-        -------
-        arb, TaylorModel or Jet
-            Negative where it holds.
-
-        Raises
-        ------
-        Failure
-            If there is no such border.
+        A grazing needs its time. `Failure` is raised if the orbit has no such border.
         """
         place, step = self.phase, orbit.declared.itinerary[self.phase]
         if self.kind == "vanishing-phase":
@@ -80,30 +65,23 @@ class Border(NamedTuple):
 
     @property
     def listed(self) -> tuple[int, int]:
-        """Of a condition: in which of the transitions that may follow it is, and where."""
+        """Places, from 0, of a condition's transition and of the condition in it."""
         fits = self.instant == "end" and re.fullmatch(r"[1-9]\d{0,3}\.[1-9]\d{0,3}", self.boundary)
         demand(fits, "there is no such condition")
         transition, place = self.boundary.split(".")
         return int(transition) - 1, int(place) - 1
 
     def _condition(self, orbit: CheckedOrbit) -> Any:
-        """A number that is negative where a condition is as the itinerary asks."""
+        """Return a number that is negative where a condition is as the itinerary asks."""
         row, falls = self.condition(orbit)
         value = orbit.value(row, orbit.now.ends[self.phase].entries())
         return -value if falls else value
 
     def condition(self, orbit: CheckedOrbit) -> tuple[Any, bool]:
-        """Its condition.
+        """Return a condition's row, and whether it is positive where the inequality holds.
 
-        Returns
-        -------
-        tuple of (row, bool)
-            The function behind the end, and whether it is positive where the inequality holds.
-
-        Raises
-        ------
-        Failure
-            If there is no such condition.
+        The row acts on the state behind the phase's end. `Failure` is raised if there is no
+        such condition.
         """
         phase = orbit.declared.phases([])[self.phase]
         number, place = self.listed
@@ -116,13 +94,7 @@ class Border(NamedTuple):
         return row, expected == way.wanted
 
     def watched(self, orbit: CheckedOrbit) -> StatedBoundary:
-        """Its boundary.
-
-        Raises
-        ------
-        Failure
-            If the phase has no such boundary.
-        """
+        """Return the border's boundary in its phase; `Failure` if the phase has none."""
         phase = orbit.declared.phases([])[self.phase]
         found = next((w for w in phase.watched if w.name == self.boundary), None)
         demand(found is not None, "there is no such boundary")
@@ -131,26 +103,10 @@ class Border(NamedTuple):
 
 
 def time_of_touch(orbit: CheckedOrbit, border: Border, window: tuple[Any, Any] | None) -> Any:
-    """When a boundary function has its one maximum in a window in which it is concave.
+    """Return an enclosure of the time of a grazing: the one maximum of its boundary function.
 
-    Parameters
-    ----------
-    orbit : CheckedOrbit
-        In balls or Taylor models.
-    border : Border
-        A grazing.
-    window : tuple of (arb, arb) or None
-        Beginning and end, from the start of the phase.
-
-    Returns
-    -------
-    arb or TaylorModel
-        An enclosure.
-
-    Raises
-    ------
-    Failure
-        If none is proved to be there.
+    It lies in the window (begin, end), from the start of the phase, in which the function
+    is concave. `Failure` is raised if none is proved to be there.
     """
     demand(window is not None, "a grazing has no window")
     assert window is not None
@@ -184,28 +140,11 @@ def admissibility(
     assumed: Sequence[Border] = (),
     window: tuple[Any, Any] | None = None,
 ) -> str:
-    """The verdict, and that every margin is kept that is stated.
+    """Return the verdict "proved", "refuted" or "undecided"; demand every stated margin.
 
-    Parameters
-    ----------
-    orbit : CheckedOrbit
-        The orbit, located.
-    margins : list of dict
-        As the file states them.
-    assumed : sequence of Border, optional
-        Inequalities that are taken to hold.
-    window : tuple of (arb, arb), optional
-        Of a grazing among them: times between which its function is concave.
-
-    Returns
-    -------
-    {"proved", "refuted", "undecided"}
-        What is found here.
-
-    Raises
-    ------
-    Failure
-        If a margin is not kept.
+    The orbit is located. Inequalities `assumed` are taken to hold; if one of them is a
+    grazing, its function is concave between the times of `window`. `Failure` is raised if
+    a margin is not kept.
     """
     stated = {(m["phase"] - 1, m["boundary"], m["quantity"]): exact(m["least"]) for m in margins}
     demand(len(stated) == len(margins), "a margin is stated twice")
@@ -235,7 +174,7 @@ def _phase(
     assumed: Sequence[Border],
     window: tuple[Any, Any] | None,
 ) -> list[int | None]:
-    """Of all that has to hold in a phase -1 if it does, 1 if it does not, None if unknown.
+    """Return -1, 1 or None for all that has to hold in a phase: it does, it does not, unknown.
 
     Margins that are kept are taken from `stated`.
     """
@@ -294,28 +233,27 @@ def _phase(
 
 
 class _Shape(NamedTuple):
-    """How a function may be zero beside what is exact: at the start, at the end, or inside.
+    """How a boundary's function may be zero, beside what is exact, at its ends or inside."""
 
-    At the end its rate is not negative if it slows; at the start that is negative if it falls.
-    """
-
+    # its sign at the start is open, as it may rise from zero in a phase that may vanish
     rises: bool = False
-    begins: bool = False
-    ends: bool = False
-    slows: bool = False
-    falls: bool = False
-    touches: tuple[Any, Any] | None = None
+    begins: bool = False  # it may be zero at the start
+    ends: bool = False  # it may be zero at the end
+    slows: bool = False  # its rate at the end is not negative
+    falls: bool = False  # its rate at the start is negative
+    touches: tuple[Any, Any] | None = None  # times between which it may touch zero
 
     @property
     def starts_open(self) -> bool:
-        """Whether its sign at the start is not asked for."""
+        """Whether the sign at the start is not asked for."""
         return self.rises or self.begins
 
 
 def _bends(orbit: CheckedOrbit, place: int, watched: StatedBoundary) -> bool:
-    """Whether a function is convex that is exactly zero at both ends of a phase.
+    """Return whether a function is convex in a phase at both ends of which it is exactly zero.
 
-    If the phase lasts a positive time it is negative inside, left and reached with a speed.
+    If the phase lasts a positive time, the function is then negative inside, and left and
+    reached with a speed.
     """
     if not (watched.ends_it and watched.order == 1 and watched.begins) or any(watched.end):
         return False
@@ -330,10 +268,11 @@ def _bends(orbit: CheckedOrbit, place: int, watched: StatedBoundary) -> bool:
 def _follows(
     orbit: CheckedOrbit, phase: StatedPhase, last: Any, assumed: Sequence[tuple[int, int]]
 ) -> int | None:
-    """Whether in every order the first transition whose conditions hold is the itinerary's.
+    """Return -1 if in every order the itinerary's transition follows, 1 if not, None if unknown.
 
-    Conditions that are assumed to be as the itinerary asks have to decide it: all others of
-    their transitions hold.
+    The first transition whose conditions hold follows. Conditions `assumed` to be as the
+    itinerary asks have to decide it: all other conditions of their transitions have to
+    hold.
     """
     if not phase.decided:
         return None
@@ -362,7 +301,7 @@ def _follows(
 
 
 def _first(orbit: CheckedOrbit, ways: list[Way], last: Any) -> int | None:
-    """-1 if the first way whose conditions hold is wanted, 1 if it is not, None if unknown."""
+    """Return -1 if the first way whose conditions hold is wanted, 1 if not, None if unknown."""
     for way in ways:
         held = [_holds(orbit, row, last, expected) for row, expected in way.conditions]
         if all(held):
@@ -380,18 +319,19 @@ def _holds(orbit: CheckedOrbit, row: Any, last: Any, expected: bool) -> bool | N
 def _below(
     orbit: CheckedOrbit, place: int, waves: list[tuple[StatedBoundary, Any, _Shape]]
 ) -> int | None:
-    """-1 if the functions are negative inside the phase, 1 if one is positive there.
+    """Return -1 if the functions are negative inside the phase, 1 if one is positive, else None.
 
-    Time runs from 0 to 1: the field b is the phase's times its dwell time. In a window of times
-    c - r ... c + r the motion stays within r exp(r |b|) |b Y(c)| of Y(c), by Gronwall, so its
-    rate b Y within b Y(c) + b times that. That depends on b Y(c) as a whole: what does not move
-    stays, whatever it is. And g stays below g(c) + [-r, r] g'(c) + [0, r r / 2] n b b Y. A
-    window in which g
-    rises is left to the one behind it, or to the end where g is zero; one in which it falls to
-    the one before it, or to the start, where g is not positive: both cannot meet. Where more
-    derivatives vanish at the start the first that does not decides. Where a function may touch
-    it is concave in all of a window, which is left to its one maximum there.
-    Where it may be reached without speed it is concave at the end.
+    Time runs from 0 to 1: the field b is the phase's times its dwell time. In a window of
+    times c - r ... c + r the motion stays within r exp(r |b|) |b Y(c)| of Y(c), by
+    Gronwall's lemma, so its rate b Y stays within b Y(c) + b times that. This bound
+    depends on b Y(c) as a whole, so what does not move stays, however large it is. And g
+    stays below g(c) + [-r, r] g'(c) + [0, r r / 2] n b b Y. A window in which g rises is
+    left to the one behind it, or to the end where g is zero; one in which it falls is
+    left to the one before it, or to the start, where g is not positive: both cannot meet.
+    Where more derivatives vanish at the start, the first that does not decides. Where a
+    function may touch zero it is concave in all of a window, which is left to its one
+    maximum there. Where zero may be reached without speed the function is concave at the
+    end.
     """
     length = orbit.dwell[place]
     lasts = bool(length > 0)
@@ -404,14 +344,14 @@ def _below(
 
     @cache
     def ahead(level: int) -> Any:
-        """The flow over 2^-level."""
+        """Return the flow over the time 2^-level."""
         if level >= _SMALL:
             return (b * arb(2) ** -level).exp()
         return ahead(level + 1) * ahead(level + 1)
 
     @cache
     def reach(level: int) -> Any:
-        """How far rates carry a motion to both sides in 2^-level."""
+        """Return a bound of how far rates carry a motion within 2^-level, to both sides."""
         r = arb(2) ** -level
         return (size * r).exp() * arb(0, r)
 
@@ -464,7 +404,10 @@ def _below(
 
 
 def _turns_down(n: Any, b: Any, wide: Any, rate: Any, fast: Any, order: int, around: Any) -> bool:
-    """Whether a derivative is negative in a window; rate and fast are the first ones there."""
+    """Return whether a derivative is negative in a window.
+
+    `rate` and `fast` are the first derivatives in its middle and in all of it.
+    """
     for _ in range(1, order):
         rate, fast = b * rate, wide * fast
     change = (range_of(n) * (wide * fast))[0, 0] * around
@@ -472,5 +415,5 @@ def _turns_down(n: Any, b: Any, wide: Any, rate: Any, fast: Any, order: int, aro
 
 
 def _sign(x: Any) -> int | None:
-    """1, -1, 0 where a number is exactly so, None where a ball does not tell."""
+    """Return 1, -1 or 0 for a number of this sign; None for a ball that does not tell."""
     return 1 if x > 0 else -1 if x < 0 else 0 if x == 0 else None

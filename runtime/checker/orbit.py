@@ -26,42 +26,34 @@ _TRIES = 4  # sizes of Krawczyk's box, where none is given
 
 
 class PhaseNumbers(NamedTuple):
-    """Numbers of the cycle: of each phase the field, the row that ends it, the reset behind."""
+    """The cycle in numbers: field, exit row and reset of each phase, and the period."""
 
-    fields: list[Any]
-    rows: list[Any]
-    resets: list[Any]
-    period: Any
+    fields: list[Any]  # each (N + 1, N + 1)
+    rows: list[Any]  # each (1, N + 1), zero at the end of the phase
+    resets: list[Any]  # each (N + 1, N + 1)
+    period: Any  # None where neither given nor that of a forcing
 
     def each(self, change: Callable[[Any], Any]) -> "PhaseNumbers":
-        """The same in other numbers.
-
-        Parameters
-        ----------
-        change : callable
-            From a matrix or number to the other numbers.
-
-        Returns
-        -------
-        PhaseNumbers
-            Of the same phases.
-        """
+        """Return the same phases with `change` applied to each matrix and number."""
         fields, rows, resets = ([change(m) for m in part] for part in self[:3])
         period = None if self.period is None else change(self.period)
         return PhaseNumbers(fields, rows, resets, period)
 
 
 class Passage(NamedTuple):
-    """One passage of the cycle: what the equations miss, by the unknowns, and how it goes."""
+    """One passage of the cycle: residuals, their derivatives, and the states on the way."""
 
-    values: Any
-    slopes: Any
-    starts: list[Any]
-    ends: list[Any]
+    values: Any  # residuals of the equations (n, 1)
+    slopes: Any  # their derivatives (n, n) by the unknowns; None if not asked for
+    starts: list[Any]  # states (N + 1, 1) where phases begin, last the one behind the cycle
+    ends: list[Any]  # states (N + 1, 1) where phases end
 
 
 class CheckedOrbit:
-    """The orbit of a declaration, in numbers that `number` gives of its exact ones."""
+    """The equations of a declared orbit, and the orbit itself once it is located.
+
+    `number` turns exact entries into balls, Taylor models or jets.
+    """
 
     def __init__(
         self, declared: StatedSystem, number: Callable[[Any], Any], short: Short | None = None
@@ -81,40 +73,17 @@ class CheckedOrbit:
         demand(all(x.is_finite() for x in poles), "a number of the declaration has a pole")
 
     def numbers(self, rows: Any) -> Any:
-        """A matrix of exact entries in numbers.
-
-        Parameters
-        ----------
-        rows : sequence of rows
-            Exact entries.
-
-        Returns
-        -------
-        arb_mat or a matrix of TaylorModel
-            Of the same shape.
-        """
+        """Return a matrix of exact entries as a matrix of balls or Taylor models."""
         return matrix([list(map(self.number, row)) for row in rows])
 
     def passage(
         self, chain: PhaseNumbers, unknowns: Sequence[Any], flows: list[Any], slopes: bool = True
     ) -> Passage:
-        """Switching, closure and how the cycle closes; with derivatives by the unknowns.
+        """Return one passage of the cycle: switching, closure and period equations, and its states.
 
-        Parameters
-        ----------
-        chain : PhaseNumbers
-            Fields, rows and resets of the phases.
-        unknowns : sequence of arb or TaylorModel
-            Free states, the forcing's time, dwell times; in the system's units.
-        flows : list of matrices (N + 1, N + 1)
-            exp (B t) of each phase.
-        slopes : bool, default True
-            Whether derivatives are wanted.
-
-        Returns
-        -------
-        Passage
-            Values of the equations (n, 1), slopes (n, n), starts and ends of the phases.
+        `unknowns` are the free states, the forcing's time and the dwell times, in the
+        system's units; `flows` holds exp (B t) (N + 1, N + 1) of each phase. Derivatives are
+        given if `slopes`.
         """
         free, size, here = self.declared.free, self.declared.size, self.first - 1
         first: list[Any] = [[0]] * size + [[1]]
@@ -172,31 +141,21 @@ class CheckedOrbit:
         )
 
     def _flows(self, near: list[Any], away: Sequence[Any]) -> list[Any]:
-        """Flows for times not far from those of given ones: a wide factor has a small exponent."""
+        """Return flows for times near given ones, whose flows are `near`.
+
+        They are those flows times flows over the short differences: wide factors have small
+        exponents.
+        """
         found = []
         for b, flow, time in zip(self.chain.fields, near, map(range_of, away), strict=True):
             found.append(flow if time.is_zero() else (range_of(b) * time).exp() * flow)
         return found
 
     def follow(self, guess: Sequence[Any], cuts: Sequence[Cut], full: Cut) -> tuple[list[Any], Any]:
-        """Polynomials near the orbit by Newton's method, in numbers cut to rising orders.
+        """Return polynomials near the orbit and about the inverse (n, n) of the slopes there.
 
-        And about the inverse of the slopes there. Nothing is proved of both: Krawczyk's test
-        judges.
-
-        Parameters
-        ----------
-        guess : sequence of arb or TaylorModel
-            The unknowns, about; in the system's units.
-        cuts : sequence of callable
-            Each cuts numbers to an order; the orders rise.
-        full : callable
-            Cuts numbers to the order in which the unknowns are given back.
-
-        Returns
-        -------
-        tuple of (list, matrix (n, n))
-            Unknowns, and about the inverse of the slopes.
+        Newton's method is taken from the guess, with numbers cut to rising orders by `cuts`,
+        last by `full`. Nothing is proved of the result: Krawczyk's test judges it.
         """
         unknowns, inverse = list(guess), None
         for cut in (*cuts, full):
@@ -211,24 +170,12 @@ class CheckedOrbit:
     def locate(
         self, centre: Sequence[Any], radii: Sequence[Any] | None = None, inverse: Any = None
     ) -> tuple[bool, bool]:
-        """Whether a box has exactly one root, and whether it has none.
+        """Return whether a box is proved to have exactly one root, and whether to have none.
 
-        K = x - Y F(x) + (I - Y F'(X)) (X - x) contains all roots of X; inside X, just one. If
-        no radii are given some are tried.
-
-        Parameters
-        ----------
-        centre : sequence of arb or TaylorModel
-            Middle of the box, in the system's units.
-        radii : sequence of arb, optional
-            Half of each side of the box, in the system's units.
-        inverse : matrix (n, n), optional
-            About the inverse of the slopes; computed if not given.
-
-        Returns
-        -------
-        tuple of (bool, bool)
-            Each True if that is proved.
+        K = x - Y F(x) + (I - Y F'(X)) (X - x) contains all roots of X; if K is inside X there
+        is exactly one (Krawczyk 1969). `centre` and `radii` are the middle of the box and its
+        half sides, in the system's units; without radii a few are tried. `inverse` is about
+        the inverse (n, n) of the slopes. With one root, the orbit is set to it.
         """
         times = [t.mid() for t in centre[self.first :]]
         near = _exponentials(self.chain, times)
@@ -271,17 +218,9 @@ class CheckedOrbit:
         return unique, empty
 
     def along(self, unknowns: Sequence[Any]) -> list[Any]:
-        """Pass with numbers for the unknowns that are roots or not: what the equations miss.
+        """Set the orbit to these unknowns, root or not; return the residuals of its equations.
 
-        Parameters
-        ----------
-        unknowns : sequence of arb or TaylorModel
-            Free states, the forcing's time, dwell times; in the system's units.
-
-        Returns
-        -------
-        list of arb or TaylorModel
-            Values of the equations, in the system's units.
+        Unknowns are free states, the forcing's time and dwell times, in the system's units.
         """
         self.dwell = list(unknowns[self.first :])
         self.flows = _exponentials(self.chain, self.dwell)
@@ -289,17 +228,9 @@ class CheckedOrbit:
         return list(self.now.values.entries())
 
     def returns(self, energies: dict[str, Any]) -> None:
-        """The coordinate whose closure was left out is given back by the energy.
+        """Demand that the energy gives back the coordinate whose closure was left out.
 
-        Parameters
-        ----------
-        energies : dict of str to rows
-            As `StatedSystem.closes` gives them; empty if none is kept.
-
-        Raises
-        ------
-        Failure
-            If the energy does not give it.
+        `energies` are those of `StatedSystem.closes`; nothing is demanded if they are empty.
         """
         if not energies:
             return
@@ -314,50 +245,26 @@ class CheckedOrbit:
         demand(force > 0 or force < 0, "the energy does not give the coordinate left out")
 
     def value(self, row: Any, state: Sequence[Any]) -> Any:
-        """An affine function of a state.
-
-        Parameters
-        ----------
-        row : sequence, length N + 1
-            Exact entries of an affine function, acting on (y, 1).
-        state : sequence of arb, length N + 1
-            The state, with a last entry 1.
-
-        Returns
-        -------
-        arb or TaylorModel
-            In the function's units.
-        """
+        """Return an exact affine function (N + 1) of a state (N + 1), whose last entry is 1."""
         terms = (self.number(x) * y for x, y in zip(row, state, strict=True) if x)
         return sum(terms, arb(0))
 
     @cached_property
     def section(self) -> Any:
-        """The derivative of the Poincare map on the smallest section that is known.
+        """The derivative (n, n) of the Poincare map on the smallest section that is known.
 
-        That is the product of (I - f n / n f) and resets; of forced orbits of the saltations
-        at fixed times. Its other multipliers are zero.
+        It is the product of (I - f n / n f) and resets; for forced orbits of the saltations
+        at fixed times. All other multipliers are zero, but for the multipliers 1 of
+        translations.
         """
         return self.map_on(*self.declared.section)
 
     def map_on(self, begin: int, free: Sequence[int], basis: Any, slow: int | None = None) -> Any:
-        """The derivative of the Poincare map by some coordinates where a phase begins.
+        """Return the derivative (n, n) of the Poincare map by coordinates where a phase begins.
 
-        Parameters
-        ----------
-        begin : int
-            Number of the phase.
-        free : sequence of int
-            The n coordinates.
-        basis : rows (N + 1, n)
-            Changes of the state by these: exact entries.
-        slow : int, optional
-            A phase by whose speed, at its end, the map is multiplied: that may be zero.
-
-        Returns
-        -------
-        matrix (n, n)
-            Of the coordinates.
+        `free` are the n coordinates, `basis` has the exact changes (N + 1, n) of the state by
+        them. If a phase is `slow`, the map is multiplied by the speed at its end, which may
+        be zero.
         """
         count = len(self.chain.fields)
         places = [k % count for k in range(begin, begin + count)]
@@ -366,22 +273,18 @@ class CheckedOrbit:
         return matrix([[found[i, j] for j in range(len(free))] for i in free])
 
     def speed(self, place: int) -> Any:
-        """The rate of the boundary function that ends a phase, where it ends.
+        """Return the rate at a phase's end of the boundary function that ends it.
 
-        Parameters
-        ----------
-        place : int
-            The phase, counted from 0.
-
-        Returns
-        -------
-        arb or TaylorModel
+        Phases are counted from 0.
         """
         rate = self.chain.fields[place] * self.now.ends[place]
         return (self.chain.rows[place] * rate)[0, 0]
 
     def _moved(self, place: int, found: Any, slow: bool = False) -> Any:
-        """Changes where a phase begins, moved to where the next one does; times its speed."""
+        """Return changes of the state moved from the start of a phase to that of the next.
+
+        If `slow`, they are multiplied by the speed at the phase's end.
+        """
         chain, now, count = self.chain, self.now, len(self.chain.fields)
         known = None if self.short is None else self.short.jumps[place]
         if known is not None and not slow:
@@ -403,17 +306,11 @@ class CheckedOrbit:
         return chain.resets[place] * moved - jump * ((n * moved) / (n * rate)[0, 0])
 
     def enclosures(self, section: Any = None) -> dict[str, Any]:
-        """Of all that is stated by name.
+        """Return enclosures by name of the start, dwell times, period and trace.
 
-        Parameters
-        ----------
-        section : matrix, optional
-            The Poincare map's derivative; if not given on the smallest section.
-
-        Returns
-        -------
-        dict of str to arb or TaylorModel
-            Start, dwell times and period in the system's units; the nondimensional trace.
+        All but the trace are in the system's units. The trace is that of the given derivative
+        of the Poincare map, or of the one on the smallest section, with the multipliers 1 of
+        translations.
         """
         declared = self.declared
         found = dict(zip(declared.start, self.now.starts[0].entries()[:-1], strict=True))
@@ -426,17 +323,9 @@ class CheckedOrbit:
 
 
 def lower(number: Any) -> Any:
-    """The same in a lower order: what is beyond it is in the radius of the constant term.
+    """Return an enclosure of a model or matrix in a lower order; balls stay as they are.
 
-    Parameters
-    ----------
-    number : arb, matrix or TaylorModel
-        Only models are changed.
-
-    Returns
-    -------
-    arb, matrix or TaylorModel
-        It contains the given one.
+    What is beyond that order goes into the radius of the constant term.
     """
     if not isinstance(number, TaylorModel) or number.space.order <= _LOW:
         return number
@@ -451,7 +340,7 @@ def _exponentials(chain: PhaseNumbers, times: Sequence[Any]) -> list[Any]:
 
 
 def _inverse(slopes: Any) -> Any:
-    """About the inverse: any matrix serves, the test judges it."""
+    """Return about the inverse of the slopes: any matrix is sound, as the test judges it."""
     try:
         return slopes.mid().inv().mid()
     except ZeroDivisionError:
@@ -459,16 +348,5 @@ def _inverse(slopes: Any) -> Any:
 
 
 def trace_of(square: Any) -> Any:
-    """Sum of the diagonal.
-
-    Parameters
-    ----------
-    square : matrix (n, n)
-        Of balls or Taylor models.
-
-    Returns
-    -------
-    arb or TaylorModel
-        The trace.
-    """
+    """Return the sum of the diagonal of a square matrix."""
     return sum((square[k, k] for k in range(square.nrows())), arb(0))

@@ -27,22 +27,9 @@ _LARGEST, _MOST_COEFFICIENTS = fmpq(2) ** 8192, 102  # of a polynomial whose roo
 
 
 def number_in(text: str) -> Any:
-    """What an expression means: a fraction, or a ball where irrational functions enter.
+    """Return the value of an expression: a fraction, or a ball where irrational functions enter.
 
-    Parameters
-    ----------
-    text : str
-        As in "3/4" or "sqrt(2)/2".
-
-    Returns
-    -------
-    fmpq or arb
-        A ball of the working precision.
-
-    Raises
-    ------
-    Failure
-        If the text is no such number.
+    As in "3/4" or "sqrt(2)/2"; `Failure` is raised for a text that is no such number.
     """
     if NUMBER.fullmatch(text):
         return exact(text)
@@ -88,7 +75,11 @@ def _value(node: Any, source: str) -> Any:
 
 
 def _root(numbers: list[Any]) -> Any:
-    """The real root of a number, counted from the lowest, of a polynomial with integers."""
+    """Return a real root of an integer polynomial.
+
+    The numbers are the root's place, from the lowest, and coefficients from the highest
+    power on.
+    """
     fits = all(isinstance(n, fmpq) and n.q == 1 and abs(n) < _LARGEST for n in numbers)
     demand(fits and len(numbers) < _MOST_COEFFICIENTS, "no root of a polynomial")
     place, *coefficients = (int(n.p) for n in numbers)
@@ -99,7 +90,7 @@ def _root(numbers: list[Any]) -> Any:
 
 
 def _alike(left: Any, right: Any) -> tuple[Any, Any]:
-    """Two numbers of one kind; integers go with both."""
+    """Return two numbers as numbers of one kind; integers go with both kinds."""
     if isinstance(left, arb) or isinstance(right, arb):
         return arb(left), arb(right)
     return left, right
@@ -108,28 +99,12 @@ def _alike(left: Any, right: Any) -> tuple[Any, Any]:
 def values_of(
     parameters: Mapping[str, str], varying: Sequence[str] = (), stated: Sequence[str] = ()
 ) -> tuple[dict[str, Any], list[Any], list[Any]]:
-    """Exact values by name, those of stated constants, and what irrational ones are made of.
+    """Return exact values by name, exact values of stated expressions, and irrational constants.
 
-    Parameters that vary are variables; in functions they come before the irrational constants.
-
-    Parameters
-    ----------
-    parameters : dict of str to str
-        Expressions, by name.
-    varying : sequence of str, optional
-        Names of the parameters that vary.
-    stated : sequence of str, optional
-        Expressions that a declaration holds beside them.
-
-    Returns
-    -------
-    tuple of (dict, list, list of arb)
-        Values by name, those of the stated expressions, and the irrational constants.
-
-    Raises
-    ------
-    Failure
-        If a parameter is given twice, is no number or not finite.
+    Parameters that vary become variables; functions take these before the irrational
+    constants, which are balls. `stated` has expressions that a declaration holds beside
+    its parameters. `Failure` is raised for a parameter that is given twice, is no number,
+    or is not finite.
     """
     demand(not {*parameters} & {*varying}, "a parameter is given twice")
     known = {text: number_in(text) for text in (*parameters.values(), *stated)}
@@ -147,17 +122,10 @@ def values_of(
 
 
 def number_at(values: Sequence[Any]) -> Callable[[Any], Any]:
-    """Exact entries in numbers, at values of what they are functions of.
+    """Return a function that turns exact entries into numbers.
 
-    Parameters
-    ----------
-    values : sequence of arb or TaylorModel
-        Of the variables, then of the constants.
-
-    Returns
-    -------
-    callable
-        From an exact entry to its number.
+    `values` are those of the variables, then of the constants, that the entries are
+    functions of.
     """
     found: dict[Any, Any] = {}
 
@@ -172,23 +140,12 @@ def number_at(values: Sequence[Any]) -> Callable[[Any], Any]:
 
 
 def independent(declared: StatedSystem, constants: Any, box: Sequence[Any] = ()) -> None:
-    """No divisor of the exact arithmetic is zero for all parameters at these constants.
+    """Demand that no divisor of the exact arithmetic vanishes for all parameters at the constants.
 
-    Where only parameters vary no rational function is; constants may depend on each other.
-
-    Parameters
-    ----------
-    declared : StatedSystem
-        Whose exact arithmetic is done.
-    constants : sequence of arb
-        Irrational ones.
-    box : sequence of (fmpq, fmpq), optional
-        Lower and upper end of each parameter that varies.
-
-    Raises
-    ------
-    Failure
-        If a divisor may be zero at the point that is tried.
+    Irrational constants may depend on each other, so that a divisor may vanish at them
+    though it is not the zero function. Each is evaluated at one point of the `box`, the
+    ends of the parameters that vary; `Failure` is raised if one may be zero there.
+    Without constants nothing is to be shown.
     """
     point = [arb(low + (high - low) * fmpq(37 + k, 101)) for k, (low, high) in enumerate(box)]
     for divisor in declared.exactly.divisors if constants else ():

@@ -27,19 +27,9 @@ _ENOUGH = 128  # bits that do for admissibility
 
 
 def check(content: dict[str, Any]) -> None:
-    """Prove every claim of a certificate; Failure says which one cannot be.
+    """Prove every claim of a certificate again; `Failure` names a claim that is not proved.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Raises
-    ------
-    Failure
-        If a claim is not proved.
-    Malformed
-        If the file has another shape.
+    `Malformed` is raised if the file, read as JSON, has another shape.
     """
     check_shape(content, CERTIFICATE)
     check_sum(content)

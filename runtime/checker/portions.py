@@ -29,87 +29,57 @@ _FAR = 2.0**300  # where doubles may soon end
 
 
 class KnownStart(NamedTuple):
-    """What is known of states where a phase begins.
-
-    Some functions are exactly zero; the boundaries `below` are not positive, with their first
-    derivative that is not exactly zero; the forcing came back so many times.
-    """
+    """What is known of states where a phase begins."""
 
     configuration: str
-    facts: tuple[Any, ...]
+    facts: tuple[Any, ...]  # rows that are exactly zero
+    # boundaries that are not positive, nor their first derivative that is not exactly zero
     below: frozenset[str]
-    turns: int
+    turns: int  # how often the forcing came back
 
 
 class Portions(NamedTuple):
-    """Portions of sets: of which ones, and behind how many transitions."""
+    """Portions of sets."""
 
     states: ManySets
-    origin: Any
-    passed: Any
+    origin: Any  # number of the set of each
+    passed: Any  # how many transitions each has passed
 
     @property
     def astray(self) -> Any:
-        """Which ones have no bounds, or nearly so."""
+        """Mask of the portions that have no bounds, or nearly none."""
         low, high = self.states.hull
         return ~((low > -_FAR) & (high < _FAR)).all(axis=1)
 
     def some(self, which: Any) -> "Portions":
-        """Some of them.
-
-        Parameters
-        ----------
-        which : mask or indices
-        """
+        """Return some of the portions, by mask or indices."""
         return Portions(self.states[which], self.origin[which], self.passed[which])
 
     def changed(self, states: ManySets, which: Any) -> "Portions":
-        """Other states, that some of them have become.
-
-        Parameters
-        ----------
-        states : ManySets
-        which : mask or indices
-        """
+        """Return portions with other states, which those at `which` have become."""
         return Portions(states, self.origin[which], self.passed[which])
 
     def where(self, row: Rounded) -> "Portions":
-        """Of each what a function is not negative for.
-
-        Parameters
-        ----------
-        row : Rounded (1, n)
-        """
+        """Return the parts of the portions on which a function (1, n) is not negative."""
         states, alive = self.states.cut(row)
         return self.changed(states[alive], alive)
 
 
 class Departure(NamedTuple):
-    """Portions that leave a phase by boundaries, or by none where the forcing comes back.
-
-    What is exactly zero there, functions that are not negative, and whether the phase begins
-    there or beyond.
-    """
+    """Portions that leave a phase by boundaries, or where the forcing comes back."""
 
     portions: Portions
-    names: frozenset[str]
-    facts: Any
-    rising: tuple[Any, ...]
-    at_once: bool
+    names: frozenset[str]  # boundaries; none where the forcing comes back
+    facts: Any  # rows that are exactly zero there
+    rising: tuple[Any, ...]  # functions that are not negative there
+    at_once: bool  # whether the phase begins there or beyond
 
 
 class DividingPhase:
     """The phase of one configuration, from states of which the same is known.
 
-    Parameters
-    ----------
-    system : SwitchingSystem
-    flow : FloatFlow
-    known : KnownStart
-    forced : list of row
-        What is zero where the forcing has the section's phase; empty without one.
-    finest : float
-        As for `PhaseExits`.
+    `forced` has the rows that are zero where the forcing has the section's phase; it is
+    empty without a forcing. `finest` is that of `PhaseExits`.
     """
 
     def __init__(
@@ -154,14 +124,7 @@ class DividingPhase:
         self.exits = PhaseExits(flow, self.changing, finest) if self.changing else None
 
     def departures(self, portions: Portions, remaining: "Remaining") -> Iterator[Departure]:
-        """All ways out of the phase.
-
-        Parameters
-        ----------
-        portions : Portions
-        remaining : Remaining
-            Where sets are lost.
-        """
+        """Yield all ways out of the phase; sets of which they are not known are lost."""
         if self.outside:
             remaining.lose(portions.origin)
             return
@@ -183,7 +146,10 @@ class DividingPhase:
             yield Departure(own, names, self.exits.common(by), rising, False)
 
     def _at_once(self, portions: Portions, remaining: "Remaining") -> Iterator[Departure]:
-        """States that are beyond boundaries already, or go there: of three nothing is known."""
+        """Yield states that are beyond boundaries where the phase begins, or go beyond at once.
+
+        Sets with states beyond three boundaries at once are lost.
+        """
         highest = [portions.states.ranges(row)[1][:, 0] for row in self.begins]
         may = [k for k, high in enumerate(highest) if not (high < 0).all()]
         for chosen in (x for n in (1, 2, 3) for x in combinations(may, n)):
@@ -204,14 +170,9 @@ class DividingPhase:
 
 
 class Remaining:
-    """Portions that are to be followed, and which sets are lost.
+    """Portions still to be followed, and the sets that are lost.
 
-    Parameters
-    ----------
-    count : int
-        Of sets.
-    most, whole : int
-        Portions of a set, and of all of them together.
+    A set may have `most` portions, and all sets together may have `whole`.
     """
 
     def __init__(self, count: int, most: int, whole: float = np.inf) -> None:
@@ -220,38 +181,22 @@ class Remaining:
         self._left: dict[KnownStart, list[Portions]] = {}
 
     def add(self, known: KnownStart, portions: Portions) -> None:
-        """Follow some more."""
+        """Add portions to be followed."""
         self.count(portions.origin)
         self._left.setdefault(known, []).append(portions)
 
     def count(self, origin: Any) -> None:
-        """Count portions; a set that has too many is lost, and all are if there are too many.
-
-        Parameters
-        ----------
-        origin : array of int
-            Of which set each is.
-        """
+        """Count portions by their sets; sets with too many are lost, all if there are too many."""
         np.add.at(self._counted, origin, 1)
         self.portions += len(origin)
         self.lost |= (self._counted > self._most) | (self.portions > self._whole)
 
     def lose(self, origin: Any) -> None:
-        """Some sets are lost.
-
-        Parameters
-        ----------
-        origin : array of int
-        """
+        """Mark sets as lost."""
         self.lost[origin] = True
 
     def take(self) -> tuple[KnownStart, Portions] | None:
-        """Take the most portions of which the same is known.
-
-        Returns
-        -------
-        tuple of (KnownStart, Portions) or None
-        """
+        """Take the most portions of which the same is known; None if there are none left."""
         if not self._left:
             return None
         known = max(self._left, key=lambda own: sum(len(x.origin) for x in self._left[own]))
@@ -263,38 +208,21 @@ class Remaining:
 
 
 def joined_portions(several: list[Portions]) -> Portions:
-    """Portions of several lists in one."""
+    """Return the portions of several lists as one."""
     origin = np.concatenate([own.origin for own in several])
     passed = np.concatenate([own.passed for own in several])
     return Portions(joined_sets([own.states for own in several]), origin, passed)
 
 
 def direction(row: Any) -> tuple[Any, ...]:
-    """A function up to a positive factor.
+    """Return an exact function up to a positive factor.
 
-    Parameters
-    ----------
-    row : sequence
-        Exact.
-
-    Returns
-    -------
-    tuple
+    Its first entry that is not zero becomes 1 or -1.
     """
     size = next((abs(x) for x in row if x), fmpq(1))
     return tuple(x / size for x in row)
 
 
 def opposite(row: Any) -> tuple[Any, ...]:
-    """A function with the other sign.
-
-    Parameters
-    ----------
-    row : sequence
-        Exact.
-
-    Returns
-    -------
-    tuple
-    """
+    """Return an exact function with the other sign."""
     return tuple(-x for x in row)

@@ -24,22 +24,13 @@ _GRID, _LONGEST = 0.1, 100_000  # steps of the guess, in radians of the fastest 
 
 
 class TooWide(Exception):
-    """Nothing is shown of a set: of parts of it, perhaps."""
+    """Nothing is shown of a set, though perhaps of parts of it."""
 
 
 def matrix_of(rows: Sequence[Sequence[Any]], runs: bool) -> Any:
-    """A field, along which time runs, or a reset, over the states, the time and 1.
+    """Return a field or reset (N + 1, N + 1), over (states, 1), as a matrix over (states, time, 1).
 
-    Parameters
-    ----------
-    rows : rows (N + 1, N + 1)
-        Exact, over the states and 1.
-    runs : bool
-        Whether time does.
-
-    Returns
-    -------
-    arb_mat (N + 2, N + 2)
+    With `runs`, time has the rate 1, as for a field; else it stays, as for a reset.
     """
     size = len(rows) - 1
     found = arb_mat(size + 2, size + 2)
@@ -54,30 +45,20 @@ def matrix_of(rows: Sequence[Sequence[Any]], runs: bool) -> Any:
 
 
 class StateSet(NamedTuple):
-    """Centre (n, 1), sides (n, m), and the box (n, 1) of roundings around zero.
+    """A set of states: the centre, plus sides times numbers in [-1, 1], plus a box of roundings.
 
-    Derivatives of the map that led here, in some directions at all of its states, may follow.
+    It may carry derivatives of the map that led to it, along some directions, at all of
+    its states.
     """
 
-    centre: Any
-    sides: Any
-    box: Any
-    tangents: "tuple[StateSet, ...]" = ()
+    centre: Any  # (n, 1), exact
+    sides: Any  # (n, m), exact
+    box: Any  # (n, 1), around zero
+    tangents: "tuple[StateSet, ...]" = ()  # one set of derivatives for each direction
 
     @staticmethod
     def of(centre: Any, sides: Any, box: Any, tangents: "tuple[StateSet, ...]" = ()) -> "StateSet":
-        """The set of matrices whose entries need not be exact.
-
-        Parameters
-        ----------
-        centre, sides, box : arb_mat
-        tangents : tuple of StateSet, optional
-
-        Returns
-        -------
-        StateSet
-            Exact but for the box.
-        """
+        """Return the set of matrices that need not be exact: their radii go into the box."""
         exact, straight = centre.mid(), sides.mid()
         ones = arb_mat(sides.ncols(), 1, [arb(0, 1)] * sides.ncols())
         unsure = box + (centre - exact) + (sides - straight) * ones
@@ -85,37 +66,21 @@ class StateSet(NamedTuple):
 
     @property
     def hull(self) -> Any:
-        """A box (n, 1) around it."""
+        """A box (n, 1) around the set."""
         ones = arb_mat(self.sides.ncols(), 1, [arb(0, 1)] * self.sides.ncols())
         return self.centre + self.sides * ones + self.box
 
     def through(self, matrix: Any) -> "StateSet":
-        """Its image under a matrix.
-
-        Parameters
-        ----------
-        matrix : arb_mat
-        """
+        """Return the image of the set and its tangents under a matrix of balls."""
         tangents = tuple(own.through(matrix) for own in self.tangents)
         moved = matrix * self.centre, matrix * self.sides, matrix * self.box
         return StateSet.of(*moved, tangents)
 
     def bent(self, matrix: Any, centre: Any, varies: Any) -> "StateSet":
-        """Its image under a map that is near a linear one.
+        """Return the image under a map that is nearly linear, without tangents.
 
-        Parameters
-        ----------
-        matrix : arb_mat
-            Balls, of which the middle moves the sides.
-        centre : arb_mat (n, 1)
-            The image of the centre.
-        varies : arb_mat (n, 1)
-            What the radii of the matrix act on.
-
-        Returns
-        -------
-        StateSet
-            Without tangents.
+        The middle of `matrix` moves the sides, `centre` (n, 1) is the image of the centre,
+        and the radii of `matrix` act on `varies` (n, 1).
         """
         straight = matrix.mid()
         sizes = [x.abs_upper() for x in ((matrix - straight) * varies).entries()]
@@ -130,12 +95,8 @@ class StateSet(NamedTuple):
 class CarryingPhase:
     """One configuration along which sets are carried.
 
-    Parameters
-    ----------
-    field : rows (N + 1, N + 1)
-        Exact.
-    rows : dict of str to row
-        Boundaries: negative inside.
+    `field` is exact, (N + 1, N + 1); `rows` holds the boundaries, whose functions are
+    negative inside.
     """
 
     def __init__(self, field: Any, rows: dict[str, Any]) -> None:
@@ -146,45 +107,18 @@ class CarryingPhase:
         self._taylor: dict[Any, Any] = {}
 
     def flow(self, time: Any) -> Any:
-        """The flow over a time.
-
-        Parameters
-        ----------
-        time : arb
-
-        Returns
-        -------
-        arb_mat
-        """
+        """Return the flow over a time, as a matrix over (states, time, 1)."""
         return (self.matrix * time).exp()
 
     def timed(self, row: Any) -> Any:
-        """A row (N + 1) over the states, the time and 1.
-
-        Parameters
-        ----------
-        row : sequence
-
-        Returns
-        -------
-        arb_mat (1, N + 2)
-        """
+        """Return a row (N + 1) as a row (1, N + 2) over (states, time, 1)."""
         return arb_mat([[*(arb(x) for x in row[:-1]), arb(0), arb(row[-1])]])
 
     def guess(self, centre: Any, row: Any) -> float:
-        """About when a function of the centre rises through zero, after it was negative.
+        """Return about the time at which a function of the centre first rises through zero.
 
-        Parameters
-        ----------
-        centre : arb_mat (N + 2, 1)
-        row : arb_mat (1, N + 2)
-
-        Raises
-        ------
-        TooWide
-            If the centre is not finite.
-        Failure
-            If it does not: parts of the set do not either.
+        It has to be negative before. `TooWide` is raised if the centre is not finite,
+        `Failure` if the function does not rise: then it does not on parts of the set either.
         """
         step, ahead = self._ahead
         state = [float(x.mid()) for x in centre.entries()]
@@ -202,14 +136,14 @@ class CarryingPhase:
 
     @cached_property
     def _ahead(self) -> tuple[float, list[list[float]]]:
-        """A step of time, and the flow over it."""
+        """A step of time, and the flow over it in double precision."""
         rates = arb_mat(self.near).eig(algorithm="approx")
         fastest = max(hypot(float(x.real.mid()), float(x.imag.mid())) for x in rates)
         fast = max(fastest, 0.05 * max(sum(map(abs, row)) for row in self.near), 1e-6)
         return _GRID / fast, _near(self.flow(arb(_GRID / fast)))
 
     def _root(self, state: list[float], normal: list[float], part: float) -> float:
-        """Newton's method for when a function is zero, from about then."""
+        """Return the time at which a function is zero, by Newton's method from about then."""
         for _ in range(4):
             there = _moved(_near(self.flow(arb(part))), state)
             slope = _product(normal, _moved(self.near, there))
@@ -221,25 +155,12 @@ class CarryingPhase:
     def clear(
         self, states: StateSet, until: Any, watched: dict[str, int], ends: str | None = None
     ) -> None:
-        """Show that no boundary is reached up to a time.
+        """Show that no boundary is reached up to a time; `TooWide` if that is not shown.
 
-        A window in which a function rises is left to the next one, or to the end where it is
-        known to be negative.
-
-        Parameters
-        ----------
-        states : StateSet
-        until : arb
-            Exact.
-        watched : dict of str to int
-            Boundaries, with the order of the first derivative that is not zero at the start.
-        ends : str, optional
-            The one that is known to be negative at the end.
-
-        Raises
-        ------
-        TooWide
-            If it is not shown.
+        `watched` has the boundaries, with the order of the first derivative that is not zero
+        at the start; `ends` is the one that is known to be negative at the end. A window in
+        which a function rises is left to the next one, or to the end where it is known to be
+        negative.
         """
         windows = [(arb(0), until, 0, sorted(watched))]
         while windows:
@@ -263,7 +184,7 @@ class CarryingPhase:
                 windows.append((begin, middle, depth + 1, left))
 
     def _over(self, name: str, first: int, moved: Any, over: Any, radius: Any) -> Any:
-        """A derivative of a function over a window: Taylor's polynomial and a bound of the rest."""
+        """Enclose a derivative over a window by Taylor's polynomial and a remainder."""
         rows, last = self._derivatives(name, first)
         found = (last * over)[0, 0]
         for value in reversed((rows * moved).entries()):
@@ -271,7 +192,7 @@ class CarryingPhase:
         return found
 
     def _derivatives(self, name: str, first: int) -> tuple[Any, Any]:
-        """Taylor's coefficients from a derivative on, and the one that bounds the rest."""
+        """Return Taylor's coefficients from a derivative on, and the remainder's."""
         if (name, first) not in self._taylor:
             row = self.timed(self.rows[name])
             for _ in range(first):
@@ -285,23 +206,9 @@ class CarryingPhase:
         return rows, last
 
     def arrive(self, states: StateSet, row: Any, about: float) -> tuple[StateSet, Any, Any]:
-        """The states where a function is zero, which each of them reaches once near a time.
+        """Return the states where a function is zero, and times between which each gets there once.
 
-        Parameters
-        ----------
-        states : StateSet
-        row : arb_mat (1, N + 2)
-        about : float
-
-        Returns
-        -------
-        tuple of (StateSet, arb, arb)
-            With the first and the last of the times between which that is shown.
-
-        Raises
-        ------
-        TooWide
-            If it is not shown.
+        The arrival is near the time `about`. `TooWide` is raised if it is not shown.
         """
         time = arb(about)
         moved = states.through(self.flow(time))
@@ -336,7 +243,7 @@ class CarryingPhase:
         return found._replace(tangents=tangents), before, after
 
     def _centre(self, centre: Any, row: Any, late: Any) -> Any:
-        """Where one state is when the function is zero, somewhere in a ball of times."""
+        """Return where one state is when the function is zero, for a time in a given ball."""
         for _ in range(4):
             at = late.mid()
             there = self.flow(at) * centre
@@ -349,7 +256,7 @@ class CarryingPhase:
 
 
 def _near(matrix: Any) -> list[list[float]]:
-    """A matrix in double precision."""
+    """Return a matrix in double precision."""
     return [[float(x.mid()) for x in row] for row in matrix.tolist()]
 
 

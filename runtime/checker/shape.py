@@ -28,17 +28,17 @@ __all__ = [
 
 
 class Malformed(Failure):
-    """An entry is missing, unknown, or of another type."""
+    """An entry of a file is missing, unknown, or of another type."""
 
 
 class Named(NamedTuple):
-    """Entries by any names."""
+    """The shape of a dict with any names, whose entries have one shape."""
 
     shape: Any
 
 
 class Maybe(NamedTuple):
-    """An entry that may be missing."""
+    """The shape of an entry that may be missing."""
 
     shape: Any
 
@@ -264,7 +264,7 @@ _EVENT = {
 
 
 def _branch(event: Any) -> dict[str, Any]:
-    """Entries of a branch with such events."""
+    """Return the shape of a branch with such events."""
     return {
         **_STATEMENT,
         "stability": re.compile("stable|neutral"),
@@ -417,21 +417,10 @@ CENSUS = {
 
 
 def check_shape(entry: Any, shape: Any, where: str = "the file") -> None:
-    """Malformed where an entry has another shape; its message says where.
+    """Raise `Malformed` if an entry read from JSON has another shape; the message says where.
 
-    Parameters
-    ----------
-    entry : object
-        Read from JSON.
-    shape : type, pattern, Either, Maybe, Named, dict, list or tuple
-        What the entry has to be.
-    where : str, default "the file"
-        Place of the entry, for the message.
-
-    Raises
-    ------
-    Malformed
-        If the entry has another shape.
+    A shape is a type, a pattern, `Either`, `Maybe`, `Named`, a dict, a list of one shape,
+    or a tuple.
     """
     match shape:
         case type():
@@ -465,23 +454,7 @@ def check_shape(entry: Any, shape: Any, where: str = "the file") -> None:
 
 
 def check_bits(content: dict[str, Any]) -> int:
-    """The bits of enclosures, if they may be so many.
-
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Returns
-    -------
-    int
-        Bits of precision.
-
-    Raises
-    ------
-    Malformed
-        If they are too few or too many.
-    """
+    """Return the bits of precision that the file states; `Malformed` if too few or too many."""
     bits: int = content["bits"]
     if not _FEWEST <= bits <= _MOST:
         raise Malformed(f"{bits} bits are not from {_FEWEST} to {_MOST}")
@@ -489,19 +462,9 @@ def check_bits(content: dict[str, Any]) -> int:
 
 
 def check_sharp(box: list[dict[str, str]], bits: int) -> None:
-    """Refuse more bits than a box of unknowns has digits for: they would be for nothing, and long.
+    """Refuse more bits than the digits of a box of unknowns can use: they would only take time.
 
-    Parameters
-    ----------
-    box : list of dict
-        With a "mid" for each unknown.
-    bits : int
-        Of the enclosures.
-
-    Raises
-    ------
-    Failure
-        If they are too many.
+    `box` has a "mid" for each unknown. `Failure` is raised if the bits are too many.
     """
     digits = max((len(side["mid"]) for side in box), default=0)
     if bits > _MOST_TO_DIGIT * digits + _FEWEST:
@@ -509,7 +472,7 @@ def check_sharp(box: list[dict[str, str]], bits: int) -> None:
 
 
 def _either(entry: Any, shapes: Any, where: str) -> None:
-    """The first shape that fits; what is said of the last one that has the type of the entry."""
+    """Demand that an entry has one of several shapes; else raise what the last of them misses."""
     problem = Malformed(f"{where} is of the wrong type")
     for shape in shapes:
         try:

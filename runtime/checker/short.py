@@ -21,30 +21,20 @@ __all__ = ["Short", "quotient", "quotients", "short_phase"]
 
 
 class Short(NamedTuple):
-    """A phase that may vanish, jumps of the velocity over speeds, whether it is divided.
+    """A phase that may vanish, with equations and a section map that are regular there."""
 
-    For each phase the column c with F+ R - R F- = c (n F-) where n y = 0: exact entries; None
-    where there is none.
-    """
-
-    place: int
+    place: int  # number of the phase, from 0
+    # for each phase the column c with F+ R - R F- = c (n F-) where n y = 0, exact; None where there
+    # is none or none is used
     jumps: list[Any]
-    divided: bool
+    divided: bool  # whether its switching condition is divided by its dwell time
 
 
 def short_phase(declared: StatedSystem, place: int) -> Short:
-    """A phase that may vanish: by equations that are regular there.
+    """Return a phase (counted from 0) as one that may vanish, by equations regular there.
 
-    Parameters
-    ----------
-    declared : StatedSystem
-    place : int
-        Counted from 0.
-
-    Raises
-    ------
-    Failure
-        If it is none that can be divided by its dwell time, or whose start is regular.
+    `Failure` is raised if its condition cannot be divided by its dwell time, or if its
+    start is not regular.
     """
     steps = declared.steps
     demand(0 <= place < len(steps) and len(steps) > 1, "there is no such phase to divide")
@@ -62,7 +52,7 @@ def short_phase(declared: StatedSystem, place: int) -> Short:
 
 
 def _sticking(declared: StatedSystem, place: int) -> Short:
-    """A phase in which all lasts that is known where it begins."""
+    """Return a phase as one in which all that is known where it begins lasts."""
     begins, lasts, _ = declared.known[place]
     demand(begins and len(begins) == len(lasts), "what is known of a short phase does not last")
     before = (place - 1) % len(declared.steps)
@@ -72,7 +62,10 @@ def _sticking(declared: StatedSystem, place: int) -> Short:
 
 
 def _jump(declared: StatedSystem, place: int) -> list[Any] | None:
-    """The jump of the velocity behind a phase over the rate of its boundary function."""
+    """Return the jump of the velocity behind a phase over the rate of its boundary function.
+
+    None is returned if there is no such column.
+    """
     step, following = declared.steps[place], declared.steps[(place + 1) % len(declared.steps)]
     own = next((k for k, x in enumerate(step.exit) if x), None)
 
@@ -98,17 +91,7 @@ def _jump(declared: StatedSystem, place: int) -> list[Any] | None:
 
 
 def quotient(b: Any, time: Any) -> Any:
-    """The mean of exp (b s) over s from 0 to a time, which may be zero.
-
-    Parameters
-    ----------
-    b : matrix (m, m)
-    time : arb, TaylorModel or Jet
-
-    Returns
-    -------
-    matrix (m, m)
-    """
+    """Return the mean (m, m) of exp (b s) over s from 0 to a time, which may be zero."""
     size, inner = b.nrows(), b * time
     rows: list[list[Any]] = [
         [*(inner[i, j] for j in range(size)), *(int(i == j) for j in range(size))]
@@ -120,19 +103,10 @@ def quotient(b: Any, time: Any) -> Any:
 
 
 def quotients(b: Any, vector: Any, time: Any) -> Any:
-    """The derivative by the time of that mean, times a vector.
+    """Return the derivative of `quotient` by the time, times a vector (m, 1).
 
-    It is b (p1 - p2) with p1 and p2 the integrals of exp (b t s) and (1 - s) exp (b t s).
-
-    Parameters
-    ----------
-    b : matrix (m, m)
-    vector : matrix (m, 1)
-    time : arb, TaylorModel or Jet
-
-    Returns
-    -------
-    matrix (m, 1)
+    It is b (p1 - p2), with p1 and p2 the integrals of exp (b t s) and (1 - s) exp (b t s)
+    over s from 0 to 1.
     """
     size, inner = b.nrows(), b * time
     rows: list[list[Any]] = [

@@ -28,26 +28,14 @@ _SQUARINGS = 12  # of roots, before nothing is said of them
 
 
 def check_multipliers(orbit: CheckedOrbit, stated: Sequence[tuple[Any, Any]], others: str) -> None:
-    """There is one multiplier in each disc, no two in one, and the others are small enough.
+    """Demand one multiplier in each stated disc, no two in one, and a bound of all others.
 
-    Newton's map leads into each disc. On a section with fewer coordinates than the orbit has all
-    the others are zero. The characteristic polynomial divided by the roots in the discs, and by
-    the trivial one, has roots that are at most twice the largest k-th root of its k-th
-    coefficient (M. Fujiwara, 1916).
-
-    Parameters
-    ----------
-    orbit : CheckedOrbit
-        The orbit, located.
-    stated : sequence of (arb, arb)
-        Real and imaginary part of each multiplier.
-    others : str
-        What no other nontrivial one exceeds in absolute value; empty where that is open.
-
-    Raises
-    ------
-    Failure
-        If something is not proved.
+    `stated` has a real and imaginary ball for each disc; `others` bounds the absolute
+    values of all other nontrivial multipliers, and is empty where that is open. Newton's
+    map leads into each disc. On a section with fewer coordinates than the orbit has, all
+    further multipliers are zero. The characteristic polynomial divided by the roots in
+    the discs, and by the trivial one, has roots that are at most twice the largest k-th
+    root of its k-th coefficient (M. Fujiwara, 1916).
     """
     if not stated and not others:
         return
@@ -76,22 +64,10 @@ def check_multipliers(orbit: CheckedOrbit, stated: Sequence[tuple[Any, Any]], ot
 
 
 def stability(orbit: CheckedOrbit) -> str:
-    """The verdict of a claim on the multipliers.
+    """Return the verdict "proved", "refuted" or "undecided" on an orbit's kind of stability.
 
-    Parameters
-    ----------
-    orbit : CheckedOrbit
-        The orbit, located.
-
-    Returns
-    -------
-    {"proved", "refuted", "undecided"}
-        What is found here.
-
-    Raises
-    ------
-    Failure
-        If the maps are one-sided.
+    The kind is that of `StatedSystem.stability`: all multipliers are inside the unit
+    circle, or all are on it but for zeros. `Failure` is raised if the maps are one-sided.
     """
     demand(orbit.declared.alone, "one-sided maps")
     if orbit.declared.stability == "stable":
@@ -102,23 +78,13 @@ def stability(orbit: CheckedOrbit) -> str:
 
 
 def outside_if_reached(orbit: CheckedOrbit, place: int) -> bool:
-    """Whether a multiplier is outside the unit circle wherever a phase ends with a speed v > 0.
+    """Return whether a multiplier is surely outside the unit circle if a phase ends with v > 0.
 
-    The map divides by v. All roots of v p(z), with p its characteristic polynomial, are inside
-    only if the coefficient of z^(n - 1) is at most n v: that is minus the trace of v times the map,
-    which is regular where v is zero.
-
-    Parameters
-    ----------
-    orbit : CheckedOrbit
-        The orbit, located.
-    place : int
-        The phase, counted from 0.
-
-    Returns
-    -------
-    bool
-        True if that is proved.
+    The speed v is the boundary function's rate there, and the map divides by it. All
+    roots of v p(z), with p its characteristic polynomial, are inside only if the
+    coefficient of z^(n - 1) is at most n v in size. That coefficient is minus the trace
+    of v times the map, which is regular where v is zero. `place` is the phase, counted
+    from 0.
     """
     declared = orbit.declared
     if not declared.alone or declared.stability != "stable":
@@ -130,9 +96,10 @@ def outside_if_reached(orbit: CheckedOrbit, place: int) -> bool:
 
 
 def _neutral(square: Any, size: int) -> str:
-    """On the unit circle if g(s), s = m + 1/m, changes its sign often enough in (-2, 2).
+    """Return the verdict on multipliers on the unit circle, by sign changes of g(s), s = m + 1/m.
 
-    The map is symplectic: beside 1 and zeros its multipliers are pairs m, 1/m.
+    The map is symplectic: beside 1 and zeros its multipliers are pairs m, 1/m. They are
+    all on the circle if g changes its sign often enough in (-2, 2).
     """
     pairs: list[Any] = []
     for coefficient in characteristic(square)[: size - 1]:  # divided by m - 1
@@ -169,19 +136,10 @@ def _neutral(square: Any, size: int) -> str:
 
 
 def characteristic(square: Any) -> list[Any]:
-    """Coefficients of the characteristic polynomial, the first is 1: Faddeev and LeVerrier.
+    """Return the coefficients (n + 1) of the characteristic polynomial, from the first, 1, on.
 
-    U. Le Verrier (1840), D. K. Faddeev and I. S. Sominsky (1949).
-
-    Parameters
-    ----------
-    square : matrix (n, n)
-        Of balls or Taylor models.
-
-    Returns
-    -------
-    list of arb or TaylorModel, length n + 1
-        From the highest power on.
+    By the algorithm of U. Le Verrier (1840), D. K. Faddeev and I. S. Sominsky (1949), for
+    a matrix of balls or Taylor models.
     """
     size = square.nrows()
     unit = arb_mat([[int(i == j) for j in range(size)] for i in range(size)])
@@ -194,11 +152,12 @@ def characteristic(square: Any) -> list[Any]:
 
 
 def _inside(polynomial: list[Any]) -> str:
-    """Whether all roots lie inside the unit circle: Schur (1917) and Cohn (1922).
+    """Return the verdict on all roots being inside the unit circle: Schur (1917), Cohn (1922).
 
-    Of z^n + ... + k, with |k| < 1, p(z) - k z^n p(1/z) has as many roots outside. Where p(1) or
-    (-1)^n p(-1) is negative a real root is outside, as p is positive far out. Wide coefficients
-    are squared instead, which drives the roots apart.
+    Of z^n + ... + k, with |k| < 1, p(z) - k z^n p(1/z) has as many roots outside. Where
+    p(1) or (-1)^n p(-1) is negative, a real root is outside, as p is positive far out.
+    Where the coefficients are too wide for this, the roots are squared instead, which
+    drives them apart.
     """
     ahead = sum(polynomial, arb(0))
     behind = sum((c * (-1) ** k for k, c in enumerate(polynomial)), arb(0))
@@ -218,10 +177,11 @@ def _inside(polynomial: list[Any]) -> str:
 
 
 def _some_outside(polynomial: list[Any]) -> bool:
-    """Whether a root is surely outside the unit circle: of the roots, or of their powers.
+    """Return whether a root is surely outside the unit circle, by powers of the roots.
 
-    Were all n of them inside, no coefficient would be larger than its binomial one. The roots of
-    (-1)^n p(z) p(-z), in z^2, are the squares of p's (G. Dandelin, 1826, and K. Graeffe, 1837).
+    If all n roots were inside, no coefficient would be larger than the binomial one. The
+    roots of (-1)^n p(z) p(-z), as a polynomial in z^2, are the squares of p's (G.
+    Dandelin, 1826, and K. Graeffe, 1837).
     """
     size = len(polynomial) - 1
     for _ in range(_SQUARINGS):
@@ -238,10 +198,10 @@ def _some_outside(polynomial: list[Any]) -> bool:
 
 
 def _throughout(polynomial: Sequence[Any]) -> str:
-    """The verdict in the middle of all parameters, if between them no root passes the circle.
+    """Return the verdict at the middle of the parameters, if no root passes the circle between.
 
-    The roots depend continuously on the parameters; those that pass are 1, or -1, or a pair with
-    the product 1.
+    The roots depend continuously on the parameters; those that pass are 1, or -1, or a
+    pair with the product 1.
     """
     models = [c for c in polynomial if isinstance(c, TaylorModel)]
     if not models:
@@ -256,17 +216,9 @@ def _throughout(polynomial: Sequence[Any]) -> str:
 
 
 def products_less_one(polynomial: Sequence[Any]) -> Any:
-    """The product of all 1 - x y of two roots, a determinant of Jury's.
+    """Return the product of all 1 - x y of two roots, as a determinant of Jury's.
 
-    Parameters
-    ----------
-    polynomial : sequence of arb or TaylorModel
-        Coefficients from the highest power on, the first is 1.
-
-    Returns
-    -------
-    arb or TaylorModel
-        The product.
+    Coefficients go from the highest power on; the first is 1.
     """
     size = len(polynomial) - 2
 
@@ -278,17 +230,9 @@ def products_less_one(polynomial: Sequence[Any]) -> Any:
 
 
 def paired(polynomial: Sequence[Any]) -> bool:
-    """Whether two roots whose product may be 1 are surely conjugate, and not real.
+    """Return whether all pairs of roots whose product may be 1 are surely conjugate, not real.
 
-    Parameters
-    ----------
-    polynomial : sequence of arb or TaylorModel
-        Coefficients from the highest power on.
-
-    Returns
-    -------
-    bool
-        True if that is proved of all such pairs.
+    Coefficients go from the highest power on.
     """
     try:
         roots = acb_poly([acb(range_of(c)) for c in reversed(polynomial)]).roots()
@@ -304,17 +248,10 @@ def paired(polynomial: Sequence[Any]) -> bool:
 
 
 def passing(polynomial: Sequence[Any], kind: str) -> Any:
-    """What is zero where multipliers are -1, or 1, or two have the product 1.
+    """Return a number that is zero where a multiplier is -1 or 1, or two have the product 1.
 
-    Parameters
-    ----------
-    polynomial : sequence of arb, TaylorModel or Jet
-        Coefficients of the characteristic polynomial from the highest power on.
-    kind : {"flip", "fold", "neimark-sacker"}
-
-    Returns
-    -------
-    arb, TaylorModel or Jet
+    `kind` is "flip", "fold" or "neimark-sacker"; coefficients of the characteristic
+    polynomial go from the highest power on.
     """
     if kind == "neimark-sacker":
         return products_less_one(polynomial)
@@ -325,19 +262,9 @@ def passing(polynomial: Sequence[Any], kind: str) -> Any:
 
 
 def demand_alone(orbit: CheckedOrbit, kind: str) -> None:
-    """All other ways past the unit circle are closed.
+    """Demand that multipliers can pass the unit circle in no other way than `kind`.
 
-    Parameters
-    ----------
-    orbit : CheckedOrbit
-        The orbit, located.
-    kind : {"flip", "fold", "neimark-sacker"}
-        The way that may be open.
-
-    Raises
-    ------
-    Failure
-        If another one may be.
+    `kind` is "flip", "fold" or "neimark-sacker".
     """
     demand(orbit.declared.alone, "one-sided maps")
     if orbit.declared.stability == "neutral":

@@ -16,24 +16,13 @@ __all__ = ["StatedSection", "SwitchingSystem", "echelon_behind"]
 
 
 class SwitchingSystem:
-    """Exact rows of a declaration.
+    """The system of a file whose sets may divide, in exact rows.
 
-    Parameters
-    ----------
-    declared : dict
-        As the file states it.
-    parameters : mapping of str to str
-        That the file names.
-
-    Attributes
-    ----------
-    fields : dict of str to rows (N + 1, N + 1)
-    boundaries : dict of str to dict of str to row
-        Of each configuration, negative inside.
-    held : dict of str to list of row
-    transitions : dict
-        From source and boundaries to lists of (conditions, reset, target), first come first.
-    forcing : list of (int, int)
+    `fields` has an (N + 1, N + 1) field for each configuration, `boundaries` its rows by
+    name (negative inside), and `held` the rows that vanish in it. `transitions` leads
+    from a source and its boundaries to lists of (conditions, reset, target), first come
+    first. `forcing` has the places of each cosine and sine. The declaration has no
+    contact law, and all its numbers are rational.
     """
 
     def __init__(self, declared: dict[str, Any], parameters: Mapping[str, str]) -> None:
@@ -75,16 +64,9 @@ class SwitchingSystem:
         return [*map(self._row, entries)]
 
     def speed(self) -> Any:
-        """The angular frequency of the one forcing, which every motion keeps.
+        """Return the angular frequency of the one forcing, which every motion keeps.
 
-        Returns
-        -------
-        fmpq
-
-        Raises
-        ------
-        Failure
-            If it is not even, or a transition changes its phase.
+        `Failure` is raised if it is not even, or if a transition changes its phase.
         """
         demand(len(self.forcing) == 1, "not one forcing")
         ((c, s),) = self.forcing
@@ -103,27 +85,17 @@ class SwitchingSystem:
 
 
 class StatedSection(NamedTuple):
-    """States of a configuration at a phase of the forcing, or behind a transition.
-
-    The cosine and the sine of the phase, or the source of the transition and its boundary.
-    """
+    """The states of a configuration at a phase of the forcing, or behind a transition."""
 
     configuration: str
-    phase: tuple[str, ...] = ()
-    source: str = ""
-    boundary: str = ""
+    phase: tuple[str, ...] = ()  # cosine and sine of the phase, where there is a forcing
+    source: str = ""  # configuration before the transition
+    boundary: str = ""  # the transition's
 
     def facts(self, system: SwitchingSystem, exactly: Elimination) -> tuple[Any, list[Any]]:
-        """What is exactly zero on it, and where a forcing has the phase.
+        """Return reduced rows that are zero on the section, and those zero at the forcing's phase.
 
-        Returns
-        -------
-        tuple of (list of row, list of row)
-
-        Raises
-        ------
-        Failure
-            If there is no such section.
+        `Failure` is raised if there is no such section.
         """
         here = self.configuration
         demand(here in system.fields, "the section's configuration is not declared")
@@ -153,18 +125,5 @@ class StatedSection(NamedTuple):
 
 
 def echelon_behind(exactly: Elimination, facts: Any, reset: Any) -> list[Any]:
-    """What is exactly zero behind a reset.
-
-    Parameters
-    ----------
-    exactly : Elimination
-    facts : rows
-        What is zero before it, reduced.
-    reset : rows (N + 1, N + 1)
-
-    Returns
-    -------
-    list of row
-        Reduced.
-    """
+    """Return reduced rows that are exactly zero behind a reset, from those before it."""
     return exactly.echelon(exactly.left_kernel([reduced(row, facts) for row in reset]))

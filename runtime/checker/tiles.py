@@ -42,23 +42,13 @@ Interval = tuple[Any, Any]
 
 
 class _Contradicted(Failure):
-    """The contrary of a claim is proved: smaller tiles do not help."""
+    """The contrary of a claim is proved, so that smaller tiles do not help."""
 
 
 def check_tiles(content: dict[str, Any]) -> None:
-    """Prove every claim of a map; Failure says which one cannot be.
+    """Prove every claim of a map again; `Failure` names a claim that is not proved.
 
-    Parameters
-    ----------
-    content : dict
-        The file, read as JSON.
-
-    Raises
-    ------
-    Failure
-        If a claim is not proved.
-    Malformed
-        If the file has another shape.
+    `Malformed` is raised if the file, read as JSON, has another shape.
     """
     check_shape(content, MAP)
     check_sum(content)
@@ -85,24 +75,16 @@ def check_tiles(content: dict[str, Any]) -> None:
 
 
 def _neighbours(tiles: Sequence[dict[str, Any]]) -> Sequence[Sequence[int]]:
-    """Of each tile those with which it has an edge in common; of two parameters."""
+    """Return for each tile those with which it shares an edge; none but for two parameters."""
     if len(tiles[0]["place"]) != _PLANE:
         return [()] * len(tiles)
     return neighbours([[(step, level) for step, level in tile["place"]] for tile in tiles])
 
 
 def check_whole(content: dict[str, Any]) -> None:
-    """Prove that tiles fill their box, and what is said of all of it by what is said of them.
+    """Demand that tiles fill their box, and that what is said of the box follows from them.
 
-    Parameters
-    ----------
-    content : dict
-        Entries of a map, in their shape.
-
-    Raises
-    ------
-    Failure
-        If that is not so.
+    `content` holds the entries of a map, in their shape.
     """
     box = _ends_of(content)
     demand(box and all(low < high for low, high in box), "the box is empty")
@@ -120,15 +102,8 @@ def _ends_of(content: dict[str, Any]) -> list[Interval]:
 class CheckedBox:
     """A box of parameters, the tiles of which are proved one by one.
 
-    Parameters
-    ----------
-    content : dict
-        Entries of a map, in their shape.
-
-    Raises
-    ------
-    Failure
-        If its declaration is not exact, or states a stability of another kind.
+    `content` holds the entries of a map, in their shape. `Failure` is raised if its
+    declaration is not exact, or states a stability of another kind.
     """
 
     def __init__(self, content: dict[str, Any]) -> None:
@@ -142,18 +117,7 @@ class CheckedBox:
             self.energies = self.declared.closes()
 
     def proved(self, tile: dict[str, Any]) -> "MapTile":
-        """A tile of which all claims are proved.
-
-        Parameters
-        ----------
-        tile : dict
-            Its entries.
-
-        Raises
-        ------
-        Failure
-            If a claim is not proved.
-        """
+        """Prove all claims of a tile and return it."""
         pairs = zip(tile["place"], self.ends, strict=True)
         where = [_interval(step, level, *ends) for (step, level), ends in pairs]
         with ctx.workprec(_BITS):
@@ -165,18 +129,7 @@ class CheckedBox:
         return found
 
     def check_joint(self, tile: "MapTile", other: "MapTile") -> None:
-        """Prove that two tiles of two parameters have the same orbits where they meet.
-
-        Parameters
-        ----------
-        tile, other : MapTile
-            Proved.
-
-        Raises
-        ------
-        Failure
-            If that is not proved.
-        """
+        """Prove that two proved tiles of two parameters have the same orbits where they meet."""
         with ctx.workprec(_BITS):
             try:
                 tile.meets(other)
@@ -184,13 +137,7 @@ class CheckedBox:
                 raise Failure(f"{_in_tile(tile.where)}: {failure}") from None
 
     def check_divisors(self) -> None:
-        """Prove that nothing that was divided by is zero in the box.
-
-        Raises
-        ------
-        Failure
-            If that is not proved.
-        """
+        """Prove that the exact arithmetic divided by nothing that is zero throughout the box."""
         with ctx.workprec(_BITS):
             independent(self.declared, self.constants, self.ends)
 
@@ -201,7 +148,7 @@ def _in_tile(where: Sequence[Interval]) -> str:
 
 
 class MapTile:
-    """What is claimed for a tile."""
+    """The claims about one tile of a map."""
 
     def __init__(
         self, declared: StatedSystem, energies: Any, constants: Any, tile: dict[str, Any],
@@ -219,7 +166,7 @@ class MapTile:
         self.deepest = 0  # halvings, at most
 
     def check(self, where: Sequence[Interval]) -> None:
-        """Prove it, on smaller tiles if need be."""
+        """Prove the claims, on smaller tiles or in higher orders if need be."""
         self.where = where
         if self.tile["event"] is not None and self.division is None:
             self.fold = FoldedTile(
@@ -244,7 +191,7 @@ class MapTile:
                     raise
 
     def _all(self, where: Sequence[Interval]) -> None:
-        """Prove it in Taylor models of one order."""
+        """Prove the claims in Taylor models of one order."""
         guess = [arb(float(x)) for x in self.tile["guess"]]
         whole = self._orbit(where, guess)
         found = [_at(x, [arb(0)] * len(where)) for x in whole.root]
@@ -258,7 +205,7 @@ class MapTile:
             self.division.verdicts(self._orbit_at)
 
     def _orbit_at(self, point: Sequence[Any]) -> CheckedOrbit:
-        """The tile's orbit at a point, from -1 to 1 over it."""
+        """Return the tile's orbit at a point, from -1 to 1 over it."""
         values = [
             arb((low + high) / 2) + x * arb((high - low) / 2)
             for x, (low, high) in zip(point, self.where, strict=True)
@@ -273,12 +220,15 @@ class MapTile:
         return orbit
 
     def _holds(self, point: Sequence[Any], found: Sequence[Any]) -> bool:
-        """Whether an orbit at a point is the tile's."""
+        """Return whether an orbit at a point lies in the tile's box of unknowns."""
         sides = zip(found, self.centre, self.radii, strict=True)
         return all(abs(x - _at(c, point)) < r for x, c, r in sides)
 
     def meets(self, other: "MapTile") -> None:
-        """On the edge that it has in common with another tile their orbits are the same."""
+        """Demand that two tiles have the same orbit at a point of the edge that they share.
+
+        Nothing is demanded if no tried point of the edge clearly has orbits of both.
+        """
         pairs = zip(self.where, other.where, strict=True)
         both = [(max(a[0], b[0]), min(a[1], b[1])) for a, b in pairs]
         for share in _SHARES:
@@ -297,11 +247,11 @@ class MapTile:
             demand(other.holds(its, found), "its orbit is not that of a tile beside it")
 
     def _claims_at(self, point: Sequence[Any]) -> bool:
-        """Whether there is clearly an orbit at a point of it."""
+        """Return whether there is clearly an orbit of the tile at a point."""
         return self.fold is None or self.fold.claims_at(point)
 
     def at(self, point: Sequence[Any]) -> list[Any]:
-        """Its orbit at a point, from -1 to 1 over it."""
+        """Return the tile's orbit at a point, from -1 to 1 over it, as enclosed unknowns."""
         if self.fold is not None:
             return self.fold.at(point)
         return [_at(x, [arb(e) for e in point]) for x in self.root]
@@ -312,13 +262,13 @@ class MapTile:
         return list(self._orbit_at([arb(e) for e in point]).root)
 
     def holds(self, point: Sequence[Any], found: Sequence[Any]) -> bool:
-        """Whether an orbit at a point is its own."""
+        """Return whether an orbit at a point is the tile's."""
         if self.fold is not None:
             return self.fold.holds(point, found)
         return self._holds([arb(e) for e in point], found)
 
     def _orbit(self, where: Sequence[Interval], guess: Sequence[Any]) -> CheckedOrbit:
-        """The orbit for all parameters of a tile, from numbers near it in the middle."""
+        """Return the orbit for all parameters of a tile, from a guess in its middle."""
         space = self.space
         orbit = CheckedOrbit(self.declared, _numbers(where, self.constants, space))
         demand(len(guess) == orbit.count, "the guess is of another size")
@@ -337,7 +287,10 @@ class MapTile:
         part: Any,
         depth: int,
     ) -> None:
-        """Prove enclosures and claims of an orbit on a part of the tile; the whole is 2 wide."""
+        """Prove enclosures and claims of an orbit on a part of the tile, or on its halves.
+
+        `part` holds the ends of the part, where the whole tile is from -1 to 1.
+        """
         try:
             self._claims(orbit)
             if self.division is not None:
@@ -387,12 +340,12 @@ def _agree(proved: bool, refuted: bool, otherwise: str) -> None:
 
 
 def _numbers(where: Sequence[Interval], constants: Any, space: Space) -> Callable[[Any], Any]:
-    """Exact entries for all parameters of a tile."""
+    """Return a function from exact entries to numbers for all parameters of a tile."""
     return number_at([*_values(where, space), *constants])
 
 
 def _values(where: Sequence[Interval], space: Space) -> list[Any]:
-    """All parameters of a tile."""
+    """Return all parameters of a tile, as Taylor models."""
     return [
         space.variable(axis, arb((low + high) / 2), arb((high - low) / 2))
         for axis, (low, high) in enumerate(where)
@@ -400,7 +353,7 @@ def _values(where: Sequence[Interval], space: Space) -> list[Any]:
 
 
 def _verdict(tile: dict[str, Any]) -> str:
-    """What the claims of a tile come to, and its event."""
+    """Return the verdict that the claims of a tile amount to; "divided" for one with an event."""
     _, admissible, stable = agreed_claims(tile["claims"], tile["reasons"])
     if tile["event"] is not None:
         return "divided"
@@ -417,14 +370,14 @@ def _at(number: Any, point: Sequence[Any]) -> Any:
 
 
 def _interval(step: int, level: int, low: Any, high: Any) -> Interval:
-    """One of 2^level equal parts."""
+    """Return one of 2^level equal parts of an interval."""
     demand(0 <= step < 2**level, "a tile is outside of the box")
     width = (high - low) / 2**level
     return low + step * width, low + (step + 1) * width
 
 
 def _fill(places: list[list[tuple[int, int]]]) -> bool:
-    """Whether tiles fill their box without overlap: one does, or two halves are filled."""
+    """Return whether tiles fill their box without overlap: as one tile, or as two filled halves."""
     if len(places) < 2:
         return all(step == level == 0 for place in places for step, level in place) and bool(places)
     for axis in range(len(places[0])):
@@ -441,7 +394,7 @@ def _fill(places: list[list[tuple[int, int]]]) -> bool:
 
 
 def _total(content: dict[str, Any]) -> None:
-    """What is said of the whole box follows from the tiles."""
+    """Demand that what is said of the whole box follows from its tiles."""
     tiles, shares = content["tiles"], dict.fromkeys(content["shares"], fmpq(0))
     verdicts = [_verdict(tile) for tile in tiles]
     beyond = [False] * len(tiles)

@@ -15,22 +15,10 @@ __all__ = ["vanishing"]
 
 
 def vanishing(orbit: CheckedOrbit) -> list[Any]:
-    """Those that the file states, proved: rows that are zero where the orbit begins.
+    """Return the rows that the file states to be zero where the orbit begins, and prove them.
 
-    Parameters
-    ----------
-    orbit : CheckedOrbit
-        The orbit, located.
-
-    Returns
-    -------
-    list of row
-        Exact, each of length N + 1; empty if the file states none.
-
-    Raises
-    ------
-    Failure
-        If they need not vanish.
+    The rows are exact, (N + 1); there are none if the file states none. `Failure` is
+    raised if they need not vanish.
     """
     declared = orbit.declared
     if "vanishing" not in declared.closing:
@@ -63,12 +51,12 @@ def vanishing(orbit: CheckedOrbit) -> list[Any]:
 
 
 def _factors(row: Any, facts: list[Any]) -> list[Any]:
-    """What a combination of reduced rows is made of."""
+    """Return the coefficients of a row as a combination of reduced rows."""
     return [row[next(j for j, x in enumerate(fact) if x)] for fact in facts]
 
 
 def _less_exit(orbit: CheckedOrbit, row: Any, leaves: Any, kept: list[Any]) -> Any:
-    """A combination of facts and of the row that is zero where a phase ends, without that."""
+    """Return a row without its share of the exit row, which is zero where the phase ends."""
     rest, zero = reduced(row, kept), reduced(leaves, kept)
     place = next((k for k, x in enumerate(zero) if x), None)
     if place is None:
@@ -79,7 +67,7 @@ def _less_exit(orbit: CheckedOrbit, row: Any, leaves: Any, kept: list[Any]) -> A
 
 
 def _times(orbit: CheckedOrbit, factors: list[list[Any]], u: Any, count: int) -> Any:
-    """Combinations of the values."""
+    """Return combinations of the functions' values, as a matrix over their values at the start."""
     if not factors or not factors[0]:
         return arb_mat([[0] * count for _ in factors])
     return orbit.numbers(factors) * u

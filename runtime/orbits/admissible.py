@@ -71,7 +71,7 @@ class Violation:
 
 @dataclass(frozen=True)
 class Requirement:
-    """An open parameter has to be greater than a bound."""
+    """The condition that an open parameter is greater than a bound."""
 
     parameter: str
     greater_than: float
@@ -79,20 +79,11 @@ class Requirement:
 
 @dataclass(frozen=True)
 class Coincidence:
-    """Boundaries that are reached at one instant: a border collision.
+    """Boundaries that are reached at one instant: a border collision."""
 
-    Attributes
-    ----------
-    phase : int
-        The phase that takes no time; counted from 0.
-    boundaries : tuple of str
-    time : float
-        Since the start of the orbit; nondimensional.
-    """
-
-    phase: int
+    phase: int  # the one that takes no time, from 0
     boundaries: tuple[str, ...]
-    time: float
+    time: float  # since the start of the orbit, nondimensional
 
 
 @dataclass(frozen=True)
@@ -117,22 +108,9 @@ class Admissibility:
 
 
 def assess_admissibility(orbit: Orbit) -> Admissibility:
-    """Check all boundaries along all phases of an orbit, in double precision.
+    """Check all boundaries along all phases of a converged orbit of kernels, in double precision.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        Of kernels, converged.
-
-    Returns
-    -------
-    Admissibility
-        Verdict, violations, and what open parameters have to exceed.
-
-    Raises
-    ------
-    InputError
-        For a phase longer than the search for maxima reaches.
+    `InputError` is raised for a phase longer than the search for maxima reaches.
     """
     kernels = orbit.kernels
     phases = kernels.table["phases"]
@@ -200,10 +178,11 @@ def _noise(
     curves: Sequence[tuple[Boundary, BoundaryCurve]],
     dwell: Sequence[float],
 ) -> float:
-    """Rounding of the coefficients themselves, which are differences of the data.
+    """Return the rounding of a phase's boundary functions.
 
-    By as much as a phase misses the boundary that ends it, all may be off: up to a limit,
-    beyond which nothing is known.
+    Their coefficients are differences of the data. By as much as the phase misses the
+    boundary that ends it, all functions may be off, up to a limit beyond which nothing is
+    known.
     """
     size = max(map(abs, measures))
     exits = [name for _, name, _ in kernels.table["phases"]]
@@ -212,7 +191,7 @@ def _noise(
 
 
 def _check_length(name: str, configuration: str, function: BoundaryCurve, duration: float) -> None:
-    """Say which phase is too long for a guaranteed search."""
+    """Refuse a phase that is too long for a guaranteed search, by its name."""
     if not duration * function.fastest <= LONGEST_PHASE:
         raise InputError(
             f"{name}: whether it is admissible cannot be guaranteed: {configuration} lasts"
@@ -221,27 +200,17 @@ def _check_length(name: str, configuration: str, function: BoundaryCurve, durati
 
 
 def _rises(boundary: Boundary, function: BoundaryCurve, duration: float, noise: float) -> bool:
-    """Whether a phase begins on a boundary and rises: it crosses it, however little."""
+    """Return whether a phase begins on a boundary and crosses it there, however little."""
     return boundary.begins and duration > 0 and function.rises(noise)
 
 
 def boundary_curves(
     kernels: OrbitKernels, orbit: Orbit
 ) -> Iterator[tuple[Boundary, BoundaryCurve]]:
-    """Each boundary of each phase with its function of the time since the phase's start.
+    """Yield each boundary of each phase with its function of the time since the phase's start.
 
-    An open parameter's contribution is left out of the function.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    orbit : Orbit
-        Its parameters and unknowns.
-
-    Yields
-    ------
-    Boundary, BoundaryCurve
-        In the order of the kernels' boundaries.
+    The boundaries come in the kernels' order. The contribution of an open parameter is
+    left out of the functions.
     """
     parameters = np.array([float(orbit.values[name]) for name in kernels.parameter_names])
     unknowns = np.array([float(orbit.values[name]) for name in kernels.unknowns])
@@ -253,7 +222,7 @@ def boundary_curves(
 def _curves(
     kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, dwell: np.ndarray
 ) -> Iterator[Callable[[], Iterator[tuple[Boundary, BoundaryCurve]]]]:
-    """Boundary functions of each of many points, made when they are asked for."""
+    """Yield for each of many points a function that makes its boundary functions when called."""
     spectrum, _ = kernels.spectrum(points)
     readers: dict[str, Callable[..., Iterator[tuple[Boundary, BoundaryCurve]]]]
     readers = {"boundary_functions": _sums, "phase_fields": _along_motions}
@@ -266,7 +235,10 @@ def _curves(
 def _sums(
     kernels: OrbitKernels, coefficients: np.ndarray, frequencies: np.ndarray, _: np.ndarray
 ) -> Iterator[tuple[Boundary, BoundaryCurve]]:
-    """Rows of the `boundary_functions` kernel of one point; frequencies of phase after phase."""
+    """Yield the boundaries and their sums from the `boundary_functions` kernel at one point.
+
+    Frequencies are those of phase after phase.
+    """
     terms = kernels.table["terms"]
     first_frequency = np.concatenate([[0], np.cumsum(terms)])
     place = 0
@@ -295,7 +267,7 @@ def _along_motions(
     rows: np.ndarray,
     dwell: np.ndarray,
 ) -> Iterator[tuple[Boundary, BoundaryCurve]]:
-    """What the `phase_fields` kernel gives at one point."""
+    """Yield the boundaries and their functions from the `phase_fields` kernel at one point."""
     phases = zip(np.split(fields, len(starts)), starts, dwell.tolist(), strict=True)
     motions = [LinearMotion(*phase) for phase in phases]
     for boundary, row in zip(kernels.boundaries, rows, strict=True):
@@ -305,20 +277,11 @@ def _along_motions(
 def admissible_points(
     kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Check many orbits: for large enough open parameters, and how large that is.
+    """Return which orbits are admissible for large enough open parameters, and these bounds.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    points : array (count, p)
-        Parameters of the equations.
-    unknowns : array (count, n)
-
-    Returns
-    -------
-    allowed : array (count,) of bool
-    bounds : array (count, open parameters)
-        What each open parameter has to exceed; NaN where nothing is allowed.
+    `points` (count, p) are parameters of the equations, `unknowns` is (count, n). The
+    bools are (count,); the bounds (count, open parameters) are NaN where no value makes
+    an orbit admissible.
     """
     if kernels.admissible is None:
         boundary, bounds = _admissible_numpy(kernels, points, unknowns)
@@ -332,20 +295,11 @@ def admissible_points(
 
 
 def first_violations(kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray) -> np.ndarray:
-    """Which boundary is crossed inside a phase, at many orbits.
+    """Return which boundary is the first that is crossed inside a phase, at many orbits.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    points : array (count, p)
-        Parameters of the equations.
-    unknowns : array (count, n)
-
-    Returns
-    -------
-    array (count,) of int
-        Row of the first of `kernels.boundaries` that is crossed; NEITHER where none is, NO_ORBIT
-        where a dwell time is not positive, UNTOLD where it cannot be told.
+    It is an int (count,): an index into `kernels.boundaries`; NEITHER where none is
+    crossed, NO_ORBIT where a dwell time is not positive, UNTOLD where it cannot be told.
+    `points` (count, p) are parameters of the equations, `unknowns` is (count, n).
     """
     if kernels.admissible is None:
         return _admissible_numpy(kernels, points, unknowns)[0]
@@ -357,7 +311,7 @@ def first_violations(kernels: OrbitKernels, points: np.ndarray, unknowns: np.nda
 def _admissible_numpy(
     kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The compiled test's algorithm, point by point: its codes, and the bounds."""
+    """Return the compiled test's codes and bounds, by the same algorithm point by point."""
     crossed = np.full(len(points), UNTOLD)
     opened = [p.name for p in kernels.open_parameters]
     bounds = np.zeros((len(points), len(opened)))

@@ -31,28 +31,18 @@ _SAME = 1e-7  # difference of one orbit by kernels and by tables, in units of ma
 
 @dataclass(frozen=True, eq=False)
 class DeclaredKernels:
-    """The kernels that stand in for an orbit's tables.
+    """The kernels that find a composed orbit at many points in place of its tables."""
 
-    Attributes
-    ----------
-    composed : OrbitKernels
-        The orbit as it is composed.
-    kernels : OrbitKernels
-        Those of its own equations; their reference is the composed orbit's.
-    reference : Orbit
-        The composed orbit at its reference point.
-    """
-
-    composed: OrbitKernels
-    kernels: OrbitKernels
-    reference: Orbit
+    composed: OrbitKernels  # the orbit as it is composed
+    kernels: OrbitKernels  # of its own equations, with the composed orbit's reference
+    reference: Orbit  # the composed orbit at its reference point
 
     @property
     def alone(self) -> bool:
-        """Whether nothing but the kernels is asked: only the start of the orbit is searched for.
+        """Whether the kernels alone decide: they search for nothing but the start of the orbit.
 
-        Where dwell times are, too, Newton's method may end at a root that is no motion, such as
-        one without a phase; there the tables look for another one.
+        Where dwell times are searched for, too, Newton's method may end at a root that is no
+        motion, such as one without a phase; there the tables look for another one.
         """
         return not {*self.kernels.reduced} & {*self.kernels.timed}
 
@@ -66,23 +56,8 @@ class DeclaredKernels:
     ) -> Orbits:
         """Find orbits at many points, as the tables of the system would.
 
-        Parameters
-        ----------
-        parameters : mapping of str to array
-            All parameters of the system; they broadcast against each other.
-        admissibility : bool
-        threads : int or None
-        chunk : int
-
-        Returns
-        -------
-        Orbits
-            Its problem is the composed orbit's.
-
-        Raises
-        ------
-        InputError
-            For wrong names or arrays.
+        All parameters of the system are given as arrays that broadcast; the problem of the
+        result is the composed orbit's. `InputError` is raised for wrong names or arrays.
         """
         check_names(self.composed.system, parameters)
         own = self.kernels.tables.keys() - {p.name for p in self.kernels.other_parameters}
@@ -112,18 +87,10 @@ class DeclaredKernels:
         )
 
     def unknowns(self, parameters: Columns, unknowns: Columns) -> Columns:
-        """Dwell times and start (n,) of orbits, by the names and in the order of `solve`.
+        """Return dwell times and start (n,) of orbits, by the names and in the order of `solve`.
 
-        Parameters
-        ----------
-        parameters : dict of str to array (n,)
-            Those of the equations, by name.
-        unknowns : dict of str to array (n,)
-            Those of the equations; NaN where there is no orbit.
-
-        Returns
-        -------
-        dict of str to array (n,)
+        Parameters and unknowns (n,) are those of the kernels' equations, NaN where there is
+        no orbit.
         """
         kernels, names = self.kernels, unknowns_of(self.composed)
         times = kernels.durations({**parameters, **unknowns})
@@ -135,14 +102,14 @@ class DeclaredKernels:
         return {name: known[name] for name in names}
 
     def _starts(self, parameters: Columns, unknowns: Columns, named: Columns) -> np.ndarray:
-        """State (n, p, N) at the start of each phase."""
+        """Return the state (n, p, N) at the start of each phase."""
         count = len(self.kernels.dwell_times)
         if count > 1:
             return self._evaluated("states", parameters, unknowns)[:, :count]
         return np.stack([*named.values()][count:], axis=-1)[:, None]
 
     def _evaluated(self, kernel: str, parameters: Columns, unknowns: Columns) -> np.ndarray:
-        """A kernel at orbits (n,); NaN where there is none."""
+        """Return a kernel's values at orbits (n,); NaN where there is none."""
         kernels = self.kernels
         points = np.stack([parameters[name] for name in kernels.parameter_names], axis=-1)
         solved = np.stack([unknowns[name] for name in kernels.unknowns], axis=-1)
@@ -154,27 +121,12 @@ class DeclaredKernels:
 
 
 def declared_kernels(orbit: OrbitKernels, key: str | None = None) -> DeclaredKernels | None:
-    """The kernels that find a composed orbit at many points.
+    """Return the kernels that find a composed orbit at many points; None where tables have to.
 
-    The first time it waits until they are derived and compiled.
-
-    Parameters
-    ----------
-    orbit : OrbitKernels
-        Of an orbit that is composed, with a reference.
-    key : str, optional
-        As for `kernels_of_many`.
-
-    Returns
-    -------
-    DeclaredKernels or None
-        None where the orbit is composed at many points too: where there is no compiler, its
-        formulas are long, or the kernels find another orbit at the reference point.
-
-    Raises
-    ------
-    NoConvergence
-        If there is no orbit at the reference point.
+    The first call waits until they are derived and compiled. None is returned where there
+    is no compiler, where formulas are long, and where the kernels find another orbit at
+    the reference point. `key` is that of `kernels_of_many`. `NoConvergence` is raised if
+    there is no orbit at the reference point.
     """
     own = kernels_of_many(orbit, key)
     return None if own is None else _from_reference(orbit, own)
@@ -182,7 +134,7 @@ def declared_kernels(orbit: OrbitKernels, key: str | None = None) -> DeclaredKer
 
 @cache
 def _from_reference(orbit: OrbitKernels, own: OrbitKernels) -> DeclaredKernels | None:
-    """Let kernels begin where the composed orbit begins, if they find it there."""
+    """Return kernels that begin where the composed orbit begins; None if they do not find it."""
     known = solve_declared(orbit, {})
     guess = {name: repr(float(known.unknowns[name])) for name in own.unknowns}
     reference = {**own.table["reference"], "guess": guess}

@@ -30,32 +30,13 @@ def solve_declared_many(
 ) -> Orbits:
     """Find a composed orbit at many points, each from the reference orbit.
 
-    Compiled kernels of its own equations do it where they can be had. The tables of its system
-    do where they cannot; and where, with dwell times among what is searched for, the kernels
-    find no motion.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-        Of an orbit that is not `derived`.
-    parameters : mapping of str to array
-        Absent ones take the reference point's values.
-    admissibility : bool
-        Whether each is a motion of the system.
-    threads : int or None
-    chunk : int
-        Points that the kernels solve at a time.
-
-    Returns
-    -------
-    Orbits
-        Arrays in the shape to which the parameters broadcast.
-
-    Raises
-    ------
-    InputError
-        For wrong names or shapes, an orbit that declares no reference, or one that is
-        declared by a part and a symmetry.
+    Compiled kernels of its own equations do it where they can be had. The tables of its
+    system do where they cannot; and where, with dwell times among what is searched for,
+    the kernels find no motion. The arrays of the result have the shape to which the
+    parameters broadcast; absent parameters take the reference point's values. The kernels
+    solve `chunk` points at a time. `InputError` is raised for wrong names or shapes, for
+    an orbit that declares no reference, and for one that is declared by a part and a
+    symmetry.
     """
     reference = kernels.table["reference"]
     if reference is None:
@@ -104,7 +85,7 @@ def _by_tables(
 
 
 def _filled(found: Orbits, rest: np.ndarray, others: Orbits) -> Orbits:
-    """Put other orbits in place at some points (...)."""
+    """Return the orbits with others put in place at some points (...)."""
 
     def filled(array: np.ndarray, values: np.ndarray) -> np.ndarray:
         both = np.array(array)

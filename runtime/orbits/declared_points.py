@@ -20,24 +20,15 @@ __all__ = ["DeclaredPoints"]
 
 @dataclass(frozen=True, eq=False)
 class DeclaredPoints:
-    """A composed orbit at many points, by kernels that stand in for it; see `OrbitPoints`.
-
-    Attributes
-    ----------
-    own : DeclaredKernels
-    points : KernelPoints
-        The same in the names of the kernels.
-    composed : TablePoints
-        Asked where the kernels are not `alone` and find no motion.
-    """
+    """A composed orbit at many points, by kernels that stand in for it; see `OrbitPoints`."""
 
     own: DeclaredKernels
-    points: KernelPoints
-    composed: TablePoints
+    points: KernelPoints  # the same orbit in the names of the kernels
+    composed: TablePoints  # asked where the kernels are not `alone` and find no motion
 
     @classmethod
     def of(cls, own: DeclaredKernels, composed: TablePoints) -> DeclaredPoints:
-        """The orbit, all of whose parameters have values."""
+        """Return the orbit, all of whose parameters have values."""
         unused = {p.name for p in own.kernels.other_parameters}
         names = [name for name in own.kernels.tables if name not in unused]
         return cls(own, KernelPoints.of(own.kernels, names), composed)
@@ -103,5 +94,5 @@ class DeclaredPoints:
 
     @cached_property
     def _reduced(self) -> list[int]:
-        """Where among all unknowns the reduced ones of the kernels stand."""
+        """Indices of the kernels' reduced unknowns among all unknowns."""
         return [self.unknowns.index(name) for name in self.own.kernels.reduced]

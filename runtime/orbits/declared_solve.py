@@ -26,7 +26,7 @@ CONTINUATION_STEPS = 24
 
 
 def unknowns_of(kernels: OrbitKernels) -> tuple[str, ...]:
-    """Names of the unknowns of a declared orbit: dwell times, then the start's coordinates."""
+    """Return the names of a declared orbit's unknowns: dwell times, then the start."""
     dwell = _part_names(kernels)
     taken = {*dwell, *(p.name for p in kernels.system.parameters)}
     states = kernels.system.table["states"]
@@ -38,13 +38,9 @@ def _part_names(kernels: OrbitKernels) -> tuple[str, ...]:
 
 
 def whole_names(kernels: OrbitKernels, count: int) -> tuple[str, ...]:
-    """Names of an orbit of so many phases: those of its images bear the image's number.
+    """Return the unknowns' names for an orbit of `count` phases over the whole period.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    count : int
-        Number of phases of the whole period.
+    Names of phases that are images by the symmetry bear the image's number.
     """
     part = _part_names(kernels)
     images = count // len(part)
@@ -61,38 +57,16 @@ def solve_declared(
     given: Mapping[str, object] | None = None,
     throw: bool = True,
 ) -> Orbit:
-    """Compose an orbit that was declared by its phases.
+    """Compose an orbit that was declared by its phases, whose equations have no closed form.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-        Whose equations have no closed form: it is not `derived`.
-    parameters : mapping of str to number, text or Value
-        Physical parameters; absent ones take the reference point's values. Where the
-        declaration names a period its name is among them.
-    guess : sequence or mapping of float, optional
-        Dwell times and coordinates of the start, all in their order or some by name; absent
-        dwell times take the reference's guess, absent coordinates that or what fits best.
-        Without a guess the reference orbit is followed to these parameters where it can be.
-    unknown : iterable of str
-        Has to be empty.
-    given : mapping of str to number, text or Value
-        ``period`` at most.
-    throw : bool
-        Raise when there is no convergence.
-
-    Returns
-    -------
-    Orbit
-        Converged, unless `throw` is false.
-
-    Raises
-    ------
-    InputError
-        For wrong names or values, a dwell time that is neither given nor in a reference, or
-        an exchange.
-    NoConvergence
-        If no orbit was found.
+    Absent parameters take the reference point's values; where the declaration names a
+    period its name is among them. The guess has dwell times and coordinates of the start,
+    all in their order or some by name: absent dwell times take the reference's guess,
+    absent coordinates that or what fits best. Without a guess the reference orbit is
+    followed to these parameters where it can be. Nothing may be solved for in place of
+    unknowns: `unknown` has to be empty, and `given` may hold ``period`` only. With
+    `throw`, `NoConvergence` is raised if no orbit is found; `InputError` is raised for
+    wrong names or values, and for a dwell time that is neither given nor in a reference.
     """
     exchanged = [*unknown, *(name for name in given or {} if name != PERIOD)]
     if exchanged:
@@ -153,7 +127,7 @@ def _followed(
     guess: _Guess,
     symmetry: Mapping[str, str] | None,
 ) -> Orbit | None:
-    """The reference orbit carried to the parameters in even steps, if it goes as far.
+    """Return the reference orbit carried to the parameters in even steps; None if it gets lost.
 
     Steps are even in the logarithm of what is positive at both ends.
     """
@@ -183,7 +157,7 @@ def _named(
     guess: Sequence[float] | Mapping[str, float] | None,
     reference: Mapping[str, str],
 ) -> dict[str, float]:
-    """Guess by name; a coordinate of the start by that of its state too."""
+    """Return a guess by the unknowns' names; a start's coordinate may have its state's name."""
     names = unknowns_of(kernels)
     states = kernels.system.table["states"]
     synonyms = dict(zip(states, names[len(names) - len(states) :], strict=True))
@@ -216,7 +190,7 @@ def _start(
     known: Sequence[float | None],
     symmetry: Mapping[str, str] | None,
 ) -> list[float] | None:
-    """Guess of the start: what is not known of it fits the dwell times best."""
+    """Return a guess of the start (N): unknown entries are those that fit the dwell times best."""
     given = [value for value in known if value is not None]
     if len(given) == len(known):
         return given

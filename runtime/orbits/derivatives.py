@@ -125,12 +125,12 @@ class OrbitDerivatives:
 
     @cached_property
     def _along(self) -> tuple[OrbitMotionDerivatives, np.ndarray | None]:
-        """The orbit by tables as it moves, and how its parameters move with the q numbers."""
+        """The orbit by tables as it moves, and the rates of its parameters by the q numbers."""
         along, rates = self.orbit.evaluation.along(self)
         return along, rates
 
     def _by_what_was_given(self, rates: np.ndarray) -> np.ndarray:
-        """Derivatives (..., q) from those by the parameters of the tables."""
+        """Return derivatives (..., q) by what was given, from those by the tables' parameters."""
         _, chain = self._along
         return rates if chain is None else np.asarray(rates @ chain)
 
@@ -266,21 +266,11 @@ class OrbitDerivatives:
 def orbit_derivatives(
     orbit: Orbit, by: Sequence[str] | str | None = None, one_sided: bool | None = None
 ) -> OrbitDerivatives:
-    """Differentiate an orbit by what was given; see `Orbit.derivatives`.
+    """Return the derivatives of an orbit by what was given, or all of it; see `Orbit.derivatives`.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    by : sequence of str, or str, optional
-        What was given: all of it when omitted.
-    one_sided : bool, optional
-        Take the derivatives of the orbit's own sequence of phases where on the other side it is
-        another.
-
-    Raises
-    ------
-    InputError
-        For what was not given, and where there is no derivative.
+    Where the orbit has another sequence of phases on one side, `one_sided` asks for the
+    derivatives of its present sequence. `InputError` is raised for what was not given,
+    and where there is no derivative.
     """
     known = tuple(orbit.given)
     names = known if by is None else (by,) if isinstance(by, str) else tuple(by)
@@ -300,18 +290,10 @@ def orbit_derivatives(
 
 
 def sensitivity(orbit: Orbit, parameter: str) -> Sensitivity:
-    """Derivatives of unknowns, period and trace by one given parameter.
+    """Return the derivatives of unknowns, period and trace by one given parameter.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    parameter : str
-        Name of one that was given.
-
-    Raises
-    ------
-    InputError
-        If the parameter is not among those given, or there is no derivative.
+    `InputError` is raised if the parameter is not among those given, or there is no
+    derivative.
     """
     found = orbit_derivatives(orbit, (parameter,), one_sided=True)
     plain = (lambda x: x) if orbit.precise else float

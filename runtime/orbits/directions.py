@@ -21,34 +21,22 @@ CONSISTENT = 1e-7  # of the terms of an equation: what no orbit can follow
 
 @dataclass(frozen=True, eq=False)
 class Directions:
-    """Derivatives of an orbit by q numbers.
+    """Derivatives of an orbit by q numbers."""
 
-    Attributes
-    ----------
-    unknowns : mapping of str to array (q,)
-        What was solved for.
-    dwell : array (q, p)
-        Of each phase.
-    moved, mapped : callable
-        Give `starts` and `section`, once they are asked for.
-    trace : array (q,) or None
-        Of the map's trace, where a formula gives it sharper than the map.
-    """
-
-    unknowns: Mapping[str, np.ndarray]
-    dwell: np.ndarray
-    moved: Callable[[], np.ndarray]
-    mapped: Callable[[], MapDerivatives]
-    trace: np.ndarray | None = None
+    unknowns: Mapping[str, np.ndarray]  # (q,) each, of what was solved for
+    dwell: np.ndarray  # (q, p), of each phase
+    moved: Callable[[], np.ndarray]  # gives `starts` when asked
+    mapped: Callable[[], MapDerivatives]  # gives `section` when asked
+    trace: np.ndarray | None = None  # (q,), where a formula gives it sharper than the map
 
     @cached_property
     def starts(self) -> np.ndarray:
-        """Of the state (q, p, N) at the start of each phase, which moves in time too."""
+        """Derivatives (q, p, N) of the state at each phase's start, which moves in time too."""
         return self.moved()
 
     @cached_property
     def section(self) -> MapDerivatives:
-        """Of the map whose eigenvalues the multipliers are."""
+        """The map whose eigenvalues are the multipliers, and its derivatives."""
         return self.mapped()
 
 
@@ -60,30 +48,13 @@ def solve_linear(
     name: str,
     lib: Mpmath | None,
 ) -> np.ndarray:
-    """Changes of unknowns that equations, linearised and scaled, ask for.
+    """Return the changes (q, n) of unknowns that linearised, scaled equations ask for.
 
-    Parameters
-    ----------
-    matrix : array (m, n)
-        m is n, or more for equations that follow from others.
-    right : array (q, m)
-    usual : array (q,)
-        Relative change of what the equations are made of, beside which one of them is rounding.
-    by : sequence of str
-        What changes.
-    name : str
-        Of the orbit.
-    lib : Mpmath or None
-        None in double precision.
-
-    Returns
-    -------
-    array (q, n)
-
-    Raises
-    ------
-    InputError
-        Where the equations are singular, or contradict each other.
+    The matrix is (m, n), with m > n for equations that follow from others; `right` is (q,
+    m). `usual` (q,) is the relative change of what the equations are made of: a change
+    that is tiny beside it is rounding. `lib` is None in double precision. `InputError` is
+    raised where the equations are singular or contradict each other; its message names
+    the orbit and what changes.
     """
     floats, sides = matrix.astype(float), right.astype(float)
     if not (np.isfinite(floats).all() and np.isfinite(sides).all()):

@@ -21,193 +21,92 @@ __all__ = ["OrbitEquations", "equations_of"]
 class OrbitEquations(Protocol):
     """The equations of one itinerary near an orbit of it.
 
-    A point x (v,) holds all unknowns and what may be given in their place, by `names`; arrays
-    of points are (k, v). Nondimensional, or in the units of the declaration.
-
-    Attributes
-    ----------
-    names : tuple of str (v,)
-    values : array (v,)
-        The orbit's own numbers.
-    unknowns : tuple of str (n,)
-        Those that the orbit was solved for.
-    dwell_names : tuple of str (p,)
-        Of the phases that take time, of the part that the symmetry closes.
-    phases : tuple of (configuration, boundary)
-        Those phases.
-    order : int
-        As many parts, images of each other by a symmetry, make up one period.
-    conservative : bool
-        Whether orbits come in families that a first integral parametrises.
+    A point x (v,) holds all unknowns and what may be given in their place, by `names`;
+    arrays of points are (k, v). Numbers are nondimensional, or in the units of the
+    declaration.
     """
 
     names: tuple[str, ...]
-    values: np.ndarray
-    unknowns: tuple[str, ...]
+    values: np.ndarray  # (v,), the orbit's
+    unknowns: tuple[str, ...]  # names (n,) of what the orbit was solved for
+    # (p,), of the phases that take time, of the part that the symmetry closes
     dwell_names: tuple[str, ...]
-    phases: tuple[tuple[str, str], ...]
-    order: int
-    conservative: bool
+    phases: tuple[tuple[str, str], ...]  # configuration and boundary of these phases
+    order: int  # so many parts, images of each other by a symmetry, make up one period
+    conservative: bool  # whether orbits come in families that a first integral parametrises
 
     @property
     def sizes(self) -> np.ndarray:
-        """Units of measure (n,) of the unknowns."""
+        """Typical sizes (n,) of the unknowns, as units of measure."""
 
     def linearised(self, x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
-        """Left-hand sides (m,), m >= n, at a point, and their Jacobian (m, n + 1).
+        """Return left-hand sides (m,), m >= n, at a point, and their Jacobian (m, n + 1).
 
-        By the unknowns, and by the number at a further place of the point.
-
-        Parameters
-        ----------
-        x : array (v,)
-        place : int
-            Index into `names`.
-
-        Returns
-        -------
-        tuple of array (m,), array (m, n + 1)
+        The columns are derivatives by the unknowns, then by the number at `place` among
+        `names`.
         """
 
     def dwell(self, x: np.ndarray) -> np.ndarray:
-        """Dwell times (k, p): affine in the points.
-
-        Parameters
-        ----------
-        x : array (k, v)
-
-        Returns
-        -------
-        array (k, p)
-            In the unit of time.
-        """
+        """Return the dwell times (k, p) at points (k, v): affine in them, in the unit of time."""
 
     def unevenness(self, x: np.ndarray) -> list[np.ndarray]:
-        """By how much the state behind a part differs from the start, at a point.
+        """Return how far the state behind a part differs from the start (N,), at a point.
 
-        For each of the parts that the itinerary repeats. Where it is zero the branch meets that
-        of the part, and comes back with the parts exchanged.
-
-        Parameters
-        ----------
-        x : array (v,)
-
-        Returns
-        -------
-        list of array (N,)
-            In units of the states' sizes; empty where no part is repeated.
+        There is one array for each of the parts that the itinerary repeats, in units of the
+        states' sizes; the list is empty where no part is repeated. Where the difference is
+        zero the branch meets that of the part, and comes back with the parts exchanged.
         """
 
     def waves(self, x: np.ndarray) -> list[tuple[np.ndarray, list[PhaseWaves]]]:
-        """Boundary functions of each phase, for groups of points whose places are given.
+        """Return groups of points with the boundary functions of each of their phases.
 
-        Parameters
-        ----------
-        x : array (k, v)
-
-        Returns
-        -------
-        list of (array of int, list of PhaseWaves)
-            Places of the points of a group, and their phases.
+        A group is given by the places (int) of its points among the points (k, v).
         """
 
     def conditions(self, x: np.ndarray) -> np.ndarray:
-        """Numbers (k, c) that keep their sign while transitions lead where they do.
-
-        Parameters
-        ----------
-        x : array (k, v)
-
-        Returns
-        -------
-        array (k, c)
-        """
+        """Return numbers (k, c) that keep their sign while transitions lead where they do."""
 
     @property
     def condition_places(self) -> Sequence[int]:
-        """Phase whose end each of these conditions belongs to."""
+        """The phase at whose end each of these conditions is asked."""
 
     def taken(self, conditions: np.ndarray) -> np.ndarray:
-        """Which of its transitions each phase (k, p) takes, from these numbers.
+        """Return the number (k, p) of the transition that each phase takes; -1 where it takes none.
 
-        Parameters
-        ----------
-        conditions : array (k, c)
-            As `conditions` gives them.
-
-        Returns
-        -------
-        array (k, p) of int
-            -1 where a phase takes none.
+        `conditions` (k, c) are those of the method of that name.
         """
 
     def multipliers(self, x: np.ndarray) -> np.ndarray:
-        """Multipliers (k, r) over one part that may differ from zero, without trivial ones.
+        """Return the complex multipliers (k, r) over one part that may differ from zero.
 
-        Parameters
-        ----------
-        x : array (k, v)
-
-        Returns
-        -------
-        array (k, r) of complex
+        Trivial ones are left out.
         """
 
     def traces(self, x: np.ndarray) -> np.ndarray:
-        """Traces (k,) of the Poincare map of the whole period.
-
-        Parameters
-        ----------
-        x : array (k, v)
-
-        Returns
-        -------
-        array (k,)
-        """
+        """Return traces (k,) of the Poincare map of the whole period."""
 
     def admissible(self, x: np.ndarray) -> np.ndarray:
-        """Whether the points (k,) are motions of the real system.
-
-        Parameters
-        ----------
-        x : array (k, v)
-
-        Returns
-        -------
-        array (k,) of bool
-        """
+        """Return whether each of the points (k, v) is a motion of the real system."""
 
     def orbit_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Orbit:
-        """The orbit at a point as a record, with what is given there.
+        """Return the orbit at a point (v,) as a record.
 
-        Parameters
-        ----------
-        x : array (v,)
-        given : mapping of str to Value
-            Parameters, and the period where it is given.
+        `given` has the parameters, and the period where it is given.
         """
 
     def motion_at(self, x: np.ndarray, given: Mapping[str, Value]) -> Motion | Trajectory:
-        """The motion at a point; a phase that vanishes there takes no time.
+        """Return the motion at a point (v,); a phase that vanishes there takes no time.
 
-        Parameters
-        ----------
-        x : array (v,)
-        given : mapping of str to Value
-            Parameters, and the period where it is given.
-
-        Returns
-        -------
-        Motion or Trajectory
-            A Trajectory where tables answer.
+        It is a Trajectory where tables answer. `given` has the parameters, and the period if
+        given.
         """
 
 
 def equations_of(orbit: Orbit) -> OrbitEquations:
-    """The equations near an orbit, by its own kernels where these are the faster ones.
+    """Return the equations near an orbit: those of its kernels where they are the faster ones.
 
-    Kernels of damped and forced motions are so where they are compiled alone: a compilation takes
-    seconds, the tables of a system follow a branch in less.
+    Kernels of damped and forced motions are faster only where they are compiled: a
+    compilation takes seconds, and the tables of a system follow a branch in less.
     """
     kernels = orbit.problem.kernels
     if kernels is None:

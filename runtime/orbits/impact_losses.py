@@ -26,34 +26,18 @@ _STILL = 1e-12  # relative change of a velocity that is none
 
 
 class ImpactLoss(NamedTuple):
-    """What one impact takes.
+    """The energy that one impact takes."""
 
-    Attributes
-    ----------
-    phase : int
-        Which it ends.
-    contact : ContactShape
-    energy : array (q,)
-        With a step in each of q directions.
-    """
-
-    phase: int
+    phase: int  # the one that the impact ends
     contact: ContactShape
-    energy: np.ndarray
+    energy: np.ndarray  # (q,), with a step in each of q directions
 
 
 def impact_losses(orbit: OrbitMotionDerivatives) -> Iterator[ImpactLoss]:
-    """Energy that each impact of an orbit takes from it.
+    """Yield the energy that each impact of an orbit takes from it, in double precision.
 
-    Parameters
-    ----------
-    orbit : OrbitMotionDerivatives
-        In double precision.
-
-    Raises
-    ------
-    InputError
-        For impacts at several stops at once, and where the tables do not tell the mass.
+    `InputError` is raised for impacts at several stops at once, and where the tables do
+    not tell the mass.
     """
     structure, rows = orbit.structure, orbit.numbers.rows
     pairs = [[velocity] for _, velocity in structure.coordinates]
@@ -101,7 +85,7 @@ def impact_losses(orbit: OrbitMotionDerivatives) -> Iterator[ImpactLoss]:
 
 
 def _proportional(row: np.ndarray, other: np.ndarray) -> bool:
-    """Whether one function is a multiple of another, not zero."""
+    """Return whether one affine function is a nonzero multiple of another."""
     size = float(other @ other)
     factor = float(row @ other) / size if size else 0.0
     missed = np.abs(row - factor * other).max()
@@ -111,7 +95,10 @@ def _proportional(row: np.ndarray, other: np.ndarray) -> bool:
 def _mass(
     orbit: OrbitMotionDerivatives, contact: ContactShape, source: int, relative: np.ndarray
 ) -> np.ndarray | None:
-    """Effective mass (q,) at a contact, from a configuration in which it lasts."""
+    """Return the effective mass (q,) at a contact, by its reaction in lasting contact.
+
+    It is None where no lasting contact tells it.
+    """
     numbers = orbit.numbers
     field = numbers.fields[:, source]
     acceleration = np.einsum("qi,qij->qj", relative[:, :-1], field)

@@ -31,25 +31,10 @@ __all__ = ["along_tables", "kernel_directions", "stepped_kernel"]
 def stepped_kernel(
     orbit: Orbit, kernel: str, rates: dict[str, Any], count: int, lib: Mpmath | None
 ) -> list[Any]:
-    """A kernel with complex steps of its parameters and unknowns in q directions.
+    """Return a kernel's values with complex steps of its arguments, one for each of q directions.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        With kernels.
-    kernel : str
-        Its name; it takes parameters, spectrum and unknowns.
-    rates : dict of str to array (q,)
-        Of what changes.
-    count : int
-        q, the directions.
-    lib : Mpmath or None
-        None in double precision.
-
-    Returns
-    -------
-    list of array
-        What the kernel gives in each direction.
+    The kernel takes parameters, spectrum and unknowns. `rates` has the rates (q,) of what
+    changes, `count` is q, and `lib` is None in double precision.
     """
     kernels, still = orbit.kernels, np.zeros(count, dtype=int)
     names = (kernels.parameter_names, kernels.unknowns)
@@ -69,19 +54,9 @@ def stepped_kernel(
 
 
 def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
-    """How unknowns, dwell times and states move with each of some numbers; see `Directions`.
+    """Return how unknowns, dwell times and states move with each of some given numbers.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        With kernels.
-    by : sequence of str
-        What was given.
-
-    Raises
-    ------
-    InputError
-        Where there is no derivative; the message says why.
+    `InputError` says why where there is no derivative.
     """
     kernels, lib = orbit.kernels, orbit.arithmetic if orbit.precise else None
     kind = float if lib is None else object
@@ -124,27 +99,13 @@ def kernel_directions(orbit: Orbit, by: Sequence[str]) -> Directions:
 def along_tables(
     orbit: Orbit, found: OrbitDerivatives
 ) -> tuple[OrbitMotionDerivatives, np.ndarray]:
-    """An orbit with kernels along its motion, by the tables of its system; see `Evaluation`.
+    """Return an orbit with kernels as its tables see it move, and the rates of its parameters.
 
-    A sum such as e1 = ur1 - us1 is changed by the one of its parameters that is no open one.
-    Of a border collision phases that take no time are left out: what is given and solved for
-    keeps the collision, so that both boundaries go on to be reached together.
-
-    Parameters
-    ----------
-    orbit : Orbit
-    found : OrbitDerivatives
-        Of this orbit.
-
-    Returns
-    -------
-    motion : OrbitMotionDerivatives
-    rates : array (parameters, q)
-
-    Raises
-    ------
-    InputError
-        Where the orbit by tables has no derivatives.
+    The rates are (parameters, q). A sum such as e1 = ur1 - us1 is changed by the one of
+    its parameters that is not open. Of a border collision, phases that take no time are
+    left out: what is given and solved for keeps the collision, so that both boundaries go
+    on to be reached together. `InputError` is raised where the orbit by tables has no
+    derivatives.
     """
     kernels = orbit.kernels
     tables = orbit.problem.by_tables(orbit)

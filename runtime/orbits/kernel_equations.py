@@ -88,7 +88,7 @@ class KernelEquations:
         return [(np.arange(len(x)), list(waves(x)))]
 
     def _watched(self, phase: int) -> list[tuple[int, str, float]]:
-        """Rows of a phase's boundaries, their names, and what open parameters add to them."""
+        """Return a phase's boundaries: rows, names, and what open parameters add to them."""
         found = []
         for row, boundary in enumerate(self._kernels.boundaries):
             opened = boundary.open_parameter
@@ -99,7 +99,7 @@ class KernelEquations:
         return found
 
     def _trigonometric(self, x: np.ndarray) -> Iterator[PhaseWaves]:
-        """Where all flows are trigonometric sums."""
+        """Yield the boundary functions of each phase where all flows are trigonometric sums."""
         kernels, table = self._kernels, self._kernels.table
         rows, frequencies = kernels.evaluate("boundary_functions", *self._arguments(x))
         dwell, ends = self.dwell(x), np.cumsum([0, *table["terms"]])
@@ -120,7 +120,10 @@ class KernelEquations:
             )
 
     def _along_motions(self, x: np.ndarray) -> Iterator[PhaseWaves]:
-        """Along damped and forced motions: the functions of time are the states themselves."""
+        """Yield the boundary functions of each phase along damped and forced motions.
+
+        There the functions of time are the states themselves.
+        """
         kernels, table = self._kernels, self._kernels.table
         arguments, dwell = self._arguments(x), self.dwell(x)
         fields, starts, _, rows = kernels.evaluate("phase_fields", *arguments)
@@ -150,7 +153,7 @@ class KernelEquations:
         points: np.ndarray,
         times: np.ndarray,
     ) -> np.ndarray:
-        """States of points at times since a phase has begun, and 1."""
+        """Return the states of points, and 1 behind them, at times since a phase has begun."""
         name = self._kernels.table["phases"][phase][0].replace("-", "_")
         states = self._kernels.evaluate(
             f"flow_{name}", parameters[points], spectrum[points], times, starts[points]
@@ -158,7 +161,7 @@ class KernelEquations:
         return np.concatenate([states, np.ones((len(times), 1))], axis=-1)
 
     def conditions(self, x: np.ndarray) -> np.ndarray:
-        """None: a phase that begins where the one before it has ended shows them."""
+        """Return no conditions: a phase that begins where the one before it ends shows them."""
         return np.empty((len(x), 0))
 
     def taken(self, conditions: np.ndarray) -> np.ndarray:
@@ -215,7 +218,7 @@ class KernelEquations:
         return self.orbit_at(x, given).motion()
 
     def _arguments(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Parameters, spectrum and unknowns in the kernels' order."""
+        """Return parameters, spectrum and unknowns of points, in the kernels' order."""
         unknowns, parameters = x[:, : self._count], x[:, self._count :]
         return parameters, self._kernels.spectrum(parameters)[0], unknowns
 
@@ -228,7 +231,10 @@ def _phase_waves(
     frequencies: np.ndarray,
     durations: np.ndarray,
 ) -> PhaseWaves:
-    """Rows (k, b, 2 + 2 w): constant, slope, cosines, sines; frequencies (k, w)."""
+    """Return a phase's waves from rows (k, b, 2 + 2 w): constant, slope, cosines, sines.
+
+    The frequencies are (k, w).
+    """
     count = frequencies.shape[1]
     w = frequencies[:, None, :]
 

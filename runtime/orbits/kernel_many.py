@@ -50,29 +50,11 @@ def solve_kernels_many(
     threads: int | None,
     chunk: int,
 ) -> Orbits:
-    """Find orbits at many points by the kernels of their own equations; as `solve_many`.
+    """Find orbits at many points by the kernels of their own equations, as `solve_many` does.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    parameters : mapping of str to array
-        They broadcast against each other.
-    admissibility : bool
-        Whether it is decided.
-    threads : int or None
-        As many as processors when None.
-    chunk : int
-        Points that are solved at a time.
-
-    Returns
-    -------
-    Orbits
-        Arrays in the shape to which the parameters broadcast.
-
-    Raises
-    ------
-    InputError
-        For wrong names, or arrays that do not broadcast.
+    Parameters are arrays that broadcast against each other; the arrays of the result have
+    their shape. `chunk` points are solved at a time; `threads` None takes as many as
+    processors. `InputError` is raised for wrong names, or arrays that do not broadcast.
     """
     arrays = complete_arrays(kernels, parameters)
     try:
@@ -91,19 +73,9 @@ def solve_from(
 ) -> Orbits:
     """Find orbits from one start each, in this thread, with admissibility decided.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-        Of an orbit that is derived.
-    parameters : mapping of str to array
-        All parameters of the equations; they broadcast against each other.
-    start : array (..., m) or None
-        Reduced unknowns; None starts as `solve_many` does.
-
-    Returns
-    -------
-    Orbits
-        Arrays in the shape to which the parameters broadcast.
+    `parameters` holds all parameters of the equations, as arrays that broadcast; the
+    result has their shape. The start (..., m) has reduced unknowns; None starts as
+    `solve_many` does.
     """
     shape = np.broadcast_shapes(*(np.shape(a) for a in parameters.values()))
     return _solve_arrays(kernels, dict(parameters), shape, start, True, 1, CHUNK)
@@ -137,7 +109,7 @@ def _solve_arrays(
 
 
 def _flat(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """One parameter of all points, or (1,) where they share it."""
+    """Return one parameter of all points, flat, or (1,) where they share it."""
     return array.reshape(1) if array.size == 1 else np.broadcast_to(array, shape).reshape(-1)
 
 
@@ -236,7 +208,7 @@ def _fill(
 def _count_digits(
     kernels: OrbitKernels, looked: np.ndarray, points: np.ndarray, solved: Solved
 ) -> None:
-    """Tell apart what has converged to numbers that rounding leaves too few digits of."""
+    """Mark the converged points of too few sure digits in the status, among those looked at."""
     if not looked.any():
         return
     places = np.flatnonzero((solved.status == CONVERGED) & looked)
@@ -250,7 +222,7 @@ def _count_digits(
 
 
 def _far_apart(kernels: OrbitKernels, columns: Sequence[np.ndarray]) -> np.ndarray:
-    """Where parameters of the spectrum, or their distances to ends of domains, are far apart."""
+    """Return where the spectrum's parameters, or distances to ends of domains, differ widely."""
     distances = []
     for place in kernels.spectrum_places:
         values = columns[place]
@@ -265,7 +237,7 @@ def _far_apart(kernels: OrbitKernels, columns: Sequence[np.ndarray]) -> np.ndarr
 
 
 def _starts(kernels: OrbitKernels, columns: Sequence[np.ndarray], count: int) -> list[np.ndarray]:
-    """Reduced unknowns to start from: the prediction (count, m), then further ones (m,)."""
+    """Return starts of the reduced unknowns: the prediction (count, m), then further ones (m,)."""
     if not kernels.reduced:
         return [np.empty((count, 0))]
     predictor = _predictor(kernels)
@@ -282,7 +254,11 @@ def _starts(kernels: OrbitKernels, columns: Sequence[np.ndarray], count: int) ->
 def _admissible_ones(
     kernels: OrbitKernels, points: np.ndarray, starts: Sequence[np.ndarray], solved: Solved
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Check the orbits, and put an admissible one, if a further start leads to it, in place."""
+    """Return which orbits are admissible, and bounds of open parameters.
+
+    An inadmissible orbit is replaced by an admissible one if a further start leads to
+    one.
+    """
     allowed, bounds = admissible_points(kernels, points, solved.unknowns)
     allowed &= solved.status == CONVERGED
     bounds[~allowed] = np.nan
@@ -313,7 +289,7 @@ def _solve_points(
 ) -> Solved:
     """Solve from the first start, and what is lost from each further one in turn.
 
-    The unknowns (k, n) that are found go into the array.
+    The solutions (k, n) are written into `unknowns`.
     """
     sound = points if valid.all() else np.where(valid[:, None], points, np.nan)
     solved = solve_reduced(kernels, sound, starts[0], unknowns)
@@ -337,7 +313,7 @@ def _solve_points(
 
 
 def _inside(kernels: OrbitKernels, columns: Sequence[np.ndarray]) -> np.ndarray:
-    """Which points lie in the domains of all parameters, and keep the system's constraints."""
+    """Return which points lie in all parameters' domains and keep the system's constraints."""
     named = dict(zip(kernels.parameter_names, columns, strict=True))
     told = [in_domains(kernels.tables[name], column) for name, column in named.items()]
     told.append(constrained(kernels.system, named))
@@ -347,7 +323,7 @@ def _inside(kernels: OrbitKernels, columns: Sequence[np.ndarray]) -> np.ndarray:
 def _allowed(
     tables: Iterable[ParameterTable], names: Sequence[str], points: np.ndarray
 ) -> np.ndarray:
-    """At which points those of the parameters that are among the names lie in their domains."""
+    """Return at which points the parameters among the names lie in their domains."""
     inside = np.full(len(points), True)
     for table in tables:
         if table.name in names:
@@ -357,7 +333,7 @@ def _allowed(
 
 @dataclass(frozen=True)
 class _Predictor:
-    """Reference orbit, its first-order dependence on the parameters, and further starts."""
+    """The reference orbit, its first-order dependence on the parameters, and further starts."""
 
     parameters: np.ndarray
     reduced: np.ndarray

@@ -24,27 +24,18 @@ __all__ = ["KernelPoints"]
 
 @dataclass(frozen=True, eq=False)
 class KernelPoints:
-    """An orbit with kernels at many points; see `OrbitPoints`.
-
-    Attributes
-    ----------
-    kernels : OrbitKernels
-    batch : Batch
-        How its parameters are completed.
-    """
+    """An orbit with kernels at many points; see `OrbitPoints`."""
 
     kernels: OrbitKernels
-    batch: Batch
+    batch: Batch  # how its parameters are completed
     chunk: ClassVar[int] = 1 << 16
 
     @classmethod
     def of(cls, kernels: OrbitKernels, given: Sequence[str]) -> KernelPoints:
-        """The orbit, where what is fixed or swept has these names.
+        """Return the orbit, where what is fixed or swept has these names.
 
-        Raises
-        ------
-        InputError
-            For a name that fixes nothing, or several that fix one parameter twice.
+        `InputError` is raised for a name that fixes nothing, or several that fix one
+        parameter twice.
         """
         return cls(kernels, complete_batch(kernels, given))
 
@@ -124,7 +115,7 @@ class KernelPoints:
     def _at(
         self, full: Mapping[str, np.ndarray], columns: Columns, where: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Parameters of the equations, unknowns and traces at some points."""
+        """Return parameters of the equations, unknowns and traces at some points."""
         points = np.stack([full[name][where] for name in self.kernels.parameter_names], axis=-1)
         unknowns = np.stack([columns[name][where] for name in self.kernels.unknowns], axis=-1)
         return points, unknowns, columns["trace"][where]
@@ -133,7 +124,7 @@ class KernelPoints:
 def _margins(
     kernels: OrbitKernels, points: np.ndarray, unknowns: np.ndarray, trace: np.ndarray
 ) -> np.ndarray:
-    """1 - the largest nontrivial |multiplier| of orbits (n,): as `Orbit.stability` has it."""
+    """Return 1 - the largest nontrivial |multiplier| of orbits (n,), as in `Orbit.stability`."""
     table = kernels.table
     if table["rank"] == 1:
         return np.asarray(1 - np.abs(trace))
@@ -150,7 +141,7 @@ def _margins(
 
 
 def _largest_sizes(matrices: np.ndarray) -> np.ndarray:
-    """Largest absolute value of the eigenvalues of matrices (n, k, k)."""
+    """Return the largest absolute eigenvalue of each of the matrices (n, k, k)."""
     if matrices.shape[-1] != 2:
         return np.asarray(np.abs(np.linalg.eigvals(matrices)).max(axis=-1, initial=0.0))
     # in closed form, far quicker: no difference of large numbers but in the discriminant

@@ -113,7 +113,7 @@ class KernelProblem:
 
     @property
     def forcing(self) -> tuple[tuple[int, int], ...]:
-        """None: what the kernels solve for is shown as it is."""
+        """Empty: what the kernels solve for is shown as it is."""
         return ()
 
     @property
@@ -162,19 +162,7 @@ class KernelProblem:
         return physical_parameters(orbit, beside, near)
 
     def system_start(self, orbit: Orbit, values: Mapping[str, Value]) -> list[Any]:
-        """The orbit's own, or in other coordinates the one that fits the dwell times best.
-
-        Parameters
-        ----------
-        orbit : Orbit
-        values : mapping of str to Value
-            Of all parameters of the system.
-
-        Returns
-        -------
-        list of number
-            N states.
-        """
+        """Return the start (N): the orbit's, or the best fit of dwell times in other states."""
         if self._in_system_states:
             return list(orbit.states[0].tolist())
         point = piecewise(self.system, values)
@@ -185,23 +173,9 @@ class KernelProblem:
         return list(found[0].tolist())
 
     def by_tables(self, orbit: Orbit, beside: Mapping[str, Any] | None = None) -> Orbit:
-        """See `OrbitProblem`.
+        """Return the orbit by the tables of its system, without phases that take no time.
 
-        Parameters
-        ----------
-        orbit : Orbit
-        beside : mapping of str to number or None
-            Values of parameters that the orbit leaves open.
-
-        Returns
-        -------
-        Orbit
-            Without phases that take no time.
-
-        Raises
-        ------
-        InputError
-            If Newton's method finds no orbit by the tables.
+        See `OrbitProblem`.
         """
         values, dwell = self.physical(orbit, beside).values, orbit.dwell_times.astype(float)
         every = not orbit.evaluation.border[0]
@@ -240,7 +214,7 @@ class KernelProblem:
 
     @property
     def _in_system_states(self) -> bool:
-        """Whether the kernels have the system's own coordinates, and no presentation's."""
+        """Whether the kernels' coordinates are the system's states, not those of a presentation."""
         own: bool = self.kernels.table["states"] == self.system.table["states"]
         return own
 
@@ -253,7 +227,10 @@ class KernelProblem:
 def _joined(
     itinerary: tuple[tuple[str, str], ...], lasting: Sequence[int]
 ) -> tuple[tuple[str, str], ...]:
-    """The phases that take time; what ends those behind one is reached together with its end."""
+    """Return the phases that take time, each with all boundaries reached at its end.
+
+    Boundaries that end the vanishing phases behind a phase are joined to its boundary.
+    """
     ends: list[list[str]] = []
     turned = np.roll(np.arange(len(itinerary)), -int(lasting[0])).tolist()
     for place in turned:
@@ -266,19 +243,13 @@ def _joined(
 
 @dataclass(frozen=True, eq=False)
 class KernelEvaluation:
-    """What the kernels tell at an orbit; see `Evaluation`."""
+    """The quantities that the kernels give at an orbit; see `Evaluation`."""
 
     orbit: Orbit
 
     @property
     def tables(self) -> TableEvaluation:
-        """See `Evaluation`.
-
-        Raises
-        ------
-        InputError
-            Always: kernels answer.
-        """
+        """Nothing: `InputError` is always raised, as kernels answer."""
         raise InputError(f"{self.orbit.name} was solved with kernels, not with its system's tables")
 
     @cached_property
@@ -293,13 +264,7 @@ class KernelEvaluation:
 
     @property
     def part_stability(self) -> Stability:
-        """See `Evaluation`.
-
-        Raises
-        ------
-        InputError
-            Always: there is no part.
-        """
+        """Nothing: `InputError` is always raised, as there is no part."""
         raise InputError("the orbit was not composed from a part and a symmetry")
 
     @cached_property
@@ -349,12 +314,9 @@ class KernelEvaluation:
         return kernel_directions(self.orbit, by)
 
     def trajectory(self, periods: int) -> Trajectory:
-        """The motion by the system's tables, if all physical parameters are given.
+        """Return the motion by the system's tables; see `Evaluation`.
 
-        Raises
-        ------
-        InputError
-            Where the equations leave physical parameters open.
+        `InputError` is raised where the equations leave physical parameters open.
         """
         problem = self.orbit.problem
         if problem.physical(self.orbit).chosen:

@@ -46,37 +46,13 @@ def solve_kernels(
     throw: bool = True,
     label: str = "",
 ) -> Orbit:
-    """Find a periodic orbit by the kernels of its own equations; as `solve`.
+    """Find a periodic orbit by the kernels of its own equations, as `solve` does.
 
-    A message calls it by the label, where there is one.
-
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    parameters : mapping of str to number, text or Value
-        Absent ones take the reference point's values.
-    guess : sequence or mapping of float, optional
-        Unknowns; without it they are searched for.
-    unknown : iterable of str
-        Parameters that are solved for.
-    given : mapping of str to number, text or Value
-        Unknowns that are given in their place.
-    throw : bool
-        Raise when there is no convergence.
-    label : str
-        What a message calls the orbit, where it is not empty.
-
-    Returns
-    -------
-    Orbit
-        Converged, unless `throw` is false.
-
-    Raises
-    ------
-    InputError
-        For wrong names or values, or an exchange that does not fit.
-    NoConvergence
-        If no orbit was found.
+    Absent parameters take the reference point's values; without a guess, unknowns are
+    searched for. `unknown` names parameters that are solved for, `given` has the unknowns
+    that are given in their place. With `throw`, `NoConvergence` is raised if no orbit is
+    found; `InputError` is raised for wrong names or values, or an exchange that does not
+    fit. Messages call the orbit by `label`, if that is not empty.
     """
     swapped, fixed = tuple(unknown), dict(given or {})
     if swapped or fixed:
@@ -96,17 +72,9 @@ def solve_kernels(
 
 
 def search(kernels: OrbitKernels, parameters: np.ndarray) -> np.ndarray:
-    """All orbits that Newton's method reaches from a grid of starts, admissible ones first.
+    """Return all orbits (k, n) that Newton's method reaches from a grid, admissible ones first.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    parameters : array (p,)
-
-    Returns
-    -------
-    array (k, n)
-        Unknowns of the distinct orbits with positive dwell times.
+    They are distinct and have positive dwell times. `parameters` is (p,).
     """
     starts = np.array(list(product(_grid(kernels), repeat=len(kernels.reduced))))
     solved = solve_reduced(kernels, parameters, starts)
@@ -118,7 +86,7 @@ def search(kernels: OrbitKernels, parameters: np.ndarray) -> np.ndarray:
 
 
 def _distinct(roots: np.ndarray) -> np.ndarray:
-    """The first of each cluster of roots, in their order."""
+    """Return the first root of each cluster, in the order of the roots."""
     first = []
     while len(roots):
         first.append(roots[0])
@@ -128,7 +96,7 @@ def _distinct(roots: np.ndarray) -> np.ndarray:
 
 
 def _grid(kernels: OrbitKernels) -> np.ndarray:
-    """Starts of each reduced unknown: even, or geometric where there is one only."""
+    """Return starts of the reduced unknowns: even, or geometric where there is only one."""
     if len(kernels.reduced) == 1:
         return np.geomspace(SHORTEST_DWELL, LONGEST_DWELL, STARTS_OF_ONE)
     return np.linspace(0, LONGEST_DWELL, STARTS_PER_UNKNOWN + 1)[1:]
@@ -137,7 +105,7 @@ def _grid(kernels: OrbitKernels) -> np.ndarray:
 def _ordinary(
     kernels: OrbitKernels, point: Point, start: dict[str, float], *, searching: bool
 ) -> tuple[Orbit, list[str]]:
-    """Solve for all unknowns on the reduced equations."""
+    """Solve the reduced equations for all unknowns."""
     parameters = np.array([float(v) for v in point.values.values()])
     names = list(kernels.reduced)
     guess = np.array([start[name] for name in names])
@@ -165,7 +133,10 @@ def _ordinary(
 def _followed(
     kernels: OrbitKernels, point: Point, parameters: np.ndarray, guess: np.ndarray
 ) -> Orbit:
-    """Carry the reference orbit to the parameters, in even steps of them or their logarithms."""
+    """Return the reference orbit carried to the parameters, in even steps.
+
+    Steps are of the parameters or of their logarithms.
+    """
     defaults = kernels.table["reference"]["parameters"]
     begin = np.array([float(parse(defaults[name])) for name in kernels.parameter_names])
     places = [kernels.unknowns.index(name) for name in kernels.reduced]
@@ -179,14 +150,14 @@ def _followed(
 
 
 def _between(begin: np.ndarray, end: np.ndarray, fraction: float) -> np.ndarray:
-    """A point on the way: geometric where both ends are positive, else on a straight line."""
+    """Return a point on the way: geometric where both ends are positive, else linear."""
     positive = (begin > 0) & (end > 0)
     ratio = np.where(positive, end, 1.0) / np.where(positive, begin, 1.0)
     return np.where(positive, begin * ratio**fraction, begin + fraction * (end - begin))
 
 
 def _good(orbit: Orbit, parameters: np.ndarray) -> bool:
-    """Whether an orbit has converged and may be a motion of the real system."""
+    """Return whether an orbit has converged and may be a motion of the real system."""
     if not orbit.converged:
         return False
     kernels, unknowns = orbit.kernels, np.array([*orbit.unknowns.values()])
@@ -198,7 +169,7 @@ def _good(orbit: Orbit, parameters: np.ndarray) -> bool:
 
 
 def _orbit(kernels: OrbitKernels, point: Point, parameters: np.ndarray, solved: Any) -> Orbit:
-    """Record of a reduced solution, with the residual of the full equations."""
+    """Return the record of a reduced solution, with the residual of the full equations."""
     unknowns = dict(zip(kernels.unknowns, solved.unknowns.tolist(), strict=True))
     status = int(solved.status)
     residual, digits = float(solved.residual), 0
@@ -240,8 +211,8 @@ def _exchanged(
 ) -> tuple[Orbit, list[str]]:
     """Solve the full equations with parameters in place of unknowns.
 
-    From the guess; if that fails, the given values are approached in steps from an orbit at
-    the default values of what is now unknown.
+    It starts from the guess; if that fails, the given values are approached in steps from
+    an orbit at the default values of what is now unknown.
     """
     defaults = kernels.table["reference"]["parameters"] if kernels.table["reference"] else {}
     values = {name: float(parse(text)) for name, text in defaults.items()}
@@ -304,7 +275,7 @@ def _start(
     guess: Sequence[float] | Mapping[str, float] | None,
     swapped: Sequence[str],
 ) -> dict[str, float]:
-    """A value for every unknown, and for exchanged parameters if given, to start from."""
+    """Return a start for every unknown, and for exchanged parameters if they are given."""
     if guess is not None and not isinstance(guess, Mapping):
         if len(guess) != len(kernels.unknowns):
             raise InputError(
@@ -330,7 +301,7 @@ def _start(
 def _fitted(
     kernels: OrbitKernels, values: Mapping[str, Value], named: Mapping[str, float]
 ) -> dict[str, float]:
-    """Coordinates of the start that go with dwell times: those of the orbit that is composed."""
+    """Return the start's coordinates that fit dwell times, from the composed orbit."""
     table, system = kernels.table, kernels.system
     missing = [name for _, _, name in table["phases"] if name not in named]
     if missing:

@@ -11,20 +11,10 @@ __all__ = ["evaluate"]
 
 
 def evaluate(orbit: Orbit, kernel: str, *, moved: bool = False) -> Any:
-    """A kernel of an orbit at its own parameters and unknowns; see `Orbit.evaluate`.
+    """Return a kernel's values at an orbit, in its arithmetic; see `Orbit.evaluate`.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    kernel : str
-        Its name.
-    moved : bool
-        Whether the kernel takes the derivatives of the spectrum.
-
-    Returns
-    -------
-    array, or nested list
-        Of doubles, or of numbers of the orbit's own arithmetic.
+    They are an array of doubles, or nested lists of numbers. `moved` says that the kernel
+    takes the derivatives of the spectrum.
     """
     kernels, values = orbit.kernels, orbit.values
     parameters = [values[name] for name in kernels.parameter_names]

@@ -28,51 +28,24 @@ _SAME = 1e-9  # of a value: the guaranteed extreme is among those that were seen
 
 
 class LocalExtreme(NamedTuple):
-    """A local maximum of a function within a phase, or of minus the function.
+    """A local maximum of a function within a phase, or of minus the function."""
 
-    Attributes
-    ----------
-    phase : int
-        Counted from 0.
-    sign : int
-        1 for a maximum, -1 for a minimum.
-    value : float
-        Of the function times the sign.
-    rates : array (q,)
-        Of that value.
-    time : float
-        Since the start of the orbit.
-    """
-
-    phase: int
-    sign: int
-    value: float
-    rates: np.ndarray
-    time: float
+    phase: int  # counted from 0
+    sign: int  # 1 for a maximum, -1 for a minimum
+    value: float  # of the function times the sign
+    rates: np.ndarray  # (q,), of that value
+    time: float  # since the start of the orbit
 
 
 def local_extremes(motion: OrbitMotionDerivatives, name: str) -> tuple[LocalExtreme, ...]:
-    """Local extremes of which a quantity is the largest, along each phase and at its ends.
+    """Return the local extremes of a quantity along each phase and at its ends.
 
-    The largest of all is that of the guaranteed search; the others are where the slope changes
-    its sign between looks at it.
-
-    Parameters
-    ----------
-    motion : OrbitMotionDerivatives
-    name : str
-        ``maximum:STATE``, ``minimum:STATE``, ``peak:STATE``, ``peak_acceleration:STATE`` or
-        ``peak_force:CONTACT``.
-
-    Returns
-    -------
-    tuple of LocalExtreme
-        By phases, maxima first, each in the order of time.
-
-    Raises
-    ------
-    InputError
-        For another name, and with many digits.
+    The quantity is ``maximum:STATE``, ``minimum:STATE``, ``peak:STATE``,
+    ``peak_acceleration:STATE`` or ``peak_force:CONTACT``; it is the largest of these
+    extremes. That one is found by the guaranteed search, the others where the slope
+    changes its sign between looks at it. They come by phases, maxima first, each in the
+    order of time. `InputError` is raised for another name, and for an orbit with many
+    digits.
     """
     kind, _, of = name.partition(":")
     if kind not in KINDS or not of:
@@ -107,7 +80,7 @@ def _extreme(
 
 
 def _turns(motion: OrbitMotionDerivatives, row: Row) -> list[tuple[int, float, int]]:
-    """Phases, times since their begin, and 1 where the slope turns negative, -1 positive."""
+    """Return phases, times since their start, and 1 where the slope turns negative, -1 positive."""
     system, phases = motion._system, motion._phases
     fields = real_parts(motion.numbers.fields[0]).astype(float)
     own = np.array([real_parts(row(c))[0].astype(float) for c in range(len(fields))])

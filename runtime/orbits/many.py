@@ -112,7 +112,7 @@ def _solved(
     threads: int | None,
     chunk: int,
 ) -> Orbits:
-    """Orbits without derivatives."""
+    """Find orbits at many points, without their derivatives."""
     _check_positive("chunk", chunk)
     if threads is not None:
         _check_positive("threads", threads)

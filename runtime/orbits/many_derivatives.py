@@ -35,25 +35,11 @@ _Found = dict[str, dict[str, np.ndarray]]
 def derivatives_of_many(
     orbits: Orbits, by: Sequence[str] | str, threads: int | None = None
 ) -> _Found:
-    """Derivatives of unknowns, period and trace at many points; see `Orbits.derivatives`.
+    """Return derivatives of unknowns, period and trace at many points; see `Orbits.derivatives`.
 
-    Parameters
-    ----------
-    orbits : Orbits
-    by : sequence of str, or str
-        Names of parameters.
-    threads : int, optional
-        As many as processors when omitted.
-
-    Returns
-    -------
-    dict of str to dict of str to array (...)
-        Of each quantity by each parameter; NaN where there is no orbit or no derivative.
-
-    Raises
-    ------
-    InputError
-        For an unknown parameter, and where boundaries are reached together.
+    They are arrays (...) by quantity and parameter, NaN where there is no orbit or no
+    derivative. `threads` None takes as many as processors. `InputError` is raised for an
+    unknown parameter, and where boundaries are reached together.
     """
     names = (by,) if isinstance(by, str) else tuple(by)
     known = [table.name for table in orbits.problem.parameters]
@@ -90,7 +76,7 @@ def _by_kernels(
     places: list[int],
     threads: int | None,
 ) -> np.ndarray:
-    """Rates (n + 2, q, k), compiled where the kernels are."""
+    """Return rates (n + 2, q, k), by compiled code if the kernels are compiled."""
     if kernels.table["vanishing"]:
         raise InputError(f"{kernels.name} is a border collision: its derivatives are one-sided")
     (count, size), width = unknowns.shape, points.shape[1]
@@ -136,7 +122,7 @@ def _by_tables(
     places: list[int],
     threads: int | None,
 ) -> np.ndarray:
-    """Rates (n + 2, q, k), or two more where there are multipliers."""
+    """Return rates (n + 2, q, k), with two rows more where there are multipliers."""
     problem = orbits.problem
     cycle = itinerary_shape(structure_of(problem.system), problem.itinerary)
     if cycle.one_sided:
@@ -171,7 +157,7 @@ def _by_tables(
 
 
 def _rank(orbits: Orbits) -> int:
-    """How many multipliers are not zero at all points."""
+    """Return how many multipliers are not zero at all points."""
     assert orbits.multipliers is not None
     sizes = abs(orbits.multipliers[orbits.converged])
     apart = sizes > _ZERO * sizes.max(axis=1, initial=0.0, keepdims=True)

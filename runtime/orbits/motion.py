@@ -98,21 +98,7 @@ class Motion(Shown):
         return float(self.breaks[-1])
 
     def __call__(self, times: Any) -> np.ndarray:
-        """State at each of the times.
-
-        Parameters
-        ----------
-        times : array (...)
-
-        Returns
-        -------
-        array (..., N)
-
-        Raises
-        ------
-        InputError
-            If a time is not a finite number.
-        """
+        """Return the states (..., N) at times (...); `InputError` if a time is not finite."""
         within = self._within(times)
         phases = self._phase(within)
         states = np.empty((*within.shape, self.starts.shape[1]))
@@ -211,17 +197,9 @@ class Motion(Shown):
 
 
 def orbit_motion(orbit: Orbit) -> Motion:
-    """Give the motion along an orbit.
+    """Return the motion along an orbit over one period, in double precision.
 
-    Returns
-    -------
-    Motion
-        Over one period, in double precision.
-
-    Raises
-    ------
-    InputError
-        If the orbit has not converged.
+    `InputError` is raised if the orbit has not converged.
     """
     if not orbit.converged:
         raise InputError(f"{orbit.name} has no motion: {orbit.message}")

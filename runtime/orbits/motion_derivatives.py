@@ -49,7 +49,7 @@ Row = Callable[[int], np.ndarray]  # of a configuration: (q, N + 1) with steps
 
 
 class Differentiated(NamedTuple):
-    """A number, its derivatives (q,), and the time since the start where it is attained."""
+    """A number, its derivatives (q,), and the time since the start at which it is attained."""
 
     value: Any
     rates: np.ndarray
@@ -57,26 +57,14 @@ class Differentiated(NamedTuple):
 
 
 class BoundaryMargin(NamedTuple):
-    """How far a boundary stays away along a phase: the least of minus its function.
+    """The distance of a boundary along a phase: the least of minus its function."""
 
-    Attributes
-    ----------
-    phase : int
-        Counted from 0.
-    configuration, boundary : str
-    value : number
-        In the boundary's unit.
-    rates : array (q,)
-    time : number
-        Since the start of the orbit.
-    """
-
-    phase: int
+    phase: int  # counted from 0
     configuration: str
     boundary: str
-    value: Any
-    rates: np.ndarray
-    time: Any
+    value: Any  # in the boundary's unit
+    rates: np.ndarray  # (q,)
+    time: Any  # since the start of the orbit
 
 
 class Transversality(NamedTuple):
@@ -89,7 +77,7 @@ class Transversality(NamedTuple):
 
 
 class OrbitMotionDerivatives:
-    """An orbit by tables, as it moves in q directions."""
+    """An orbit by tables as it moves in q directions, with derivatives as complex steps."""
 
     def __init__(self, orbit: Orbit, by: Sequence[str], directions: Directions) -> None:
         self.orbit, self.by = orbit, tuple(by)
@@ -109,18 +97,9 @@ class OrbitMotionDerivatives:
         )
 
     def state(self, phase: int, since: Any, rate: Any) -> np.ndarray:
-        """State (q, N), with its steps, some time after the start of a phase.
+        """Return the state (q, N), with its steps, at a time since the start of a phase.
 
-        Parameters
-        ----------
-        phase : int
-        since : number
-        rate : array (q,)
-            Of that time.
-
-        Returns
-        -------
-        array (q, N)
+        `rate` (q,) is the rate of that time.
         """
         field = self.numbers.fields[:, self.cycle.configurations[phase]]
         times = stepped(since, rate, self.lib)
@@ -134,21 +113,9 @@ class OrbitMotionDerivatives:
         return np.asarray((flow[..., :-1] @ self.starts[:, phase, :, None])[..., 0] + flow[..., -1])
 
     def states(self, times: Sequence[Any]) -> tuple[np.ndarray, np.ndarray]:
-        """States (m, N) at times of the period, and their derivatives (m, N, q).
+        """Return states (m, N) at times of the period, since the start, and derivatives (m, N, q).
 
-        Parameters
-        ----------
-        times : sequence (m,) of number
-            Since the start.
-
-        Returns
-        -------
-        tuple of array
-
-        Raises
-        ------
-        InputError
-            For a time outside of the period.
+        `InputError` is raised for a time outside of the period.
         """
         found = []
         for time in times:
@@ -182,24 +149,16 @@ class OrbitMotionDerivatives:
         return piecewise(self.orbit.system, self.orbit.parameters)
 
     def largest(self, row: Row, sign: int) -> Differentiated:
-        """Extreme of an affine function of the state over the period.
+        """Return the maximum, for sign 1, or minimum of an affine function over the period.
 
-        Parameters
-        ----------
-        row : callable
-            Of a configuration: rows (q, N + 1) with their steps.
-        sign : int
-            1 for the maximum, -1 for the minimum.
+        `row` gives for a configuration the function's rows (q, N + 1) with their steps.
         """
         return self.extremes(row)[0 if sign > 0 else 1]
 
     def extremes(self, row: Row) -> tuple[Differentiated, Differentiated]:
-        """Maximum and minimum of an affine function of the state over the period.
+        """Return the maximum and the minimum of an affine function of the state over the period.
 
-        Parameters
-        ----------
-        row : callable
-            Of a configuration: rows (q, N + 1) with their steps.
+        `row` gives for a configuration the function's rows (q, N + 1) with their steps.
         """
         minima, maxima = extremes(self._system, self._phases, self._rows(row))
         high, low = (self._at(row, found[0].time, found[0].value) for found in (maxima, minima))
@@ -210,7 +169,7 @@ class OrbitMotionDerivatives:
         return np.array([[real_parts(row(c))[0].astype(float)] for c in range(count)])
 
     def _at(self, row: Row, time: float, value: float) -> Differentiated:
-        """The function where its extreme is, in whichever phase attains it there."""
+        """Return the function where its extreme is, in the phase that attains it there."""
         phases = self._phases
         ends = phases.begins + phases.durations
         slack = 1e-9 * float(self.begins[-1])
@@ -228,15 +187,10 @@ class OrbitMotionDerivatives:
         return self.differentiated(row, best[1], time - float(phases.begins[best[1]]))
 
     def differentiated(self, row: Row, phase: int, since: float) -> Differentiated:
-        """An affine function at an extreme of it in a phase: inside it, or at an end.
+        """Return an affine function at an extreme of it in a phase: inside it, or at an end.
 
-        Parameters
-        ----------
-        row : callable
-            Of a configuration: rows (q, N + 1) with their steps.
-        phase : int
-        since : float
-            About: where the function has an extreme inside, it is polished.
+        `row` gives the function's rows (q, N + 1) with their steps. The time `since` the
+        phase's start is approximate, and polished where the extreme is inside.
         """
         duration = float(self.dwell[phase])
         rows = row(self.cycle.configurations[phase])
@@ -257,7 +211,7 @@ class OrbitMotionDerivatives:
         )
 
     def _polished(self, rows: np.ndarray, phase: int, since: float) -> Any:
-        """Zero of the function's slope next to a time, by Newton's method."""
+        """Return the zero of the function's slope near a time, by Newton's method."""
         field = real_parts(self.numbers.fields[0, self.cycle.configurations[phase]])
         slope = real_parts(rows[0])[:-1] @ field
         bend = slope[:-1] @ field
@@ -274,36 +228,28 @@ class OrbitMotionDerivatives:
         return at
 
     def state_row(self, name: str) -> Row:
-        """Row of a state, or of its velocity's rate, for `largest`."""
+        """Return the row of a state, for `largest`."""
         place, size = self._place(name), len(self.structure.states)
         unit = np.zeros((len(self.by), size + 1), dtype=self.numbers.fields.dtype)
         unit[:, place] = 1
         return lambda _: unit
 
     def acceleration_row(self, name: str) -> Row:
-        """Row of the rate of a velocity, named by itself or by its position."""
+        """Return the row of the rate of a velocity, which is named by itself or by its position."""
         place = dict(self.structure.coordinates).get(self._place(name), self._place(name))
         return lambda configuration: self.numbers.fields[:, configuration, place]
 
     def force_row(self, name: str) -> Row:
-        """Row of the force of a contact on the oscillator."""
+        """Return the row of the force of a contact on the oscillator."""
         contact = self._contact(name)
         nothing = np.zeros_like(self.numbers.rows[:, 0])
         return lambda c: self.numbers.rows[:, contact.forces[c]] if c in contact.forces else nothing
 
     def peak(self, row: Row, name: str) -> Differentiated:
-        """Largest absolute value of an affine function over the period.
+        """Return the largest absolute value of an affine function over the period.
 
-        Parameters
-        ----------
-        row : callable
-        name : str
-            What it is, for the message.
-
-        Raises
-        ------
-        InputError
-            Where the largest and the smallest value tie, and change differently.
+        `InputError` is raised where the largest and the smallest value tie and change
+        differently; its message says what `name` is.
         """
         high, low = self.extremes(row)
         low = Differentiated(-low.value, -low.rates, low.time)
@@ -314,7 +260,7 @@ class OrbitMotionDerivatives:
         return top
 
     def _differ(self, one: Differentiated, other: Differentiated) -> bool:
-        """Whether two numbers of one size change differently, by more than rounding."""
+        """Return whether two numbers of one size change differently, by more than rounding."""
         rates, others = one.rates.astype(float), other.rates.astype(float)
         states = sizes(self.orbit.tables.shooting, self.orbit.dwell_times)
         by_numbers = relative_changes(self.numbers, states, self.lib)
@@ -324,16 +270,11 @@ class OrbitMotionDerivatives:
         return bool((abs(rates - others) > _SAME * size).any())
 
     def quadrature(self, phase: int) -> tuple[np.ndarray, np.ndarray]:
-        """States at the nodes of an integral over a phase, in double precision.
+        """Return states (q, n, N + 1) at nodes of an integral over a phase, and weights (q, n).
 
-        The nodes move with the dwell time, so that derivatives are exact.
-
-        Returns
-        -------
-        states : array (q, n, N + 1)
-            Each with a 1 behind it, with their steps.
-        weights : array (q, n)
-            With their steps; their sum is the dwell time.
+        The states have a 1 behind them; the weights' sum is the dwell time; both are in
+        double precision and have steps. The nodes move with the dwell time, so that
+        derivatives are exact.
         """
         configuration = self.cycle.configurations[phase]
         angle = fastest(self._system, configuration) * float(self.dwell[phase])
@@ -347,14 +288,11 @@ class OrbitMotionDerivatives:
         return np.concatenate([states[..., 0], ones], axis=-1), wait * weights
 
     def dissipation(self, name: str | None = None) -> Differentiated:
-        """Energy lost over a period through contacts: through one, or through all of them.
+        """Return the energy lost over a period through one contact, or through all of them.
 
-        By friction and dampers of stops, and by impacts; not by dampers of the oscillator.
-
-        Raises
-        ------
-        InputError
-            For an unknown contact, with many digits, and where what an impact takes is not told.
+        It is lost by friction, by dampers of stops and by impacts; dampers of the oscillator
+        do not count. `InputError` is raised for an unknown contact, with many digits, and
+        where the tables do not tell what an impact takes.
         """
         if self.lib is not None:
             raise InputError("dissipation has derivatives in double precision only")
@@ -380,8 +318,9 @@ class OrbitMotionDerivatives:
     def margins(self) -> tuple[BoundaryMargin, ...]:
         """How far each boundary stays away along each phase.
 
-        Of a boundary that a phase begins on or ends at it is the nearest maximum inside, if
-        there is one: a grazing to come. The speed at the end is among `transversalities`.
+        For a boundary on which a phase begins or ends, it is the distance at the nearest
+        maximum inside, if there is one: a grazing to come. The speed at the end is among
+        `transversalities`.
         """
         found = []
         for phase, configuration in enumerate(self.cycle.configurations):
@@ -407,7 +346,10 @@ class OrbitMotionDerivatives:
         return tuple(found)
 
     def _nearest(self, row: Row, phase: int, configuration: int, place: int) -> float | None:
-        """When a phase is nearest to a boundary, or nearest inside where it touches it."""
+        """Return when a phase is nearest to a boundary, inside if it touches it at an end.
+
+        None is returned where there is no such time.
+        """
         phases, boundary = self._phases, self.structure.boundaries[configuration][place]
         if place not in self.cycle.transitions[phase].boundaries:
             parts = (phases.begins * 0, phases.durations, phases.configurations)
@@ -438,13 +380,7 @@ class OrbitMotionDerivatives:
         ]
 
     def margin(self) -> Differentiated:
-        """The least of all margins.
-
-        Raises
-        ------
-        InputError
-            Where there is no boundary that could be reached.
-        """
+        """Return the least of all margins; `InputError` where no boundary could be reached."""
         if not self.margins:
             raise InputError(
                 f"{self.orbit.name}: there is no boundary that stays away, and none comes near"
@@ -455,7 +391,7 @@ class OrbitMotionDerivatives:
 
     @cached_property
     def transversalities(self) -> tuple[Transversality, ...]:
-        """Speed with which each phase reaches the boundary that ends it."""
+        """The speed with which each phase reaches the boundary that ends it."""
         moved = stepped(self.dwell, self.waits, self.lib)
         now = passed(self.cycle, self.numbers, moved, self.starts[:, 0], self.lib)
         values = self._rounded(real_parts(now.speeds[:, 0]))
@@ -466,12 +402,9 @@ class OrbitMotionDerivatives:
         )
 
     def quantity(self, name: str) -> Differentiated:
-        """A quantity by its name; see `OrbitDerivatives.quantity`.
+        """Return a quantity by its name, of `names`; see `OrbitDerivatives.quantity`.
 
-        Raises
-        ------
-        InputError
-            For an unknown name.
+        `InputError` is raised for an unknown name.
         """
         kind, _, of = name.partition(":")
         if kind in ("maximum", "minimum") and of:
@@ -493,7 +426,7 @@ class OrbitMotionDerivatives:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Quantities that `quantity` knows."""
+        """Names of the quantities that `quantity` knows."""
         states, contacts = self.structure.states, [c.name for c in self.structure.contacts]
         extremes_of = [f"{kind}:{s}" for kind in ("maximum", "minimum", "peak") for s in states]
         forces = [f"{kind}:{c}" for kind in ("peak_force", "dissipation") for c in contacts]
@@ -512,7 +445,7 @@ class OrbitMotionDerivatives:
         return contacts[name]
 
     def _rounded(self, values: np.ndarray) -> np.ndarray:
-        """Numbers of the orbit's own precision."""
+        """Return numbers rounded to the orbit's precision."""
         if self.lib is None:
             return values
         return np.asarray(np.frompyfunc(self.orbit.arithmetic.mp.mpf, 1, 1)(values))

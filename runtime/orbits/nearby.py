@@ -26,23 +26,12 @@ _FAR = 0.2  # difference from the prediction, in units of the unknowns, of anoth
 def followed(
     reference: OrbitDerivatives, point: np.ndarray, shortest: float = _SHORTEST
 ) -> OrbitDerivatives:
-    """Derivatives of the same orbit elsewhere: it is followed along a straight line.
+    """Return the derivatives of the same orbit at another point, to which it is followed.
 
-    Parameters
-    ----------
-    reference : OrbitDerivatives
-        By the numbers that change.
-    point : array (q,)
-        Their values.
-    shortest : float
-        Of the way: shorter steps are not tried.
-
-    Raises
-    ------
-    NoConvergence
-        Where it cannot be followed.
-    InputError
-        Where there is no such system, or no derivative.
+    The way is a straight line in the q numbers by which the reference is differentiated;
+    it ends at the values `point` (q,). Steps shorter than the share `shortest` of the way
+    are not tried. `NoConvergence` is raised where the orbit cannot be followed,
+    `InputError` where there is no such system or no derivative.
     """
     if not np.isfinite(point).all():
         raise InputError("a point that is not finite")
@@ -64,7 +53,7 @@ def followed(
 
 
 def _stepped(here: OrbitDerivatives, aim: np.ndarray) -> OrbitDerivatives:
-    """One step of it, that the prediction bears out."""
+    """Return the derivatives one step ahead; `NoConvergence` if the orbit is not as predicted."""
     orbit, by = here.orbit, here.by
     now = np.array([float(orbit.given[name]) for name in by])
     names = tuple(orbit.unknowns)
@@ -85,9 +74,10 @@ def _stepped(here: OrbitDerivatives, aim: np.ndarray) -> OrbitDerivatives:
 
 
 def _solved(orbit: Orbit, given: Mapping[str, Value], guess: Mapping[str, float]) -> Orbit:
-    """An orbit of the same itinerary and the same unknowns, from a guess of them.
+    """Return an orbit of the same itinerary and the same unknowns, from a guess of them.
 
-    Of an orbit that was solved for by a part the whole is: a parameter may break the symmetry.
+    An orbit that was solved for by a part is solved for as a whole: a parameter may break
+    the symmetry.
     """
     kernels = orbit.problem.kernels
     if kernels is None:

@@ -449,16 +449,8 @@ class Orbit(Shown):
 def check_converged(orbit: object, doing: str) -> None:
     """Refuse what is no orbit, or one that has not converged.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    doing : str
-        What was to be done with it: ``"certified"``.
-
-    Raises
-    ------
-    InputError
-        The message says where orbits are to be taken from, if there are any.
+    `doing` says in the message what was to be done with it, as ``"certified"``. The
+    message of the `InputError` says where orbits are to be taken from, if there are any.
     """
     if not isinstance(orbit, Orbit):
         name = type(orbit).__name__

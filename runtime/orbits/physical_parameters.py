@@ -19,25 +19,11 @@ __all__ = ["chosen_parameters", "open_bounds", "physical_parameters"]
 def physical_parameters(
     orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
 ) -> SystemPoint:
-    """All parameters of the system of an orbit with kernels; see `OrbitProblem.physical`.
+    """Return all parameters of the system of an orbit with kernels; see `OrbitProblem.physical`.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    beside : mapping of str to str, number or Value, optional
-        Values of parameters that the orbit leaves open.
-    near : iterable of Orbit
-        Others that what is chosen has to suit, as far as they are admissible.
-
-    Returns
-    -------
-    SystemPoint
-        Values of all parameters, and the names of those that were chosen.
-
-    Raises
-    ------
-    InputError
-        For a name that is no parameter, or values that the system does not take.
+    Those that the orbit leaves open are chosen, unless `beside` gives them; the choice
+    also suits the orbits `near`, as far as they are admissible. `InputError` is raised
+    for a name that is no parameter, or values that the system does not take.
     """
     kernels = orbit.kernels
     known = {
@@ -56,42 +42,19 @@ def physical_parameters(
 def chosen_parameters(
     orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
 ) -> dict[str, Value]:
-    """Values of those that are chosen; see `OrbitProblem.physical`.
+    """Return the values of the parameters that are chosen; see `OrbitProblem.physical`.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    beside : mapping of str to number or None
-        Values of parameters that the orbit leaves open.
-    near : iterable of Orbit
-        Others that what is chosen has to suit.
-
-    Returns
-    -------
-    dict of str to Value
-        Empty where nothing is left open.
-
-    Raises
-    ------
-    InputError
-        As for `OrbitProblem.physical`.
+    The dict is empty where nothing is left open.
     """
     point = orbit.problem.physical(orbit, beside, near)
     return {name: point.values[name] for name in point.chosen}
 
 
 def open_bounds(orbits: Iterable[Orbit]) -> dict[str, float]:
-    """What the open parameters have to exceed for all of the orbits that may be admissible.
+    """Return what open parameters have to exceed for all orbits that may be admissible.
 
-    Parameters
-    ----------
-    orbits : iterable of Orbit
-        With kernels.
-
-    Returns
-    -------
-    dict of str to float
-        Bounds by the parameters' names, in their units; empty where no orbit is admissible.
+    The orbits have kernels. The bounds are by the parameters' names, in their units;
+    there are none where no orbit is admissible.
     """
     found: dict[str, float] = {}
     for orbit in orbits:

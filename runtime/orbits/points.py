@@ -19,11 +19,11 @@ __all__ = ["OrbitPoints", "points_of"]
 
 
 class OrbitPoints(Protocol):
-    """What is found of an orbit at many points (n,), each by itself."""
+    """One orbit at many points (n,), solved for at each by itself."""
 
     @property
     def chunk(self) -> int:
-        """Points that take tenths of a second."""
+        """Number of points that take tenths of a second."""
 
     @property
     def parameters(self) -> list[ParameterTable]:
@@ -35,60 +35,32 @@ class OrbitPoints(Protocol):
 
     @property
     def bounded(self) -> tuple[str, ...]:
-        """Open parameters, of which it is told what they have to exceed."""
+        """Open parameters of which a lower bound is computed."""
 
     @property
     def limits(self) -> list[str]:
-        """What the numbers of `limits_of` stand for, from 0."""
+        """Meanings of the numbers of `limits_of`, from 0."""
 
     def solve(self, values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
-        """Find orbits from starts (n, m), or from the solver's own.
+        """Return orbits from starts (n, m), or from the solver's usual ones, as columns (n,).
 
-        Columns (n,): status, admissible, trace, margin, period, and by name the unknowns and
-        ``least_`` of what is bounded.
-
-        Parameters
-        ----------
-        values : mapping of str to array (n,)
-            What is fixed or swept.
-        start : array (n, m) or None
-            As `starts_of` gives it.
-
-        Returns
-        -------
-        dict of str to array (n,)
+        `values` (n,) has what is fixed or swept; starts are those of `starts_of`. Columns are
+        status, admissible, trace, margin, period, and by name the unknowns and ``least_`` of
+        what is bounded.
         """
 
     def starts_of(self, columns: Columns) -> np.ndarray:
-        """Starts (n, m) from which the same orbits are found again.
-
-        Parameters
-        ----------
-        columns : dict of str to array (n,)
-            As `solve` gives them.
-
-        Returns
-        -------
-        array (n, m)
-        """
+        """Return starts (n, m) that lead to the same orbits again, from the columns of `solve`."""
 
     @property
     def usual(self) -> np.ndarray:
-        """Sizes (m,) at the reference orbit of what starts are made of; 0 of dwell times."""
+        """Sizes (m,) at the reference orbit of what starts are made of; 0 for dwell times."""
 
     def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
-        """Which limit of admissibility fails first, by its number; or NEITHER, NO_ORBIT, UNTOLD.
+        """Return which limit of admissibility fails first (n,), by its number in `limits`.
 
-        Parameters
-        ----------
-        values : mapping of str to array (n,)
-            What is fixed or swept.
-        columns : dict of str to array (n,)
-            As `solve` gives them.
-
-        Returns
-        -------
-        array (n,) of int
+        It is NEITHER where none fails, NO_ORBIT or UNTOLD. `values` (n,) has what is fixed or
+        swept, `columns` are those of `solve`.
         """
 
 
@@ -96,21 +68,11 @@ class OrbitPoints(Protocol):
 def points_of(
     kernels: OrbitKernels, given: tuple[str, ...], own: DeclaredKernels | None = None
 ) -> OrbitPoints:
-    """An orbit at many points, where what is fixed or swept has these names.
+    """Return an orbit at many points, where what is fixed or swept has the names `given`.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-    given : tuple of str
-        Names.
-    own : DeclaredKernels, optional
-        Compiled kernels that stand in for the tables of an orbit that is composed.
-
-    Raises
-    ------
-    InputError
-        For a name that fixes nothing, several that fix one parameter twice, or an orbit of
-        which many points at once cannot be found.
+    `own` are compiled kernels that stand in for the tables of a composed orbit.
+    `InputError` is raised for a name that fixes nothing, several that fix one parameter
+    twice, or an orbit that cannot be found at many points at once.
     """
     if kernels.derived:
         return KernelPoints.of(kernels, given)

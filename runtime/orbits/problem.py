@@ -34,7 +34,7 @@ class OrbitProblem(Protocol):
 
     @property
     def name(self) -> str:
-        """``system/orbit``, ``FILE.py:orbit``, or the system and how many phases there are."""
+        """``system/orbit``, ``FILE.py:orbit``, or the system and its number of phases."""
 
     @property
     def system(self) -> SystemKernels:
@@ -50,7 +50,7 @@ class OrbitProblem(Protocol):
 
     @property
     def symmetry(self) -> Symmetry | None:
-        """What closes the first part of the orbit, where it is solved for by that part."""
+        """The symmetry that closes the orbit's first part, if it is solved for by that part."""
 
     @property
     def state_names(self) -> tuple[str, ...]:
@@ -62,7 +62,7 @@ class OrbitProblem(Protocol):
 
     @property
     def unknown_names(self) -> tuple[str, ...]:
-        """What is solved for, unless it is given and a parameter is solved for in its place."""
+        """Names of the unknowns; one may be given, and a parameter solved for in its place."""
 
     @property
     def has_trajectory(self) -> bool:
@@ -78,172 +78,83 @@ class OrbitProblem(Protocol):
 
     @property
     def period_name(self) -> str | None:
-        """What the period is called where it is given; None where the equations determine it."""
+        """Name of the period where it may be given; None where the equations determine it."""
 
     @property
     def parameters(self) -> tuple[ParameterTable, ...]:
-        """Names, meanings and domains of the parameters of the equations."""
+        """The parameters of the equations, with names, meanings and domains."""
 
     @property
     def all_parameters(self) -> Mapping[str, ParameterTable]:
-        """All that may be given, by name: those of the equations, and what they follow from."""
+        """All that may be given, by name: the equations' parameters and what they follow from."""
 
     @property
     def required(self) -> Mapping[str, str]:
         """Values that parameters must have for such an orbit to exist, as text."""
 
     def dwell_times(self, values: Mapping[str, Any]) -> list[Any]:
-        """Dwell time of each phase, from parameters and unknowns.
+        """Return the dwell time of each phase, from parameters and unknowns in any arithmetic.
 
-        Parameters
-        ----------
-        values : mapping of str to number
-            Parameters and unknowns, in any arithmetic.
-
-        Returns
-        -------
-        list of number
-            One for each phase, in the unit of time.
+        They are in the unit of time.
         """
 
     def followers(self, names: Iterable[str]) -> Collection[str]:
-        """Parameters that follow from those of these names: e1 = ur1 - us1 from ur1 and us1."""
+        """Return the parameters that follow from these: e1 = ur1 - us1 from ur1 and us1."""
 
     def period(self, orbit: Orbit) -> Value | None:
-        """What the dwell times have to sum up to; None where the equations determine it.
-
-        Returns
-        -------
-        Value or None
-            In the unit of time.
-        """
+        """Return what the dwell times have to sum up to; None where the equations determine it."""
 
     def system_values(self, values: Mapping[str, Value]) -> dict[str, Value]:
-        """All parameters of the system, from those of the equations and what they leave open.
+        """Return all parameters of the system, from the equations' and what these leave open.
 
-        Parameters
-        ----------
-        values : mapping of str to Value
-            Parameters of the equations, and those that they leave open.
-
-        Raises
-        ------
-        InputError
-            If they are not values that the system takes.
+        `InputError` is raised if they are not values that the system takes.
         """
 
     def physical(
         self, orbit: Orbit, beside: Mapping[str, Any] | None = None, near: Iterable[Orbit] = ()
     ) -> SystemPoint:
-        """All parameters of the system at an orbit; those that it leaves open are chosen.
+        """Return all parameters of the system at an orbit, with names of those that were chosen.
 
-        Values that are given beside it are not chosen, and what is chosen suits all orbits
-        that are near; `model.completion` says how. InputError as for `system_values`.
-
-        Parameters
-        ----------
-        orbit : Orbit
-        beside : mapping of str to number or None
-            Values of parameters that the orbit leaves open.
-        near : iterable of Orbit
-            Others that what is chosen has to suit.
-
-        Returns
-        -------
-        SystemPoint
-            Values of all parameters, and the names of those that were chosen.
-
-        Raises
-        ------
-        InputError
-            As for `system_values`.
+        Parameters that the orbit leaves open are chosen, unless they are given in `beside`;
+        what is chosen suits all orbits that are near, too. `model.completion` says how.
+        `InputError` is raised as for `system_values`.
         """
 
     def system_start(self, orbit: Orbit, values: Mapping[str, Value]) -> list[Any]:
-        """State (N,) at the start in the system's coordinates, about; at all its parameters.
-
-        Parameters
-        ----------
-        orbit : Orbit
-        values : mapping of str to Value
-            Of all parameters of the system.
-
-        Returns
-        -------
-        list of number
-            N states.
-        """
+        """Return the approximate start (N,) in the system's coordinates, at all its parameters."""
 
     def by_tables(self, orbit: Orbit, beside: Mapping[str, Any] | None = None) -> Orbit:
-        """The same orbit by the tables of its system, at all of its parameters; see `physical`.
+        """Return the same orbit by the tables of its system, at all parameters of `physical`.
 
-        Parameters
-        ----------
-        orbit : Orbit
-        beside : mapping of str to number or None
-            Values of parameters that the orbit leaves open.
-
-        Raises
-        ------
-        InputError
-            If Newton's method finds no orbit by the tables.
+        `InputError` is raised if Newton's method finds no orbit by the tables.
         """
 
     def message(self, status: int, *, timed: bool) -> str:
-        """What a status means and suggests, where the period was given or not.
-
-        Parameters
-        ----------
-        status : int
-        timed : bool
-            Whether the period was given.
-        """
+        """Return what a status means and suggests, where the period was given (`timed`) or not."""
 
     def evaluation(self, orbit: Orbit) -> Evaluation:
-        """What the equations tell at an orbit of this problem."""
+        """Return what the equations tell at an orbit of this problem."""
 
     def flow(self, parameters: np.ndarray, phase: int, since: np.ndarray, start: Any) -> np.ndarray:
-        """States (..., N) at times (...) since a phase's start; parameters in their order.
+        """Return states (..., N) at times (...) since a phase's start, from the state (N,) there.
 
-        Parameters
-        ----------
-        parameters : array (q,)
-        phase : int
-            Index of the phase.
-        since : array (...)
-            In the unit of time.
-        start : array (N,)
-            State at the start of the phase.
-
-        Returns
-        -------
-        array (..., N)
+        `parameters` (q,) are in their order; times are in the unit of time.
         """
 
     def refined(self, orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
-        """The same orbit to true decimal digits.
+        """Return a converged orbit to so many true decimal digits.
 
-        Parameters
-        ----------
-        orbit : Orbit
-            Converged.
-        digits : int
-        arithmetic : str
-            ``flint`` or ``mpmath``.
-
-        Raises
-        ------
-        NoConvergence
-            If Newton's method leaves the orbit.
+        The arithmetic is ``flint`` or ``mpmath``. `NoConvergence` is raised if Newton's
+        method leaves the orbit.
         """
 
 
 class Evaluation(Protocol):
-    """What the equations tell at one orbit, in its own arithmetic."""
+    """The quantities that the equations give at one orbit, in its arithmetic."""
 
     @property
     def tables(self) -> TableEvaluation:
-        """What the tables of the system tell; InputError where kernels answer."""
+        """The evaluation by the tables of the system; InputError where kernels answer."""
 
     @property
     def states(self) -> np.ndarray:
@@ -275,7 +186,7 @@ class Evaluation(Protocol):
 
     @property
     def shift(self) -> dict[str, Any]:
-        """By how much each state is moved behind one period: zero but along translations."""
+        """How far one period moves each state: zero but along translations."""
 
     @property
     def free_states(self) -> tuple[str, ...]:
@@ -283,42 +194,23 @@ class Evaluation(Protocol):
 
     @property
     def border(self) -> tuple[str, str]:
-        """On which side the orbit has derivatives, and what happens there; both empty mostly."""
+        """The side on which the orbit has derivatives, and why; both are mostly empty."""
 
     def directions(self, by: Sequence[str]) -> Directions:
-        """How the orbit moves with each of some numbers that were given.
+        """Return how the orbit moves with each of some numbers that were given.
 
-        Raises
-        ------
-        InputError
-            Where there is no derivative; the message says why.
+        `InputError` says why where there is no derivative.
         """
 
     def along(self, found: OrbitDerivatives) -> tuple[OrbitMotionDerivatives, np.ndarray | None]:
-        """The orbit by tables as it moves with parameters, and their rates by what was given.
+        """Return the orbit by tables as it moves with parameters, and their rates (parameters, q).
 
-        Parameters
-        ----------
-        found : OrbitDerivatives
-            Of this orbit.
-
-        Returns
-        -------
-        motion : OrbitMotionDerivatives
-        rates : array (parameters, q) or None
-            None where they are what was given.
-
-        Raises
-        ------
-        InputError
-            Where the equations leave open how the parameters move.
+        The rates are by what was given; None where the parameters are what was given.
+        `InputError` is raised where the equations leave open how the parameters move.
         """
 
     def trajectory(self, periods: int) -> Trajectory:
-        """The motion along the orbit, with all physical parameters.
+        """Return the motion along the orbit over some periods, with all physical parameters.
 
-        Raises
-        ------
-        InputError
-            If the orbit does not determine all physical parameters.
+        `InputError` is raised if the orbit does not determine them.
         """

@@ -68,36 +68,16 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
 
 
 def check_digits(digits: object) -> None:
-    """Refuse what is no number of digits.
-
-    Parameters
-    ----------
-    digits : int
-
-    Raises
-    ------
-    InputError
-        If it is no integer, or out of range.
-    """
+    """Refuse a number of digits that is no integer, or out of range."""
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
 
 
 def refine_kernels(orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
-    """Refine an orbit by the kernels of its own equations; as `refine`.
+    """Refine an orbit by the kernels of its own equations to so many true digits, as `refine` does.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    digits : int
-        Decimal digits that are true.
-    arithmetic : str
-        ``flint`` for balls, else mpmath.
-
-    Raises
-    ------
-    NoConvergence
-        If Newton's method leaves the orbit.
+    The arithmetic is ``flint`` for balls, else mpmath. `NoConvergence` is raised if
+    Newton's method leaves the orbit.
     """
     route = _with_balls if arithmetic == "flint" else _with_mpmath
     unknowns, residual, iterations = route(orbit, digits + GUARD)
@@ -108,7 +88,7 @@ def refine_kernels(orbit: Orbit, digits: int, arithmetic: str) -> Orbit:
 def _equations(
     kernels: OrbitKernels, names: Sequence[str], values: dict[str, Any], lib: Any
 ) -> tuple[list[Any], list[list[Any]]]:
-    """Residual and Jacobian by the names, in any arithmetic."""
+    """Return the residual and its Jacobian by the names, in any arithmetic."""
     parameters = [values[name] for name in kernels.parameter_names]
     unknowns = [values[name] for name in kernels.unknowns]
     spectrum, derivatives = kernels.spectrum(parameters, lib)
@@ -173,9 +153,10 @@ def _at(
 def _krawczyk(
     orbit: Orbit, names: list[str], x: list[Any], residual: list[Any], lib: Balls
 ) -> list[Any] | None:
-    """Radii of a box around x that provably holds one solution, or None if none was shown.
+    """Return radii of a box around x that provably holds one solution; None if that is not shown.
 
-    K(X) = x - Y F(x) + (I - Y F'(X)) (X - x) inside the interior of X, with Y near F'(x)^-1.
+    K(X) = x - Y F(x) + (I - Y F'(X)) (X - x) is inside the interior of X, with Y near
+    F'(x)^-1 (Krawczyk's test).
     """
     matrix, ball = lib.flint.arb_mat, lib.flint.arb
     _, jacobian = _at(orbit, names, x, lib)

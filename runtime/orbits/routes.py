@@ -31,17 +31,9 @@ Itinerary = Sequence[tuple[str, str | Sequence[str]]]
 
 
 def with_routes(kernels: SystemKernels, itinerary: Itinerary) -> SystemKernels:
-    """Kernels in which every transition of an itinerary is listed, also those of the law.
+    """Return kernels in which every transition of an itinerary is listed, also those of the law.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    itinerary : sequence of (configuration, boundary)
-
-    Returns
-    -------
-    SystemKernels
-        The same kernels where nothing is missing.
+    They are the same kernels where nothing is missing.
     """
     structure = structure_of(kernels)
     if structure.unvisited:
@@ -53,7 +45,7 @@ def with_routes(kernels: SystemKernels, itinerary: Itinerary) -> SystemKernels:
 
 
 def _visited(kernels: SystemKernels, structure: Structure, itinerary: Itinerary) -> SystemKernels:
-    """Kernels with the configurations of an itinerary, as far as it is one."""
+    """Return kernels with the configurations of an itinerary, as far as it is one."""
     known = {structure.configurations[c] for c in structure.visited}
     wanted = [
         (source, names)
@@ -75,22 +67,10 @@ def with_routes_at(
     dwell_times: np.ndarray,
     starts: np.ndarray,
 ) -> SystemKernels:
-    """The same with the routes that the law takes at the ends of an orbit's phases.
+    """Return kernels with the routes that the law takes at the ends of an orbit's phases.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    point : PiecewiseLinear
-        In double precision.
-    itinerary : sequence of (configuration, boundary)
-    dwell_times : array (p,)
-    starts : array (p, N)
-        Where each phase begins.
-
-    Returns
-    -------
-    SystemKernels
-        The same kernels where the system has no law of contact.
+    `starts` (p, N) are the states where the phases begin. The kernels are the same where
+    the system has no law of contact.
     """
     structure = point.structure
     if structure.law is None:
@@ -112,7 +92,7 @@ def with_routes_at(
 
 
 def _shortest(law: Law, event: ContactEvent, target: int) -> Path:
-    """What slips behind the event slips in its first step too."""
+    """Return the path on which all that slips behind the event slips from its first step on."""
     regimes = law.regimes[target]
     slipping = {i for i in event.resting
                 if law.contacts[i].friction and regimes[i] not in HOLDING}  # fmt: skip
@@ -123,7 +103,7 @@ def _shortest(law: Law, event: ContactEvent, target: int) -> Path:
 
 
 def _missing(structure: Structure, itinerary: Itinerary) -> bool:
-    """Whether a transition of the itinerary is not listed."""
+    """Return whether a transition of the itinerary is not listed."""
     for source, names, target in _steps(itinerary):
         here, there = structure.configuration(source), structure.configuration(target)
         reached = frozenset(structure.boundary(here, name) for name in names)
@@ -133,7 +113,7 @@ def _missing(structure: Structure, itinerary: Itinerary) -> bool:
 
 
 def _steps(itinerary: Itinerary) -> list[tuple[str, tuple[str, ...], str]]:
-    """Source, boundaries and target of each transition; none where no boundary is reached."""
+    """Return source, boundaries and target of each transition that reaches a boundary."""
     if [boundary for _, boundary in itinerary] == [FORCING_PHASE]:
         return []
     names = [tuple(b.split("+")) if isinstance(b, str) else tuple(b) for _, b in itinerary]
@@ -144,7 +124,7 @@ def _steps(itinerary: Itinerary) -> list[tuple[str, tuple[str, ...], str]]:
 def _listed(
     kernels: SystemKernels, itinerary: Itinerary, path: Callable[[int, ContactEvent, int], Path]
 ) -> SystemKernels:
-    """Kernels with a route for each transition that the law allows and the system does not list."""
+    """Return kernels with routes for unlisted transitions that the law allows."""
     structure = structure_of(unfolded(kernels, ()))
     law, routes = structure.law, []
     assert law is not None

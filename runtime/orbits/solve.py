@@ -134,7 +134,7 @@ def _composed(
     given: Mapping[str, object] | None,
     throw: bool,
 ) -> Orbit:
-    """Solve the itinerary of a system."""
+    """Return the orbit of an itinerary of a system, composed from its tables."""
     kernels = kernels_of(system)
     period = period_in(unknown, given)
     phases, dwell, start = guess_along(kernels, itinerary, guess)
@@ -147,24 +147,10 @@ def _composed(
 
 
 def period_in(unknown: Iterable[str], given: Mapping[str, object] | None) -> object:
-    """The period that is given for an itinerary, if it is; InputError for an exchange.
+    """Return the period that is given for an itinerary, or None; `InputError` for an exchange.
 
-    Parameters
-    ----------
-    unknown : iterable of str
-        Names that are solved for: none can be.
-    given : mapping of str to number, text or Value or None
-        ``period`` at most.
-
-    Returns
-    -------
-    number, text, Value or None
-        The period.
-
-    Raises
-    ------
-    InputError
-        For an exchange.
+    Nothing may be solved for in place of unknowns: `unknown` is empty, and `given` holds
+    ``period`` at most.
     """
     exchanged = [*unknown, *(name for name in given or {} if name != PERIOD)]
     if exchanged:
@@ -178,24 +164,11 @@ def period_in(unknown: Iterable[str], given: Mapping[str, object] | None) -> obj
 def guess_along(
     kernels: SystemKernels, itinerary: Itinerary, guess: Any
 ) -> tuple[Sequence[tuple[str, str]], Any, Any]:
-    """Phases, and the guesses (..., p) of their dwell times and (..., N) of the start, if any.
+    """Return the phases, guesses (..., p) of their dwell times, and (..., N) of the start or None.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    itinerary : sequence of (configuration, boundary), or Recurrence
-    guess : array (..., p) or (..., p + N), mapping or None
-        A Recurrence brings its own.
-
-    Returns
-    -------
-    tuple
-        Phases, dwell times, and the start or None.
-
-    Raises
-    ------
-    InputError
-        If there is no guess, or one of the wrong length.
+    A guess is (..., p) or (..., p + N), or by name; a Recurrence in place of the
+    itinerary brings its guess with it. `InputError` is raised if there is no guess, or
+    one of the wrong length.
     """
     phases: Sequence[Any] = itinerary
     if isinstance(itinerary, Recurrence):
@@ -229,7 +202,7 @@ def guess_along(
 
 
 def _in_order(guess: Mapping[str, Any], count: int, states: Sequence[str]) -> list[Any]:
-    """A guess by name, tau1 to taup and all states or none, in order."""
+    """Return a guess by name, tau1 to taup and all states or none, as a list in order."""
     dwell = [f"tau{place + 1}" for place in range(count)]
     for name in guess:
         if name not in dwell and name not in states:

@@ -25,20 +25,11 @@ _WIDE = 50.0  # ratio of frequencies beyond which doubles lose digits of the Poi
 
 
 def assess_stability(orbit: Orbit) -> Stability:
-    """Multipliers of an orbit and what they mean, to the orbit's own digits.
+    """Return the multipliers of an orbit with kernels and the verdict, to the orbit's digits.
 
-    Where frequencies are so far apart that the map in doubles has fewer digits than the orbit,
-    both are computed with more.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        Of kernels.
-
-    Returns
-    -------
-    Stability
-        Its verdict is "undecided" where more digits cannot be had.
+    Where frequencies are so far apart that the map in doubles has fewer digits than the
+    orbit, both are computed with more. The verdict is "undecided" where more digits
+    cannot be had.
     """
     if orbit.precise or not frequency_spread(orbit.kernels, _spectrum(orbit)) > _WIDE:
         return _assessed(orbit)
@@ -93,13 +84,13 @@ def _assessed(orbit: Orbit) -> Stability:
 
 
 def _grazes(orbit: Orbit, error: Any) -> bool:
-    """Whether a phase's exit boundary may be reached tangentially: there no map has a slope."""
+    """Return whether a phase may reach its exit boundary tangentially, where no map has a slope."""
     rates = _exit_rates if orbit.kernels.trigonometric else _exit_rates_of_fields
     return any(abs(rate) <= error * size for rate, size in rates(orbit))
 
 
 def _exit_rates(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
-    """Rates of the boundaries that end the phases there, and sizes of what they are made of."""
+    """Yield the rate of the boundary that ends each phase, there, and the size of its terms."""
     kernels, lib = orbit.kernels, orbit.arithmetic.mp if orbit.precise else np
     coefficients, frequencies = (list(a) for a in orbit.evaluate("boundary_functions"))
     dwell, terms = orbit.dwell_times.tolist(), kernels.table["terms"]
@@ -120,7 +111,7 @@ def _exit_rates(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
 
 
 def _exit_rates_of_fields(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
-    """The same along damped and forced motions: n (A y + b) at the end y of a phase."""
+    """Yield these rates along damped and forced motions: n (A y + b) at the end y of a phase."""
     kernels = orbit.kernels
     fields, _, ends, rows = (np.array(a, dtype=object) for a in orbit.evaluate("phase_fields"))
     fields = fields.reshape(len(ends), -1, fields.shape[-1])
@@ -132,10 +123,10 @@ def _exit_rates_of_fields(orbit: Orbit) -> Iterator[tuple[Any, Any]]:
 
 
 def _conservative(orbit: Orbit, trace: Any) -> list[Multiplier]:
-    """A trivial 1 and the pair mu, 1/mu: the map keeps energy and area.
+    """Return a trivial 1 and the pair mu, 1/mu of a map that keeps energy and area.
 
-    From mu + 1/mu = tr J - 1 (tr M - 2 of the monodromy matrix M, where 1 is double and
-    defective), whose digits are those of the trace.
+    They follow from mu + 1/mu = tr J - 1 (or tr M - 2 of the monodromy matrix M, where 1
+    is double and defective), whose digits are those of the trace.
     """
     mp = orbit.arithmetic.mp
     root = mp.sqrt if orbit.precise else math.sqrt

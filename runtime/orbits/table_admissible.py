@@ -37,25 +37,12 @@ _SIZES = 9  # instants of a phase at which the sizes of its states are taken
 def assess_cycle(
     cycle: ItineraryShape, system: PiecewiseLinear, now: Shooting, dwell: np.ndarray
 ) -> Admissibility:
-    """Check all boundaries along all phases, and all transitions.
+    """Check all boundaries along all phases of an orbit by tables, and all transitions.
 
-    A transition that the conditions refuse is a violation of its own boundary at the end of
-    its phase, by no excess.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    system : PiecewiseLinear
-        In double precision.
-    now : Shooting
-        The cycle at the orbit.
-    dwell : array (p,)
-        In the unit of time.
-
-    Raises
-    ------
-    InputError
-        For a phase longer than the guarantee of the search reaches.
+    `now` is the cycle at the orbit, `dwell` (p,) is in the unit of time. A transition
+    that the conditions refuse is a violation of its boundary at the end of its phase,
+    with the excess 0. `InputError` is raised for a phase longer than the guarantee of the
+    search reaches.
     """
     numbers = numbers_in(system)
     behind = projection_along(translations_of(system)) @ now.starts[-1]
@@ -99,7 +86,7 @@ def assess_cycle(
 
 
 def _maximum(function: QuasiPolynomial, first: float, last: float) -> tuple[float, float]:
-    """Where a function that has crossed zero is largest, and its value there."""
+    """Return where a function that has crossed zero is largest, and its value there."""
     from scipy.optimize import minimize_scalar
 
     angle = function.fastest * (last - first)
@@ -120,11 +107,11 @@ def _maximum(function: QuasiPolynomial, first: float, last: float) -> tuple[floa
 def _noise(
     cycle: ItineraryShape, numbers: Numbers, now: Shooting, place: int, duration: float
 ) -> np.ndarray:
-    """Rounding of every row along a phase, whose terms are differences of the data.
+    """Return the rounding of every row along a phase, whose terms are differences of the data.
 
-    By as much as the phase misses the boundary that ends it, all may be off: up to a limit. So
-    they may by as much as they change in the time by which the phase before misses its own.
-    What vanishes at both ends has the size that it takes between them.
+    By as much as the phase misses the boundary that ends it, all rows may be off, up to a
+    limit; also by as much as they change in the time by which the phase before misses its
+    boundary. What vanishes at both ends has the size that it takes between them.
     """
     start, times = now.starts[place], np.linspace(0, duration, _SIZES)
     flows = flow_at(cycle.structure, numbers, cycle.configurations[place], times, np)
@@ -143,7 +130,7 @@ def _noise(
 def _taken(
     cycle: ItineraryShape, numbers: Numbers, now: Shooting, place: int, noise: np.ndarray
 ) -> bool:
-    """Whether what follows the end of a phase is the itinerary's transition."""
+    """Return whether what follows the end of a phase is the itinerary's transition."""
     if cycle.boundaries[place] is None:  # the forcing's phase changes nothing
         return True
     structure, source = cycle.structure, cycle.configurations[place]
@@ -160,7 +147,7 @@ def _taken(
 
 @dataclass(frozen=True)
 class _AtEnd:
-    """Judge at the end of a phase, which the orbit meets but for its residual."""
+    """A judge of signs at the end of a phase, which the orbit meets but for its residual."""
 
     cycle: ItineraryShape
     numbers: Numbers

@@ -31,26 +31,13 @@ _WIDE = 1e4  # between a flow's rates, or in radians: nearer together rounding l
 def digits_of(
     cycle: ItineraryShape, flat: np.ndarray, found: TableSolution, period: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Decimal digits of orbits in double precision, and what these make of their status.
+    """Return the decimal digits (n,) of orbits in double precision, and their status (n,).
 
-    Parameters
-    ----------
-    cycle : ItineraryShape
-        That closes: up to translations, or by a symmetry.
-    flat : array (n, size)
-        Its numbers, as `numbers_at` gives them.
-    found : TableSolution
-        At n points.
-    period : array (n,)
-        Sum of the dwell times, or NaN where that is free. In the system's unit of time.
-
-    Returns
-    -------
-    digits : array (n,) of int
-        0 where there is none.
-    status : array (n,) of int
-        `UNSURE` in place of `CONVERGED` where no digit is sure, `NEGATIVE` where a dwell time
-        is zero within its error.
+    There are 0 digits where there is no orbit. The status is `UNSURE` in place of
+    `CONVERGED` where no digit is sure, and `NEGATIVE` where a dwell time is zero within
+    its error. The cycle closes up to translations or by a symmetry; `flat` (n, size) are
+    its numbers as `numbers_at` gives them; `period` (n,) is the sum of the dwell times in
+    the unit of time, NaN where free.
     """
     digits, status = np.zeros(len(flat), dtype=int), found.status.copy()
     places = np.flatnonzero(status == CONVERGED)
@@ -65,20 +52,11 @@ def digits_of(
 def without_digits(
     cycle: ItineraryShape, flat: np.ndarray, found: TableSolution, period: np.ndarray
 ) -> np.ndarray:
-    """Tell what has converged apart from what rounding leaves too few digits of.
+    """Return the status (n,) of orbits, `UNSURE` where fewer than four digits are sure.
 
-    It is looked at where rates of the flows are far apart, or turn many times in a phase, and
-    where a phase is short.
-
-    Parameters
-    ----------
-    cycle, flat, found, period
-        As for `digits_of`.
-
-    Returns
-    -------
-    array (n,) of int
-        The status of each: as of `digits_of`, but `UNSURE` where four digits are not sure.
+    Arguments and other changes of the status are those of `digits_of`. Only those orbits
+    are looked at that have rates far apart, turn many times in a phase, or have a short
+    phase.
     """
     status = found.status.copy()
     with np.errstate(all="ignore"):
@@ -98,7 +76,7 @@ def _judged(
     places: np.ndarray,
     most: float,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Errors (k,) of orbits that have converged, at these places, and the status of each."""
+    """Return errors (k,) and status of converged orbits at these places."""
     dwell, start = found.dwell[places], found.starts[places, 0]
     with np.errstate(all="ignore"):
         errors, of_dwell = _errors(cycle, flat[places], dwell, start, period[places])
@@ -118,10 +96,10 @@ def _far_apart(cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray) -> np
 def _errors(
     cycle: ItineraryShape, flat: np.ndarray, dwell: np.ndarray, start: np.ndarray, period: Any
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Errors of orbits (n,) in units of max(1, |x|), and of their dwell times (n, p) alone.
+    """Return errors of orbits (n,) in units of max(1, |x|), and of their dwell times (n, p) alone.
 
-    What closure and switching miss, and rounding, move the start by as much as the inverse of
-    the linearised equations lets them, and the dwell times with it.
+    What closure and switching miss, and rounding, move the start by as much as the
+    inverse of the linearised equations lets them, and the dwell times with it.
     """
     numbers = numbers_in(cycle.structure, flat)
     now = shoot(cycle, numbers, dwell, start, np)
@@ -152,7 +130,7 @@ def _errors(
 def _rounding(
     cycle: ItineraryShape, numbers: Numbers, configuration: int, time: Any, start: np.ndarray
 ) -> np.ndarray:
-    """Rounding of the state (n, N) at the end of a phase, by the terms that it is a sum of."""
+    """Return the rounding of the state (n, N) at a phase's end, by the terms of its sum."""
     shapes, exponents = cycle.structure.shapes[configuration], numbers.exponents[configuration]
     functions = functions_at(shapes, exponents, time)
     speeds = np.hypot(exponents[..., 0], exponents[..., 1])
@@ -172,7 +150,7 @@ def _rounding(
 
 
 def _without_drift(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Shooting:
-    """States up to translations: how far an orbit drifts is no size."""
+    """Return states up to translations: how far an orbit drifts says nothing of its size."""
     arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
     directions = [directions_of(cycle.structure, *each) for each in arrays]
     if not any(map(len, directions)):

@@ -41,21 +41,15 @@ __all__ = [
 
 
 def working(orbit: Orbit) -> Mpmath | None:
-    """The arithmetic of complex steps: twice the digits of an orbit; None in doubles."""
+    """Return the arithmetic of complex steps, with twice the orbit's digits; None for doubles."""
     return Mpmath(2 * (orbit.digits + GUARD)) if orbit.precise else None
 
 
 def numbers_along(orbit: Orbit, by: Sequence[str], lib: Mpmath | None) -> Numbers:
-    """Fields, rows and resets of the system (q, ...), each with a step of one number.
+    """Return fields, rows and resets (q, ...) of the system, each with a step of one number.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        By tables.
-    by : sequence of str
-        Parameters, or the period, which changes none of them.
-    lib : Mpmath or None
-        None in double precision.
+    The numbers `by` are parameters, or the period, which changes none of them. `lib` is
+    None in double precision.
     """
     kernels = orbit.system
     names = [table.name for table in kernels.parameters]
@@ -81,19 +75,10 @@ def numbers_along(orbit: Orbit, by: Sequence[str], lib: Mpmath | None) -> Number
 def passed(
     cycle: ItineraryShape, numbers: Numbers, dwell: np.ndarray, start: np.ndarray, lib: Any
 ) -> Shooting:
-    """Pass through a cycle with complex steps, dwell times following the start.
+    """Return a passage of a cycle with complex steps, where dwell times follow the start.
 
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-        Of q directions.
-    dwell : array (q, p)
-        In the system's unit of time.
-    start : array (q, N)
-        In the system's units.
-    lib : Mpmath or None
-        None in double precision.
+    `numbers` are those of q directions; `dwell` (q, p) and `start` (q, N) are in the
+    system's units. `lib` is None in double precision.
     """
     fields = numbers.fields[:, list(cycle.configurations)]
     if lib is None:
@@ -125,21 +110,11 @@ def passed(
 
 
 def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directions:
-    """How dwell times and states move with each of some numbers; see `Directions`.
+    """Return how dwell times and states move with each of some given numbers.
 
     The equations of the whole orbit are linearised, not those of the part that a symmetry
-    closes: a parameter may break the symmetry.
-
-    Parameters
-    ----------
-    evaluation : TableEvaluation
-    by : sequence of str
-        Parameters, or the period where it was given.
-
-    Raises
-    ------
-    InputError
-        Where there is no derivative; the message says why.
+    closes: a parameter may break the symmetry. The period may be one of the numbers where
+    it was given. `InputError` says why where there is no derivative.
     """
     orbit, lib = evaluation.orbit, working(evaluation.orbit)
     family = evaluation.family
@@ -193,19 +168,9 @@ def table_directions(evaluation: TableEvaluation, by: Sequence[str]) -> Directio
 
 
 def relative_changes(numbers: Numbers, size_of: np.ndarray, lib: Mpmath | None) -> np.ndarray:
-    """Largest relative change (q,) of a system's numbers, where states have sizes (N,).
+    """Return the largest relative change (q,) of a system's numbers, where states have sizes (N,).
 
-    Parameters
-    ----------
-    numbers : Numbers
-        As `numbers_along` gives them.
-    size_of : array (N,)
-    lib : Mpmath or None
-        None in double precision.
-
-    Returns
-    -------
-    array (q,)
+    `numbers` are those of `numbers_along`; `lib` is None in double precision.
     """
     tables = numbers[:3]
     values = [real_parts(part[0]).astype(float) for part in tables]
@@ -214,19 +179,7 @@ def relative_changes(numbers: Numbers, size_of: np.ndarray, lib: Mpmath | None) 
 
 
 def closed_along(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShape, Numbers]:
-    """The cycle closed up to translations, where there are any, and its numbers.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-        Of q directions.
-
-    Returns
-    -------
-    cycle : ItineraryShape
-    numbers : Numbers
-    """
+    """Return the cycle closed up to translations, where there are any, and its numbers."""
     structure = cycle.structure
     if closing_matrix(structure, *next(iter(_arrays(numbers))), None) is None:
         return cycle, numbers
@@ -238,22 +191,11 @@ def closed_along(cycle: ItineraryShape, numbers: Numbers) -> tuple[ItineraryShap
 
 
 def section_along(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> np.ndarray:
-    """The map on the section at the start, or the stroboscopic one of forced motions.
+    """Return the map (q, k, k), with steps, on the section at the start, or the stroboscopic one.
 
-    Without the multipliers 1 of translations, which are zeros of it.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-        Of q directions, closed up to translations.
-    now : Shooting
-        Of the orbit as it moves.
-
-    Returns
-    -------
-    array (q, k, k)
-        With steps.
+    The stroboscopic map is that of forced motions. The multipliers 1 of translations are
+    zeros of the map. `numbers` are those of q directions, closed up to translations;
+    `now` is the orbit as it moves.
     """
     driven = mechanical_states(cycle)
     maps = now.variational[..., :-1]
@@ -279,7 +221,7 @@ def _section(
     now: Shooting,
     lib: Mpmath | None,
 ) -> MapDerivatives:
-    """The section map, or the stroboscopic one of forced motions, and its derivatives."""
+    """Return the section map, or the stroboscopic one of forced motions, with its derivatives."""
     shifts = len(evaluation.translations)
     rank = evaluation.stability.rank - shifts
     maps = section_along(cycle, numbers, now)
@@ -293,5 +235,5 @@ def _section(
 
 
 def _arrays(numbers: Numbers) -> Iterator[tuple[Any, Any, Any]]:
-    """Fields, rows and resets of each direction."""
+    """Yield fields, rows and resets of each direction."""
     return zip(numbers.fields, numbers.rows, numbers.resets, strict=True)

@@ -40,28 +40,14 @@ _SAME = 1e-9  # of terms that cancel
 
 
 class ManyDirections(NamedTuple):
-    """Derivatives of k orbits by q parameters; NaN where there are none.
+    """Derivatives of k orbits by q parameters; NaN where there are none."""
 
-    Attributes
-    ----------
-    dwell : array (k, q, p)
-        Of each phase.
-    start : array (k, q, N)
-    trace : array (k, q)
-        Of the map on the section at the start, or of the stroboscopic one of forced motions.
-    maps : array (k, m, m)
-        That map; empty where it is not asked for, as its derivatives.
-    rates : array (k, q, m, m)
-    shifts : int
-        Translations of the system: their multipliers 1 are zeros of the map.
-    """
-
-    dwell: np.ndarray
-    start: np.ndarray
-    trace: np.ndarray
-    maps: np.ndarray
-    rates: np.ndarray
-    shifts: int = 0
+    dwell: np.ndarray  # (k, q, p), of each phase
+    start: np.ndarray  # (k, q, N)
+    trace: np.ndarray  # (k, q), of the map on the section at the start, or the stroboscopic one
+    maps: np.ndarray  # (k, m, m), that map; empty where it is not asked for, like `rates`
+    rates: np.ndarray  # (k, q, m, m), of the map
+    shifts: int = 0  # number of translations; their multipliers 1 are zeros of the map
 
 
 def table_directions_many(
@@ -75,24 +61,11 @@ def table_directions_many(
     timed: bool,
     maps: bool,
 ) -> ManyDirections:
-    """Differentiate orbits by parameters.
+    """Return derivatives of orbits of one cycle by the parameters at q places.
 
-    Parameters
-    ----------
-    system : SystemKernels
-    cycle : ItineraryShape
-    points : array (k, p)
-        In the order of the system's parameters.
-    dwell : array (k, p)
-        In the system's unit of time.
-    start : array (k, N)
-        In the system's units.
-    places : sequence (q,) of int
-        Which of the parameters.
-    timed : bool
-        Whether the period was given: that of one of a family stays what it is.
-    maps : bool
-        Whether the maps are asked for.
+    `points` (k, parameters), `dwell` (k, p) and `start` (k, N) are in the system's order
+    and units. With `timed` the period was given, and that of one of a family stays what
+    it is. With `maps` the maps are given, too.
     """
     engine = compiled_engine()
     numbers = Numbers(*tables_at(system, points))
@@ -108,13 +81,13 @@ def table_directions_many(
 
 
 def _shifts(cycle: ItineraryShape, numbers: Numbers) -> int:
-    """Along how many directions the system does not change: the first point tells."""
+    """Return along how many directions the system does not change, judged at the first point."""
     fields, rows, resets = (part[0] for part in (numbers.fields, numbers.rows, numbers.resets))
     return len(directions_of(cycle.structure, fields, rows, resets))
 
 
 class _Closed(NamedTuple):
-    """A cycle that closes up to translations, its numbers, their rates, and the projections."""
+    """A cycle that closes up to translations, with its numbers, their rates, and projections."""
 
     cycle: ItineraryShape
     numbers: Numbers
@@ -123,9 +96,9 @@ class _Closed(NamedTuple):
 
 
 def _closed(cycle: ItineraryShape, numbers: Numbers, rates: TableRates) -> _Closed | None:
-    """Close a cycle up to translations, at k points.
+    """Return a cycle closed up to translations, at k points.
 
-    None where the directions of the translations change with a parameter.
+    None is returned where the directions of the translations change with a parameter.
     """
     structure, (count, _, size, width) = cycle.structure, numbers.fields.shape
     arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
@@ -160,7 +133,7 @@ def _closed(cycle: ItineraryShape, numbers: Numbers, rates: TableRates) -> _Clos
 
 
 def _turn(cycle: ItineraryShape, numbers: Numbers, rates: TableRates, along: np.ndarray) -> bool:
-    """Whether directions (k, m, N) of translations change with one of the parameters."""
+    """Return whether directions (k, m, N) of translations change with one of the parameters."""
     structure, size = cycle.structure, along.shape[2]
     lines, columns = np.divmod(rates.entries, size + 1)
     ends = np.cumsum([part[0].size // (size + 1) for part in numbers[:3]])
@@ -218,9 +191,10 @@ def _compiled(
 def _moving(
     cycle: ItineraryShape, numbers: Numbers, rates: TableRates, directions: int
 ) -> tuple[np.ndarray, ...]:
-    """What the engine reads of entries that change: for each phase and direction where they begin.
+    """Return where the engine finds the entries that change.
 
-    Then their places in the maps of the phase, and in the rates of a point.
+    The first array says where those of each phase and direction begin; the others are
+    their places in the maps of the phase, and in the rates of a point.
     """
     count = len(cycle)
     sizes_of = [part[0, 0].size for part in numbers[:3]]
@@ -253,7 +227,7 @@ def _in_python(
     timed: bool,
     maps: bool,
 ) -> ManyDirections:
-    """The same by complex steps: each point stands q times."""
+    """Return derivatives of orbits by complex steps, where each point stands q times."""
     (k, size), q = start.shape, len(places)
     steps = np.tile(np.eye(points.shape[1])[list(places)], (k, 1))
     every = stepped(np.repeat(points, q, axis=0), steps, None)
@@ -297,7 +271,7 @@ def _in_python(
 
 
 def _relative_changes(numbers: Numbers, size_of: np.ndarray, point: int, q: int) -> np.ndarray:
-    """The largest relative changes (q,) of the numbers of one point, which stand q times."""
+    """Return the largest relative changes (q,) of the numbers of one point, which stand q times."""
     own = slice(point * q, (point + 1) * q)
     fields, rows, resets = (part[own] for part in numbers[:3])
     one = numbers._replace(fields=fields, rows=rows, resets=resets)
@@ -307,21 +281,12 @@ def _relative_changes(numbers: Numbers, size_of: np.ndarray, point: int, q: int)
 def solve_linear_many(
     matrix: np.ndarray, right: np.ndarray, usual: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Solve linear equations at many points.
+    """Return solutions (k, n, q) of linear equations at many points, and where they are singular.
 
-    Parameters
-    ----------
-    matrix : array (k, m, n)
-        m is n, or more for equations that follow from others.
-    right : array (k, m, q)
-    usual : array (k, q)
-        Relative change of what the equations are made of, beside which one of them is rounding.
-
-    Returns
-    -------
-    found : array (k, n, q)
-        NaN where equations are singular, or contradict each other.
-    singular : array (k,) of bool
+    The matrices are (k, m, n), with m > n for equations that follow from others; `right`
+    is (k, m, q). `usual` (k, q) is the relative change of what the equations are made of:
+    a change that is tiny beside it is rounding. Solutions are NaN where equations are
+    singular or contradict each other; the bools are (k,).
     """
     found = np.full((len(matrix), matrix.shape[2], right.shape[2]), np.nan)
     singular = np.full(len(matrix), True)

@@ -230,12 +230,12 @@ class TableEquations:
         return motion_along(system, cycle, times, now.starts[:-1], now.ends, shift, 1)
 
     def _unknowns(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Dwell times and start."""
+        """Return dwell times and starts of points."""
         count = len(self._cycle)
         return x[..., :count], x[..., count : len(self.unknowns)]
 
     def _changing(self, x: np.ndarray, place: int) -> tuple[Numbers, Numbers]:
-        """Fields, rows and resets at one point, and their derivatives by one number."""
+        """Return fields, rows and resets at one point, and their derivatives by one number."""
         tiny = _IMAGINARY * max(1.0, abs(x[place]))
         point = x.astype(complex)
         point[place] += 1j * tiny
@@ -246,11 +246,11 @@ class TableEquations:
         )
 
     def _tables(self, x: np.ndarray) -> Numbers:
-        """Fields, rows and resets at many points."""
+        """Return fields, rows and resets at many points."""
         return self._closed(*tables_at(self.orbit.system, x[:, self._given]))
 
     def _shot(self, x: np.ndarray) -> ShootingDerivatives:
-        """Passages of many points."""
+        """Return the passages of many points, with derivatives."""
         key, found = self._passed
         if found is None or key != x.tobytes():  # who asks for multipliers asks for conditions
             found = shooting_derivatives(self._cycle, self._tables(x), *self._unknowns(x))
@@ -258,14 +258,14 @@ class TableEquations:
         return found
 
     def _closed(self, fields: np.ndarray, rows: np.ndarray, resets: np.ndarray) -> Numbers:
-        """Numbers of many points, the last reset that of the part's closure."""
+        """Return numbers of many points, with the reset of the part's closure as the last one."""
         if self._cycle.structure is not self.orbit.tables.cycle.structure:
             arrays = zip(fields, rows, resets, strict=True)
             resets = np.stack([self._closed_resets(*each) for each in arrays])
         return Numbers(fields, rows, resets)
 
     def _closed_resets(self, fields: Any, rows: Any, resets: Any) -> np.ndarray:
-        """The resets, and the one behind which the part closes."""
+        """Return the resets, and behind them the one with which the part closes."""
         orbit, cycle = self.orbit, self.orbit.tables.cycle
         matrix = closing_matrix(cycle.structure, fields, rows, resets, orbit.symmetry)
         last = resets[cycle.transitions[len(self._cycle) - 1].reset]
@@ -274,7 +274,7 @@ class TableEquations:
 
 
 def _parts(itinerary: tuple[tuple[str, str], ...]) -> list[int]:
-    """Numbers of phases of the parts that an itinerary repeats."""
+    """Return how many phases each of the parts has that an itinerary repeats."""
     count = len(itinerary)
     parts = (k for k in range(1, count) if count % k == 0)
     return [k for k in parts if itinerary[:k] * (count // k) == itinerary]

@@ -35,22 +35,11 @@ def limits_at(
     dwell: np.ndarray,
     starts: np.ndarray,
 ) -> np.ndarray:
-    """Judge orbits of one itinerary at many parameter points.
+    """Return the limits (n,) of orbits of one itinerary at many finite parameter points.
 
-    Parameters
-    ----------
-    system : SystemKernels
-    cycle : ItineraryShape
-    points : array (n, parameters)
-        Finite.
-    dwell : array (n, p)
-    starts : array (n, p, N)
-        State at the start of each phase.
-
-    Returns
-    -------
-    array (n,) of int
-        As `first_limits`; `UNTOLD` where double precision does not tell the flows.
+    They are as for `first_limits`; `UNTOLD` also where double precision does not tell the
+    flows. `points` is (n, parameters), `dwell` (n, p), and `starts` (n, p, N) where the
+    phases begin.
     """
     limits = np.full(len(points), UNTOLD)
     for begin in range(0, len(points), CHUNK):
@@ -72,24 +61,12 @@ def first_limits(
     dwell: np.ndarray,
     starts: np.ndarray,
 ) -> np.ndarray:
-    """Judge orbits of one itinerary.
+    """Return which boundary each of n orbits of one itinerary crosses first, as an int (n,).
 
-    Parameters
-    ----------
-    system : SystemKernels
-    cycle : ItineraryShape
-    points : array (n, parameters)
-    numbers : array (n, size)
-        As `numbers_at` gives them.
-    dwell : array (n, p)
-    starts : array (n, p, N)
-        State at the start of each phase.
-
-    Returns
-    -------
-    array (n,) of int
-        `NEITHER` where the orbit is a motion; else of all boundaries, phase after phase, the
-        one that is crossed first, or `UNTOLD` where no guarantee reaches.
+    It is the number among all boundaries, phase after phase; `NEITHER` where the orbit is
+    a motion, `UNTOLD` where no guarantee reaches. `numbers` (n, size) are as `numbers_at`
+    gives them, `points` is (n, parameters), `dwell` (n, p), and `starts` (n, p, N) where
+    the phases begin.
     """
     limit = np.full(len(points), NEITHER)
     unsure = np.asarray((dwell <= 0).any(axis=-1))
@@ -140,7 +117,7 @@ def _rises(
     boundaries: np.ndarray,
     times: np.ndarray,
 ) -> np.ndarray:
-    """Where a boundary is crossed at the start of a phase, beyond all rounding."""
+    """Return where a boundary is crossed at the start of a phase, beyond all rounding."""
     here = numbers_in(cycle.structure, numbers)
     of_boundary = np.array([shape.row for shape in cycle.structure.boundaries[configuration]])
     row = np.take_along_axis(here.rows, of_boundary[boundaries][:, None, None], axis=1)[:, 0]
@@ -163,7 +140,7 @@ def _guaranteed(
     dwell: np.ndarray,
     start: np.ndarray,
 ) -> int:
-    """The same of one orbit, by its boundary functions."""
+    """Return the limit of one orbit, by the guaranteed test of its boundary functions."""
     here = piecewise_at(system, point, cycle.configurations)
     cycle = cycle.at(here.structure)
     now = shoot(cycle, numbers_in(here), dwell, start, np)

@@ -65,35 +65,14 @@ def solve_itineraries(
 ) -> Orbits:
     """Find the periodic orbit of an itinerary at many parameter points.
 
-    Parameters
-    ----------
-    system : SystemKernels
-    itinerary : sequence of (configuration, boundary)
-    parameters : mapping of str to array (...)
-        All physical parameters; they broadcast against each other.
-    dwell_times : array (..., p)
-        One guess for all points or one for each; so are the next two. Guesses may be many for
-        one point.
-    start : array (..., N), optional
-    period : array (...), optional
-        What the dwell times have to sum up to.
-    multipliers : bool
-        Also give multipliers.
-    admissibility : bool
-        Also tell whether each is a motion of the system. No parameter is open.
-    threads : int, optional
-        As many as processors when omitted.
-
-    Returns
-    -------
-    Orbits
-        Arrays in the shape (...) to which all these broadcast; NaN where there is no orbit.
-
-    Raises
-    ------
-    InputError
-        As `solve_itinerary`, and for arrays that do not broadcast. A parameter outside its
-        domain gives its point the status of a number that is not finite.
+    Parameters are all physical ones, as arrays (...) that broadcast. Guesses of dwell
+    times (..., p) and of the start (..., N), and the period (...), which the dwell times
+    have to sum up to, are one for all points or one for each; there may be many guesses
+    for one point. All arrays of the result have the shape (...) to which these broadcast,
+    NaN where there is no orbit. No parameter is open for admissibility. `threads` None
+    takes as many as processors. `InputError` is raised as by `solve_itinerary`, and for
+    arrays that do not broadcast; a parameter outside its domain gives its point the
+    status of a number that is not finite.
     """
     kernels = with_routes(system, itinerary)
     structure = structure_of(kernels)
@@ -195,7 +174,7 @@ def solve_itineraries(
 
 
 def _translates(kernels: SystemKernels, points: np.ndarray) -> bool:
-    """Whether the system does not change along some direction: the first sound point tells."""
+    """Return whether the system does not change along some direction, at the first sound point."""
     for place in np.flatnonzero(np.isfinite(points).all(axis=1))[:CHUNK]:
         with suppress(InputError):  # of a point whose flows double precision does not tell
             return bool(len(translations_of(piecewise_at(kernels, points[place]))))
@@ -205,7 +184,10 @@ def _translates(kernels: SystemKernels, points: np.ndarray) -> bool:
 def _closed(
     cycle: ItineraryShape, flat: np.ndarray
 ) -> tuple[ItineraryShape, np.ndarray, np.ndarray]:
-    """A cycle that closes up to translations, numbers with its last reset, and directions."""
+    """Return a cycle that closes up to translations, its numbers, and their directions.
+
+    Its last reset is that of the closure.
+    """
     structure, count = cycle.structure, len(flat)
     numbers = numbers_in(structure, flat)
     arrays = zip(numbers.fields, numbers.rows, numbers.resets, strict=True)
@@ -218,7 +200,7 @@ def _closed(
 
 
 def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:
-    """Maps (n, k, k) up to translations with the multipliers 1 that these have."""
+    """Return maps (n, k, k) up to translations with the multipliers 1 that these have."""
     found = maps.copy()
     for map_, along in zip(found, directions, strict=True):
         if len(along):
@@ -228,7 +210,7 @@ def _with_translations(maps: np.ndarray, directions: np.ndarray) -> np.ndarray:
 
 
 def _common(shape: tuple[int, ...], dwell: Any, start: Any) -> tuple[int, ...]:
-    """Shape of the points: what parameters and guesses broadcast to, where they do."""
+    """Return the shape of the points, to which parameters and guesses broadcast."""
     leads = [np.shape(guess)[:-1] for guess in (dwell, start) if guess is not None]
     try:
         return np.broadcast_shapes(shape, *leads)
@@ -239,7 +221,7 @@ def _common(shape: tuple[int, ...], dwell: Any, start: Any) -> tuple[int, ...]:
 def _spread(
     name: str, given: Any, size: int, shape: tuple[int, ...], *, positive: bool = False
 ) -> np.ndarray:
-    """A guess for each point (n, size)."""
+    """Return a guess for each point (n, size)."""
     array = guesses(name, given, size, positive=positive)
     try:
         return np.broadcast_to(array, (*shape, size)).reshape(-1, size)
@@ -254,7 +236,7 @@ def _smallest_section(
     dwell: np.ndarray,
     start: np.ndarray | None,
 ) -> tuple[int, int, int]:
-    """Phase that starts on the smallest section, its dimension, and that of the first's.
+    """Return the phase that starts on the smallest section, its dimension, and the first's.
 
     They are a matter of structure: one point tells them for all.
     """
@@ -285,7 +267,10 @@ def _first(numbers: Numbers) -> Any:
 
 
 def _multipliers(maps: np.ndarray, rank: int, dimension: int) -> np.ndarray:
-    """Largest eigenvalues, as many as the smallest section has dimensions; the rest are zero."""
+    """Return the `rank` largest eigenvalues of each map (n, k, k), then zeros up to `dimension`.
+
+    Those of a map that is not finite are NaN.
+    """
     found = np.full((len(maps), dimension), np.nan, dtype=complex)
     sound = np.isfinite(maps).all(axis=(-2, -1))
     values = np.linalg.eigvals(maps[sound])

@@ -22,24 +22,11 @@ def motion_along(
     shift: np.ndarray,
     periods: int,
 ) -> Trajectory:
-    """Phases one after the other, some periods long.
+    """Return the motion through phases one after the other, from time 0 on, some periods long.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-        In double precision, as all that follows.
-    cycle : ItineraryShape
-    dwell : array (p,)
-    starts, ends : array (p, N)
-        State at the start and at the end of each phase.
-    shift : array (N,)
-        By which a period moves the state.
-    periods : int
-
-    Returns
-    -------
-    Trajectory
-        From time 0 on; one phase without a transition is not cut.
+    All is in double precision: `dwell` (p,), states `starts` and `ends` (p, N) of the
+    phases, and the shift (N,) by which a period moves the state. One phase without a
+    transition is not cut.
     """
     if cycle.uninterrupted:
         run = Run(

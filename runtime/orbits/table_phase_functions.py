@@ -21,34 +21,17 @@ _ZERO = 1e-9  # relative size below which a derivative counts as zero
 
 @dataclass(frozen=True)
 class ConditionRow:
-    """A condition of a transition: a derivative of a row along a configuration's flow.
+    """A condition of a transition: a derivative of a row along a configuration's flow."""
 
-    Attributes
-    ----------
-    place : int
-        The phase whose end it is about.
-    row, along, order : int
-        Of the row, the configuration and the derivative.
-    """
-
-    place: int
-    row: int
-    along: int
-    order: int
+    place: int  # phase at whose end it is asked
+    row: int  # number of the row
+    along: int  # number of the configuration
+    order: int  # of the derivative
 
     def value(self, numbers: Numbers, ends: np.ndarray) -> np.ndarray:
-        """Its values at k points.
+        """Return its values (k,) at k points, from their numbers and the states at the ends.
 
-        Parameters
-        ----------
-        numbers : Numbers
-            Of k points.
-        ends : array (k, p, N)
-            States at the ends of the phases.
-
-        Returns
-        -------
-        array (k,)
+        `ends` (k, p, N) has the states at the ends of the phases.
         """
         end, field = ends[:, self.place], numbers.fields[:, self.along]
         *_, row = derivatives(numbers.rows[..., self.row, :], field, self.order + 1, _rate)
@@ -57,32 +40,17 @@ class ConditionRow:
 
 @dataclass(frozen=True)
 class Conditions:
-    """What decides where the transitions of a cycle lead.
-
-    Attributes
-    ----------
-    rows : tuple of ConditionRow
-    choices : for each phase, for each transition that is declared for its boundaries
-        pairs of the place of a condition among `rows`, None where all derivatives vanish,
-        and whether it has to be positive.
-    """
+    """The conditions that decide where the transitions of a cycle lead."""
 
     rows: tuple[ConditionRow, ...]
+    # for each phase and each transition declared for its boundaries: places of conditions among
+    # `rows`, None where all derivatives vanish, and whether they have to be positive
     choices: tuple[tuple[tuple[tuple[int | None, bool], ...], ...], ...]
 
     def taken(self, values: np.ndarray) -> np.ndarray:
-        """Which of its transitions each phase takes, from values (k, c): (k, p), -1 for none.
+        """Return which of its transitions each phase takes (k, p), from values (k, c); -1 for none.
 
         As `first_following`, over the many points of a branch at once.
-
-        Parameters
-        ----------
-        values : array (k, c)
-            Of the conditions.
-
-        Returns
-        -------
-        array (k, p) of int
         """
         found = np.full((len(values), len(self.choices)), -1)
         for place, transitions in enumerate(self.choices):
@@ -95,16 +63,7 @@ class Conditions:
 
 
 def conditions_of(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Conditions:
-    """Conditions of a cycle's transitions, by the derivatives that decide at this point.
-
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-        Of one point.
-    now : Shooting
-        The cycle at this point.
-    """
+    """Return the conditions of a cycle's transitions, by derivatives that decide at a point."""
     rows: dict[tuple[int, int, int], ConditionRow] = {}
     orders: dict[tuple[int, int, int], int | None] = {}
     choices = []
@@ -139,7 +98,7 @@ def conditions_of(cycle: ItineraryShape, numbers: Numbers, now: Shooting) -> Con
 def _deciding(
     numbers: Numbers, now: Shooting, place: int, row: int, along: int, own: int
 ) -> int | None:
-    """Order of the first derivative that is not zero."""
+    """Return the order of the first derivative that is not zero; None if all are."""
     end = now.ends[place]
 
     def differs(_: int, function: np.ndarray) -> bool:
@@ -153,26 +112,17 @@ def _deciding(
 
 
 def _rate(row: Any, field: Any) -> Any:
-    """Derivative of an affine function along an affine field."""
+    """Return the derivative of an affine function along an affine field."""
     return (row[..., None, :-1] @ field)[..., 0, :]
 
 
 def phase_waves(
     cycle: ItineraryShape, numbers: Numbers, start: np.ndarray, dwell: np.ndarray, place: int
 ) -> PhaseWaves:
-    """Boundary functions along one phase at k points, by the modes of its configuration.
+    """Return the boundary functions along one phase at k points, by its configuration's modes.
 
-    Parameters
-    ----------
-    cycle : ItineraryShape
-    numbers : Numbers
-        Of k points.
-    start : array (k, N)
-        States at the start of the phase.
-    dwell : array (k, p)
-        In the unit of time.
-    place : int
-        Index of the phase.
+    `start` (k, N) has the states at the start of the phase, `dwell` (k, p) is in the unit
+    of time, and `place` is the number of the phase.
     """
     configuration = cycle.configurations[place]
     shapes = cycle.structure.boundaries[configuration]

@@ -51,7 +51,7 @@ class _Group(NamedTuple):
 
 
 class _Solved(NamedTuple):
-    """Orbits (n, ...); maps are those of the section that is composed from."""
+    """Orbits (n, ...), with maps of the section from which they are composed."""
 
     dwell: np.ndarray
     starts: np.ndarray
@@ -62,28 +62,18 @@ class _Solved(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class TablePoints:
-    """An orbit without kernels at many points; see `OrbitPoints`.
-
-    Attributes
-    ----------
-    kernels : OrbitKernels
-    reference : Orbit
-        At the reference point.
-    """
+    """An orbit without kernels at many points; see `OrbitPoints`."""
 
     kernels: OrbitKernels
-    reference: Orbit
+    reference: Orbit  # at the reference point
     chunk: ClassVar[int] = 1 << 11
 
     @classmethod
     def of(cls, kernels: OrbitKernels) -> TablePoints:
-        """The orbit, solved at its reference point.
+        """Return the orbit, solved at its reference point.
 
-        Raises
-        ------
-        InputError
-            For an orbit that declares no reference, that has none there, or that is declared by
-            a part and a symmetry.
+        `InputError` is raised for an orbit that declares no reference, that has none there,
+        that is periodic up to a shift only, or that is declared by a part and a symmetry.
         """
         if kernels.table["reference"] is None:
             raise InputError(
@@ -132,7 +122,7 @@ class TablePoints:
         ]
 
     def solve(self, values: Mapping[str, np.ndarray], start: np.ndarray | None) -> Columns:
-        """See `OrbitPoints`: the own start is the reference's."""
+        """See `OrbitPoints`: the usual start is the reference's."""
         count, names = len(next(iter(values.values()))), self.unknowns
         columns = {
             "status": np.full(count, INVALID, dtype=int),
@@ -165,7 +155,7 @@ class TablePoints:
         return np.concatenate([0 * dwell, sizes(self.reference.tables.shooting, dwell)])
 
     def limits_of(self, values: Mapping[str, np.ndarray], columns: Columns) -> np.ndarray:
-        """See `OrbitPoints`: it is known already."""
+        """See `OrbitPoints`: the limits are known already."""
         return columns["limit"]
 
     @cached_property
@@ -175,7 +165,7 @@ class TablePoints:
 
     @cached_property
     def _section(self) -> tuple[int, int]:
-        """Phase that is composed from, and how many multipliers are not zero.
+        """The phase from which orbits are composed, and how many multipliers are not zero.
 
         They are the reference's, and so the same wherever a point is computed.
         """
@@ -203,7 +193,7 @@ class TablePoints:
         ]
 
     def _tried(self, group: _Group, start: np.ndarray) -> _Solved:
-        """Solve from one start each; NaN where there is none."""
+        """Return the orbits from one start each; NaN where there is none."""
         cycle, count, (first, _) = group.cycle, len(group.cycle), self._section
         size = start.shape[-1] - count
         sound = np.isfinite(start).all(axis=-1) & (start[:, :count] > 0).all(axis=-1)
@@ -244,7 +234,7 @@ class TablePoints:
     def _stability(
         self, group: _Group, found: _Solved, here: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Trace of the Poincare map and margin of the orbits that were found."""
+        """Return traces of the Poincare map and margins of the converged orbits."""
         maps, cycle, (_, rank) = found.maps[here], group.cycle, self._section
         if not len(maps):
             return np.empty(0), np.empty(0)
@@ -266,7 +256,7 @@ class TablePoints:
 
 
 def _family_margins(values: np.ndarray, trace: np.ndarray, rank: int) -> np.ndarray:
-    """Margins of orbits one of whose multipliers (n, k) is 1; 0 where neutral."""
+    """Return margins of orbits one of whose multipliers (n, k) is 1; 0 where neutral."""
     order = np.argsort(-np.abs(values), axis=-1, kind="stable")
     values = np.take_along_axis(values, order, axis=-1)
     trivial = np.argmin(np.abs(values - 1), axis=-1)[:, None]

@@ -59,25 +59,15 @@ __all__ = ["TableEvaluation", "TableProblem", "labelled", "orbit_of"]
 
 @dataclass(frozen=True)
 class TableProblem:
-    """Orbits of an itinerary by the tables of its system; see `OrbitProblem`.
-
-    Attributes
-    ----------
-    system : SystemKernels
-    itinerary : tuple of (configuration, boundary)
-        Of the whole period; boundaries that are reached together are joined, ``"a+b"``.
-    symmetry : Symmetry or None
-        What closes the first part of the orbit, where it is solved for by that part.
-    label : str or None
-        ``FILE.py:ORBIT`` and the like, where the orbit is a declared one.
-    names : tuple of str
-        Of the unknowns: dwell times, then start; empty for the usual ones.
-    """
+    """Orbits of an itinerary by the tables of its system; see `OrbitProblem`."""
 
     system: SystemKernels
+    # of the whole period; boundaries that are reached together are joined, "a+b"
     itinerary: tuple[tuple[str, str], ...]
+    # what closes the first part of the orbit, where it is solved for by that part
     symmetry: Symmetry | None = field(default=None, compare=False)
-    label: str | None = None
+    label: str | None = None  # "FILE.py:ORBIT" and the like, where the orbit is a declared one
+    # of the unknowns: dwell times, then start; empty for the usual ones
     names: tuple[str, ...] = ()
 
     @property
@@ -107,7 +97,7 @@ class TableProblem:
 
     @cached_property
     def unknown_names(self) -> tuple[str, ...]:
-        """Names of the dwell times, then those of the start: of x1 it is x10."""
+        """Names of the dwell times, then of the start's coordinates: x10 for the state x1."""
         if self.names:
             return self.names
         states, parameters = self.state_names, [p.name for p in self.parameters]
@@ -141,7 +131,7 @@ class TableProblem:
 
     @property
     def required(self) -> Mapping[str, str]:
-        """None: all parameters are given."""
+        """Nothing: all parameters are given."""
         return {}
 
     def dwell_times(self, values: Mapping[str, Any]) -> list[Any]:
@@ -207,24 +197,11 @@ def orbit_of(
     iterations: int,
     status: int,
 ) -> Orbit:
-    """Record of dwell times (p,) and states (p, N) at the start of each phase.
+    """Return the record of an orbit from dwell times (p,) and states (p, N) where phases begin.
 
-    Parameters
-    ----------
-    problem : TableProblem
-    parameters : mapping of str to Value
-        All physical ones.
-    period : Value or None
-        Where it was given.
-    dwell_times : array (p,)
-    states : array (p, N)
-    residual : number
-        Of the closure.
-    digits : int
-        That are true.
-    iterations : int
-        Of Newton's method.
-    status : int
+    All physical parameters are given; the period is None where it was not. `residual` is
+    that of the closure, `digits` are those that are true, `iterations` those of Newton's
+    method.
     """
     unknowns = [*dwell_times.tolist(), *states[0].tolist()]
     given = dict(parameters) if period is None else {**parameters, PERIOD: period}
@@ -242,16 +219,9 @@ def orbit_of(
 
 
 def labelled(orbit: Orbit, label: str | None, names: Sequence[str]) -> Orbit:
-    """The same orbit by the name and the names of unknowns that a declaration gives it.
+    """Return the orbit with the label and the names of unknowns that a declaration gives it.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        By tables.
-    label : str or None
-        ``FILE.py:ORBIT`` and the like.
-    names : sequence of str
-        Of the dwell times, then of the start's coordinates.
+    The names are those of the dwell times, then of the start's coordinates.
     """
     assert isinstance(orbit.problem, TableProblem)
     problem = replace(orbit.problem, label=label, names=tuple(names))
@@ -261,7 +231,7 @@ def labelled(orbit: Orbit, label: str | None, names: Sequence[str]) -> Orbit:
 
 @dataclass(frozen=True, eq=False)
 class TableEvaluation:
-    """What the tables tell at an orbit; see `Evaluation`."""
+    """The quantities that the tables give at an orbit; see `Evaluation`."""
 
     problem: TableProblem
     orbit: Orbit
@@ -325,14 +295,14 @@ class TableEvaluation:
 
     @property
     def moved(self) -> np.ndarray:
-        """By how much each state (N,) is moved behind one period: zero but along translations."""
+        """How far one period moves each state (N,): zero but along translations."""
         return np.asarray(
             self.shooting.starts[-1][gauges_of(self.translations)] @ self.translations
         )
 
     @property
     def states_up_to_shift(self) -> np.ndarray:
-        """The states (p, N), each moved along the translations to where the orbit starts."""
+        """The states (p, N), each moved back along the translations to where the orbit starts."""
         return up_to_shift(self.states, self.translations)
 
     @cached_property
@@ -345,10 +315,7 @@ class TableEvaluation:
     def family(self) -> bool:
         """Whether the orbit is one of a family: 1 is a multiplier, to double precision.
 
-        Raises
-        ------
-        InputError
-            If there is no orbit.
+        `InputError` is raised if there is no orbit.
         """
         self._check_found()
         lib = self.orbit.arithmetic if self.orbit.precise else FLOATS
@@ -368,13 +335,7 @@ class TableEvaluation:
 
     @cached_property
     def part_stability(self) -> Stability:
-        """See `Evaluation`.
-
-        Raises
-        ------
-        InputError
-            If the orbit was not composed from a part and a symmetry.
-        """
+        """See `Evaluation`; `InputError` if the orbit was not composed from a part."""
         self._check_found()
         if self.problem.symmetry is None:
             raise InputError("the orbit was not composed from a part and a symmetry")
@@ -422,14 +383,11 @@ class TableEvaluation:
         )
 
     def refined(self, digits: int) -> Orbit:
-        """The same orbit to true decimal digits, with mpmath numbers.
+        """Return the same orbit to true decimal digits, with mpmath numbers.
 
-        Raises
-        ------
-        InputError
-            For a symmetry that holds in double precision only.
-        NoConvergence
-            If Newton's method leaves the orbit, as it does where the equations are singular.
+        `InputError` is raised for a symmetry that holds in double precision only,
+        `NoConvergence` if Newton's method leaves the orbit, as it does where the equations
+        are singular.
         """
         orbit, system, symmetry = self.orbit, self.problem.system, self.problem.symmetry
         period, parameters = orbit.given_period, orbit.parameters

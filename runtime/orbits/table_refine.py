@@ -26,7 +26,7 @@ _START_DIGITS = 14
 
 
 class Precise(NamedTuple):
-    """Dwell times (p), states (p, N) of mpmath numbers, the residual, and the steps taken."""
+    """Dwell times (p) and states (p, N) as mpmath numbers, the residual, and the steps taken."""
 
     dwell: np.ndarray
     states: np.ndarray
@@ -44,37 +44,14 @@ def refine_shape(
     digits: int,
     symmetry: Symmetry | None = None,
 ) -> Precise:
-    """Refine dwell times and states until their error is at most 10^-digits max(1, |x|).
+    """Return dwell times and states refined until their error is at most 10^-digits max(1, |x|).
 
-    The last step, at twice the digits, has to correct nothing that counts.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-    cycle : ItineraryShape
-        The whole one.
-    parameters : dict of str to Value
-    dwell : array (p)
-        Of the part that the symmetry closes, where there is one.
-    start : array (N)
-        In double precision, of a converged orbit.
-    period : Value, optional
-        Sum of these dwell times, where it was given.
-    digits : int
-    symmetry : Symmetry, optional
-        It has to be one to so many digits.
-
-    Returns
-    -------
-    Precise
-        Dwell times and states in mpmath numbers, the residual and the steps.
-
-    Raises
-    ------
-    InputError
-        If the symmetry holds in double precision only.
-    NoConvergence
-        If Newton's method leaves the orbit, as it does where the equations are singular.
+    The last step, at twice the digits, has to correct nothing that counts. `cycle` is the
+    whole one; `dwell` (p) and `period`, where it was given, are those of the part that a
+    symmetry closes, where there is one; `start` (N) is in double precision, of a
+    converged orbit. `InputError` is raised if the symmetry holds in double precision
+    only, `NoConvergence` if Newton's method leaves the orbit, as it does where the
+    equations are singular.
     """
     lib = Mpmath(_START_DIGITS)
     size, wanted = len(start), digits + GUARD

@@ -54,31 +54,13 @@ def solve_itinerary(
 ) -> Orbit:
     """Find the periodic orbit of an itinerary near a guess, in double precision.
 
-    Parameters
-    ----------
-    system : SystemKernels
-    parameters : mapping of str to str, number or Value
-        All physical parameters of the system.
-    itinerary : sequence of (configuration, boundary)
-    dwell_times : sequence (p,) of float
-        Guess, for each phase of the itinerary.
-    start : sequence (N,) of float, optional
-        Guess of the state at the start; without it the one that fits the dwell times best.
-    period : str, number or Value, optional
-        What the dwell times have to sum up to.
-    symmetry : mapping of state to text, or array (N, N), optional
-        As for `nonsmooth.solve`.
-
-    Returns
-    -------
-    Orbit
-        Its `status` says whether it is one.
-
-    Raises
-    ------
-    InputError
-        For wrong names, values or numbers of guesses, an itinerary that the system does not
-        allow, or what is no symmetry of the system at these parameters.
+    All physical parameters are given. There are guesses of the dwell times (p,) and of
+    the state at the start (N,); without that the one is taken that fits the dwell times
+    best. The period, if given, is what the dwell times have to sum up to; the symmetry is
+    as for `nonsmooth.solve`. The result's `status` says whether it is an orbit.
+    `InputError` is raised for wrong names, values or numbers of guesses, an itinerary
+    that the system does not allow, or what is no symmetry of the system at these
+    parameters.
     """
     stated = _stated(system, parameters, itinerary, period, symmetry)
     structure = stated.point.structure
@@ -103,30 +85,11 @@ def known_orbit(
     period: object = None,
     symmetry: Symmetries = None,
 ) -> Orbit:
-    """Periodic orbit of numbers that were solved for before: they stay, digits are counted anew.
+    """Return the orbit of numbers that were solved for before; its digits are counted anew.
 
-    Parameters
-    ----------
-    system : SystemKernels
-    parameters : mapping of str to str, number or Value
-        All physical parameters of the system.
-    itinerary : sequence of (configuration, boundary)
-    dwell_times : array (p,)
-    states : array (p, N)
-        At the start of each phase.
-    residual : float
-    period, symmetry
-        As for `solve_itinerary`.
-
-    Returns
-    -------
-    Orbit
-        Its `status` says whether a dwell time, or all of it, is lost in rounding.
-
-    Raises
-    ------
-    InputError
-        As `solve_itinerary`.
+    The dwell times (p,), the states (p, N) where phases begin and the residual stay as
+    they are. Other arguments, and `InputError`, are as for `solve_itinerary`. The
+    result's `status` says whether a dwell time, or all of it, is lost in rounding.
     """
     stated = _stated(system, parameters, itinerary, period, symmetry)
     found = TableSolution(
@@ -141,7 +104,7 @@ def known_orbit(
 
 
 class _Stated(NamedTuple):
-    """Equations of an orbit at one point; `part` is what a symmetry or translations close."""
+    """The equations of an orbit at one point; `part` is what a symmetry or translations close."""
 
     kernels: SystemKernels
     point: PiecewiseLinear
@@ -160,7 +123,7 @@ def _stated(
     period: object,
     symmetry: Symmetries,
 ) -> _Stated:
-    """The equations; `length` (1,) is what the part's dwell times sum up to, NaN where free."""
+    """Return the equations; `length` (1,) is the sum of the part's dwell times, NaN where free."""
     mirror, phases = None, itinerary
     if symmetry is not None:
         declared = piecewise(system, parameters)
@@ -184,7 +147,7 @@ def _stated(
 
 
 def _orbit(stated: _Stated, found: TableSolution) -> Orbit:
-    """Record of a solution, with its digits and the routes that it takes."""
+    """Return the record of a solution, with its digits and the routes that it takes."""
     digits, status = digits_of(stated.part, stated.flat, found, stated.length)
     point, cycle, mirror = stated.point, stated.cycle, stated.mirror
     times, states = whole_orbit(point, cycle, mirror, found.dwell[0], found.starts[0], np)
