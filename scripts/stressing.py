@@ -37,7 +37,7 @@ class Sums:
         return np.asarray(np.hypot(*np.moveaxis(self.exponents, 2, 0)).max(axis=1))
 
     def derivative(self) -> Sums:
-        """The derivatives by time."""
+        """The derivatives of the sums by time."""
         result, first = np.zeros_like(self.values), 0
         for m, (length, oscillates) in enumerate(self.shape):
             rate, frequency = self.exponents[:, m].T

@@ -178,7 +178,7 @@ def _form_of(system: System) -> SimulationForm:
 
 
 def _obstacle(form: SimulationForm, orbit: Itinerary) -> str | None:
-    """The reason, told by its declaration, why an orbit's equations are not derived, or None."""
+    """The reason why an orbit's equations are not derived, as its declaration shows, or None."""
     if form.flows is None:
         try:
             derive_flows(form.system)

@@ -132,7 +132,7 @@ def directions_source(orbit: EquationSystem) -> str:
     """C definition of the derivatives of an orbit by its parameters.
 
     DerivationError refuses a border collision, whose derivatives are one-sided, and a
-    symbol with a name of the function's own.
+    symbol with a name that the function itself uses.
     """
     name = orbit.itinerary.name
     if orbit.itinerary.vanishing:

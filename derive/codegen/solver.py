@@ -111,7 +111,7 @@ def solve_source(orbit: EquationSystem) -> str:
     """C definition of the solver of an orbit.
 
     DerivationError refuses a reduction that leaves more than `MOST_REDUCED` unknowns, and a
-    symbol with a name of the solver's own.
+    symbol with a name that the solver itself uses.
     """
     count = len(orbit.reduction.unknowns)
     if count > MOST_REDUCED:
