@@ -15,22 +15,13 @@ _MODULES: dict[str, str] = {}
 
 
 def register(modules: Mapping[str, str]) -> None:
-    """Say in which modules names stand.
-
-    Parameters
-    ----------
-    modules : mapping of str to str
-        From a name to the full name of its module.
-    """
+    """Enter the full names of the modules that define some names."""
     _MODULES.update(modules)
 
 
 def registered(name: str) -> Any:
-    """Give what stands under a name, and import its module if need be.
+    """The object of a registered name, whose module is imported if need be.
 
-    Raises
-    ------
-    KeyError
-        If the name is not registered.
+    KeyError says that the name is not registered.
     """
     return getattr(import_module(_MODULES[name]), name)

@@ -388,7 +388,7 @@ SECTIONS = {
 
 
 def helped() -> str:
-    """Each section in a line."""
+    """Each section's name with its one-line description."""
     return "\n".join(f"{name}: {section.__doc__}" for name, section in SECTIONS.items())
 
 
@@ -420,7 +420,7 @@ def main() -> None:
 
 
 def save(file: Path, name: str, rows: list[Row]) -> None:
-    """Put a section, and the machine it was measured on, into a file; other sections stay."""
+    """Write a section and the machine it was measured on into a file; other sections stay."""
     kept = json.loads(file.read_text("utf-8")) if file.exists() else {}
     kept[name] = {
         "about": SECTIONS[name].__doc__,

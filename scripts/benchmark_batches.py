@@ -109,7 +109,7 @@ def batches(quick: bool) -> Iterator[Row]:
 
 
 def _same(count: int) -> Iterator[Row]:
-    """One orbit, declared and built in."""
+    """Rows for one orbit, declared by a user and built in."""
     built_in = load_orbit("rigid-stop/one-impact")
     declared = compiled_for(load_orbit(struck()), float("inf"), at_once=True)
     values = {"k1": np.linspace(1.9, 2.1, count)}
@@ -130,7 +130,7 @@ def _same(count: int) -> Iterator[Row]:
 
 
 def _forced(count: int) -> Iterator[Row]:
-    """README's oscillator, whose equations no built-in orbit has."""
+    """Rows for the README's oscillator, whose equations no built-in orbit has."""
     orbit, peer = forced_impact()
     kernels = load_orbit(orbit)
     compiled = declared_kernels(kernels) is not None

@@ -70,7 +70,7 @@ def chart(quick: bool) -> Iterator[Row]:
 
 
 def _found(count: int, points: str) -> Iterator[Row]:
-    """What starts at anchors find, and what each point finds alone."""
+    """Rows on the orbits that a chart finds from anchors, and those found point by point."""
     import nonsmooth as ns
 
     planes = {
@@ -95,7 +95,7 @@ def _found(count: int, points: str) -> Iterator[Row]:
 
 
 def _speckles(period: np.ndarray) -> int:
-    """Points whose period is 5 % off all four neighbours, which agree with each other."""
+    """Number of points whose period is 5 % off all four neighbours, which agree."""
     inner = period[1:-1, 1:-1]
     beside = np.stack([period[:-2, 1:-1], period[2:, 1:-1], period[1:-1, :-2], period[1:-1, 2:]])
     mean = beside.mean(axis=0)
@@ -104,7 +104,7 @@ def _speckles(period: np.ndarray) -> int:
 
 
 def _composed(count: int) -> Iterator[Row]:
-    """Orbits without equations of their own: flows in closed form, and with eigenvalues."""
+    """Rows for orbits without equations of their own: closed-form flows, and eigenvalues."""
     import nonsmooth as ns
 
     folder = Path(__file__).resolve().parents[1] / "docs" / "gallery"
@@ -120,7 +120,7 @@ def _composed(count: int) -> Iterator[Row]:
 
 
 def _computed(store: Path, count: int, points: str, runs: int) -> Iterator[Row]:
-    """Threads, workers and resumed runs, one after the other, several times."""
+    """Rows with times of threads, workers and resumed runs, each measured several times."""
     import nonsmooth as ns
 
     try:

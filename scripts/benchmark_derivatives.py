@@ -23,7 +23,7 @@ _BATCHES = 9
 
 @dataclass(frozen=True)
 class GradientTime:
-    """Seconds of one motion, and of its derivatives behind it."""
+    """Seconds of one motion, and of its derivatives after it."""
 
     masses: int
     transitions: int
@@ -34,12 +34,9 @@ class GradientTime:
 
 
 def gradient_times() -> list[GradientTime]:
-    """Chains of 2 to 5 masses with a stop, through 5, 50 and 200 transitions.
+    """Times for chains of 2 to 5 masses with a stop, through 5, 50 and 200 transitions.
 
-    Returns
-    -------
-    list of GradientTime
-        Medians of runs that alternate in one process.
+    They are medians of runs that alternate in one process.
     """
     return [_time(masses, count) for masses in (2, 3, 5) for count in (5, 50, 200)]
 
@@ -97,7 +94,7 @@ def _time(masses: int, transitions: int) -> GradientTime:
 
 @dataclass(frozen=True)
 class BatchTime:
-    """Seconds of a batch of orbits, without admissibility, and of its derivatives behind it."""
+    """Seconds of a batch of orbits without admissibility, and of its derivatives after it."""
 
     name: str
     points: int
@@ -107,23 +104,16 @@ class BatchTime:
 
 
 def batch_times(points: int) -> list[BatchTime]:
-    """Batches by kernels, by tables of the same systems, and of a forced chain.
+    """Times for batches by kernels, by tables of the same systems, and of a forced chain.
 
-    Parameters
-    ----------
-    points : int
-        Of each batch, near its reference point; one thread takes them.
-
-    Returns
-    -------
-    list of BatchTime
-        Each the best of several runs.
+    Each batch has so many points near its reference point, on one thread; a time is the
+    best of several runs.
     """
     return [_batch(name, points, *given) for name, given in _batches()]
 
 
 def _batches() -> Iterator[tuple[str, tuple[Any, dict[str, float], Any]]]:
-    """Names, then what is solved, its parameters, and how it is told to."""
+    """Name of each batch, what is solved with which parameters, and options of the solve."""
     names = (
         "rigid-stop/one-impact",
         "elastic-stop/one-contact",

@@ -60,7 +60,10 @@ def bar(elements: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def contact_of_elements(elements: int) -> float:
-    """How long the tip touches: the zero of the reaction of modes with the tip held, by SciPy."""
+    """Duration of the tip's contact, when its reaction in SciPy's modes vanishes.
+
+    These are the modes with the tip held.
+    """
     from scipy.linalg import eigh
     from scipy.optimize import brentq
 
@@ -81,7 +84,7 @@ def contact_of_elements(elements: int) -> float:
 
 
 def our_bar(elements: int, modes: int | None) -> tuple[float, list[float], list[float], float]:
-    """Seconds of the first answer and of further ones, times of the events, energy kept."""
+    """Seconds of the first and of further answers, times of events, and share of energy kept."""
     from scipy.sparse import csc_array
 
     mass, stiffness = map(csc_array, bar(elements))
@@ -109,7 +112,7 @@ def our_bar(elements: int, modes: int | None) -> tuple[float, list[float], list[
 
 
 def _bar(quick: bool) -> Iterator[Row]:
-    """One impact and contact of a bar of 100 finite elements."""
+    """Rows for one impact and contact of a bar of 100 finite elements."""
     elements, runs = 100, 1 if quick else 3
     exact = contact_of_elements(elements)
     ours = f"bar: ours, {elements} elements reduced to 1 + 10 coordinates"
@@ -166,7 +169,7 @@ def _contact(impact: float, contact: float, kept: float, exact: float) -> str:
 
 @cache
 def python_with_siconos() -> str | None:
-    """The interpreter that has Siconos: this one, or the system's; a line if there is none."""
+    """Path of an interpreter that has Siconos, this one or the system's; None without one."""
     for python in (sys.executable, "/usr/bin/python3"):
         tried = [python, "-c", "import siconos.kernel"]
         if Path(python).exists() and subprocess.run(tried, capture_output=True).returncode == 0:
@@ -176,7 +179,7 @@ def python_with_siconos() -> str | None:
 
 
 def siconos(python: str, asked: dict[str, Any]) -> Any:
-    """Answer of scripts/peer_siconos.py."""
+    """Answer of scripts/peer_siconos.py to a question."""
     program = str(Path(__file__).with_name("peer_siconos.py"))
     answer = subprocess.run(
         [python, program], input=json.dumps(asked), capture_output=True, text=True, check=True
@@ -189,7 +192,7 @@ def siconos(python: str, asked: dict[str, Any]) -> Any:
 
 
 def height(times: np.ndarray) -> np.ndarray:
-    """Where the ball is, in closed form."""
+    """Heights of the ball at the given times, in closed form."""
     fall = (2 * HEIGHT / GRAVITY) ** 0.5
     flights = 2 * fall * BOUNCE ** np.arange(1, 500)
     begins = np.concatenate([[-fall], fall + np.concatenate([[0], flights.cumsum()])])
@@ -214,7 +217,7 @@ def our_ball() -> tuple[list[float], float]:
 
 
 def dop853_ball() -> tuple[list[float], float]:
-    """The same by solve_ivp, restarted at each impact that it finds."""
+    """The same quantities by solve_ivp, restarted at each impact that it finds."""
     from scipy.integrate import solve_ivp
 
     def ground(_: float, state: np.ndarray) -> float:
@@ -247,7 +250,7 @@ def dop853_ball() -> tuple[list[float], float]:
 
 
 def _ball(quick: bool) -> Iterator[Row]:
-    """A ball that comes to rest, watched for 10 s."""
+    """Rows for a ball that comes to rest, watched for 10 s."""
     ours = "ball: ours"
     told(ours)
     seconds, error = apart(our_ball)

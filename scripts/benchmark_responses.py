@@ -67,7 +67,7 @@ def our_motion(orbit: ns.Orbit, phases: np.ndarray) -> np.ndarray:
 
 
 def settled() -> ns.Orbit:
-    """The orbit with one contact from which all begin."""
+    """The orbit with one contact from which all branches begin."""
     system = two_masses()
     rest = dict.fromkeys(("x1", "x2", "v1", "v2"), 0)
     motion = ns.simulate(system, {"Omega": "0.635"}, rest, until=3000)
@@ -75,7 +75,10 @@ def settled() -> ns.Orbit:
 
 
 def our_response(file: Path, runs: int) -> tuple[list[float], int]:
-    """Seconds and points of a branch with all its events; one in smaller steps is saved."""
+    """Seconds of each run and points of our branch, which has all its events.
+
+    A branch in smaller steps is saved to the file.
+    """
     orbit, seconds = settled(), []
     for _ in range(runs):
         begin = time.perf_counter()
@@ -86,7 +89,7 @@ def our_response(file: Path, runs: int) -> tuple[list[float], int]:
 
 
 def peer_response(problem: HarmonicBalance | Shooting, runs: int) -> Response:
-    """A peer's branch from the same orbit, about as many points, several times."""
+    """A peer's branch from the same orbit, with about as many points, timed several times."""
     orbit = settled()
     if isinstance(problem, HarmonicBalance):
         instants = 2 * np.pi * np.arange(problem.samples) / problem.samples
@@ -141,7 +144,7 @@ def responses(quick: bool) -> Iterator[Row]:
 
 
 def _top(omega: np.ndarray, motions: np.ndarray) -> float:
-    """Largest Omega of a parabola through the three largest of a branch."""
+    """Largest Omega on a parabola through the three largest values of a branch."""
     place = min(max(int(omega.argmax()), 1), len(omega) - 2)
     near = slice(place - 1, place + 2)
     swings = motions[near, 0].max(axis=1)
@@ -156,7 +159,7 @@ def _known(branch: Any) -> np.ndarray:
 
 
 def _missed(branch: Any, omega: float, motion: np.ndarray) -> float:
-    """Largest difference to our motion at this Omega, in units of its size."""
+    """Largest difference from our nearest motion at this Omega, in units of the motion's size."""
     known = _known(branch)
     nearest = np.abs(known - motion).max(axis=(1, 2)).argsort()[:2]
     errors = []
@@ -173,7 +176,7 @@ def _missed(branch: Any, omega: float, motion: np.ndarray) -> float:
 
 
 def _own(branch: Any) -> float:
-    """Error of our own motions, from orbits of 30 digits."""
+    """Error of our motions against orbits of 30 digits."""
     errors = []
     for place in range(50, len(branch), 100):  # at its ends the contact vanishes
         orbit = branch.orbit_at(place)

@@ -160,7 +160,7 @@ def same(one: Run, other: Run) -> bool:
 
 
 def _next(system: PiecewiseLinear, c: int, reached: int, y: np.ndarray) -> tuple[int, np.ndarray]:
-    """Transition by one boundary, as a user of an integrator would write it."""
+    """Next configuration and state behind one boundary, as a user of an integrator writes it."""
     for transition in system.structure.transitions[c]:
         if transition.boundaries != {reached}:
             continue
@@ -180,7 +180,7 @@ def _next(system: PiecewiseLinear, c: int, reached: int, y: np.ndarray) -> tuple
 def dop853(
     system: PiecewiseLinear, state: np.ndarray, transitions: int, configuration: int = 0
 ) -> list[int]:
-    """Configurations by solve_ivp with event detection."""
+    """Configurations of a motion by solve_ivp with event detection."""
     from scipy.integrate import solve_ivp
 
     y, c, found = np.array(state), configuration, [configuration]

@@ -38,18 +38,9 @@ _PEAK = Path("/proc/self/status")  # of Linux
 
 
 def impact_chain(count: int) -> PiecewiseLinear:
-    """Masses in a chain between walls; the first one is forced and hits a rigid stop.
+    """A chain of at least two masses between walls; the first is forced and hits a rigid stop.
 
     x'' + C x' + K x = A e_1 cos(Omega t), C = 0.02 K + 0.02.
-
-    Parameters
-    ----------
-    count : int
-        Masses, at least two.
-
-    Returns
-    -------
-    PiecewiseLinear
     """
     size = 2 * count + 2
     stiffness = 2 * np.eye(count) - np.eye(count, k=1) - np.eye(count, k=-1)
@@ -116,7 +107,7 @@ def _followed(system: PiecewiseLinear, start: np.ndarray, transitions: int) -> o
 
 
 def _rest(count: int, system: PiecewiseLinear, start: np.ndarray, runs: int) -> Iterator[Row]:
-    """Modes, and the solve of the periodic orbit to which the motion comes."""
+    """Rows for the modes, and for the solve of the periodic orbit on which the motion settles."""
     field = system.fields[0].copy()
 
     def modes() -> None:
@@ -145,13 +136,13 @@ def _rest(count: int, system: PiecewiseLinear, start: np.ndarray, runs: int) -> 
 
 
 def _memory(count: int) -> float:
-    """Peak memory of a process that simulates, in MB, beside what imports take."""
+    """Peak memory in MB of a process that simulates, beyond that of its imports."""
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         return pool.apply(_grown, (count,))
 
 
 def _grown(count: int) -> float:
-    """What the process grows by, at most, from the numbers of a field to ten transitions."""
+    """Most memory in MB by which the process grows from a field's numbers to ten transitions."""
     follow(impact_chain(2), _start(2), 0, transitions=10)  # all that is imported late
     if not _PEAK.exists():
         return math.nan
@@ -162,24 +153,15 @@ def _grown(count: int) -> float:
 
 
 def _memory_of(name: str) -> float:
-    """One of the figures of this process, in kB."""
+    """A figure of this process's memory in kB."""
     lines = _PEAK.read_text().splitlines()
     return next(float(line.split()[1]) for line in lines if line.startswith(name))
 
 
 def stepping(system: PiecewiseLinear, state: np.ndarray, transitions: int) -> list[float]:
-    """Times of impacts by steps of the matrix exponential; inside one by Newton's method.
+    """Times of impacts by steps of the matrix exponential, and by Newton's method inside one.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-        With one boundary.
-    state : array (N,)
-    transitions : int
-
-    Returns
-    -------
-    list of float
+    The system has one boundary; the state is (N,).
     """
     from scipy.linalg import expm
 

@@ -40,7 +40,7 @@ _ALLOWED = re.compile(
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a case: its group, exit code and what it said on stderr."""
+    """The group of a case, its exit code, and what it wrote to stderr."""
 
     group: str
     code: int
@@ -123,7 +123,7 @@ def run_case(case: Case, template: Path) -> Outcome:
 
 
 def _copied(source: str, target: str) -> None:
-    """Link a result file, which is never written in its place; copy others."""
+    """Copy a file; a result file, which no command writes in place, is linked instead."""
     (os.link if source.endswith((".json", ".npz", ".csv")) else shutil.copyfile)(source, target)
 
 
@@ -182,7 +182,7 @@ def _called(arguments: list[str], folder: Path) -> tuple[int, str]:
 
 
 def _awaited(process: int) -> int:
-    """Exit code of a child; minus the signal that ended it, -9 where the time was over."""
+    """Exit code of a child; minus the signal that ended it, -9 if its time was over."""
     end = time.monotonic() + WALL
     pause = 0.002
     while True:
@@ -198,7 +198,7 @@ def _awaited(process: int) -> int:
 
 
 def _group(code: int, said: str, printed: int, *, declared: bool) -> str:
-    """The group of an outcome; what a declaration prints is on stderr too."""
+    """The group of an outcome; output of a declaration on stderr is allowed for."""
     lines = said.splitlines()
     if code in (-signal.SIGKILL, -signal.SIGXCPU):
         return "hang"
@@ -240,9 +240,9 @@ def _left(
     refused: bool,
     beside: bool,
 ) -> list[str]:
-    """What a command left behind: pieces of files, or anything where it was refused.
+    """What a command left behind: parts of files, or anything if it was refused.
 
-    What is beside its folder is a piece, unless the command was told to write there.
+    What is beside its folder counts, unless the command was told to write there.
     """
     changed = [
         name for name in after if after[name] != before.get(name) and not _ALLOWED.search(name)

@@ -152,7 +152,7 @@ def _kind(flag: str, made: Any, metavar: str) -> str:
 
 
 def cases(count: int, seed: int) -> list[Case]:
-    """Give so many hostile commands; equal seeds give equal ones."""
+    """So many hostile commands; equal seeds give equal ones."""
     options = options_of()
     weighted = [name for name in BASES for _ in range(_RARE.get(name, 6))]
     return [_case(options, weighted, random.Random(f"{seed}:{k}"), k) for k in range(count)]

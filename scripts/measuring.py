@@ -24,10 +24,10 @@ PACKAGES = ("nonsmooth", "numpy", "scipy", "sympy", "python-flint", "casadi", "h
 
 @dataclass(frozen=True)
 class Row:
-    """One measured thing: seconds per unit of work, of several runs.
+    """One measured quantity: seconds per unit of work in several runs.
 
-    `must` is the limit it has to meet; a peer names in `against` the row it is compared with;
-    `found` says what was computed, and how far off it is.
+    `must` is the limit that it has to meet; a peer names in `against` the row with which it
+    is compared; `found` says what was computed, and how far off it is.
     """
 
     what: str
@@ -43,12 +43,12 @@ class Row:
 
 
 def told(text: str) -> None:
-    """Write a line of progress."""
+    """Print a line of progress."""
     print(f"  {text}", file=sys.stderr, flush=True)
 
 
 def timed(work: Callable[[], object], units: float = 1, runs: int = 7) -> list[float]:
-    """Seconds per unit of several runs, after one that does not count."""
+    """Seconds per unit of several runs, after one that is not counted."""
     work()
     found = []
     for _ in range(runs):
@@ -61,7 +61,7 @@ def timed(work: Callable[[], object], units: float = 1, runs: int = 7) -> list[f
 def interleaved(
     works: dict[str, tuple[Callable[[], object], float]], runs: int
 ) -> dict[str, list[float]]:
-    """Seconds per unit of several works, one run of each after the other."""
+    """Seconds per unit of several works by name, one run of each after the other."""
     found: dict[str, list[float]] = {name: [] for name in works}
     for work, _ in works.values():
         work()
@@ -74,7 +74,7 @@ def interleaved(
 
 
 def machine() -> dict[str, object]:
-    """What the figures depend on: processor, system, compiler, versions, and what else ran."""
+    """What the figures depend on: processor, system, compiler, versions and other load."""
     return {
         "processor": processor(),
         "cores": os.cpu_count(),
@@ -97,7 +97,7 @@ def processor() -> str:
 
 
 def compiler() -> str:
-    """First line in which the C compiler tells its version."""
+    """First line of the C compiler's version text."""
     told = subprocess.run(["cc", "--version"], capture_output=True, text=True, check=False).stdout
     return told.partition("\n")[0]
 
@@ -111,7 +111,7 @@ def installed(name: str) -> str | None:
 
 
 def apart(work: Callable[..., Any], *arguments: object, limit: float = 600.0) -> Any:
-    """What a work gives in a process of its own with one thread; None beyond so many seconds."""
+    """Result of a work in a process of its own with one thread; None after the time limit."""
     os.environ |= {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}  # what children inherit
     context = multiprocessing.get_context("spawn")
     receiver, sender = context.Pipe(duplex=False)

@@ -48,7 +48,7 @@ UNREACHED = "UNREACHED"
 
 @dataclass(frozen=True)
 class Measured:
-    """What a file of tests takes without a bug, and what it runs."""
+    """A file of tests, the time that it takes without a bug, and the functions that it runs."""
 
     file: str
     seconds: float
@@ -181,9 +181,9 @@ def named(file: str, tests: Path) -> bool:
 
 
 def measure(copy: Path, tests: Iterable[str], limit: float, kept: Path | None) -> list[Measured]:
-    """Run each file of tests by itself without a bug, to know which functions it runs.
+    """Time and functions of each file of tests, run by itself without a bug.
 
-    A file that fails, or takes longer than the limit, is as one that takes for ever.
+    A file that fails or exceeds the limit counts as taking for ever.
     """
     known: dict[str, Measured] = {}
     if kept is not None and kept.exists():
@@ -210,7 +210,7 @@ def measure(copy: Path, tests: Iterable[str], limit: float, kept: Path | None) -
 
 
 def attempted(copy: Path, bug: Place, measured: Sequence[Measured], limit: float) -> str:
-    """Plant a bug, run the tests that reach it, and make the copy what it was."""
+    """Outcome of the tests that reach a planted bug; the copy is restored afterwards."""
     file = copy / bug.file
     compiled = file.suffix == ".c"
     original = file.read_text(encoding="utf-8")
@@ -241,7 +241,7 @@ def attempted(copy: Path, bug: Place, measured: Sequence[Measured], limit: float
 
 
 def written(file: Path, text: str) -> None:
-    """Write a module, and forget what was compiled of it: its size and second may be the same."""
+    """Write a module and delete its compiled file, whose size and second may still fit."""
     file.write_text(text, encoding="utf-8")
     for path in (file.parent / "__pycache__").glob(f"{file.stem}.*.pyc"):
         path.unlink()
@@ -261,7 +261,7 @@ def build(copy: Path) -> None:
 
 
 def outcome(copy: Path, tests: Sequence[str], limit: float, **environment: str) -> str:
-    """What tests say of the copy as it is."""
+    """Verdict of the tests on the copy as it is."""
     with tempfile.TemporaryDirectory() as cache:  # what was derived with another bug is not used
         command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider"]
         command += ["--hypothesis-seed=0", *tests]

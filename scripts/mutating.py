@@ -15,7 +15,7 @@ __all__ = ["Place", "functions", "places", "planted", "probed"]
 
 
 class Change(NamedTuple):
-    """A piece of a text between two characters, what takes its place, and what it is part of."""
+    """A piece of a text between two characters, its replacement, and what it is part of."""
 
     function: str
     operator: str
@@ -26,7 +26,7 @@ class Change(NamedTuple):
 
 @dataclass(frozen=True)
 class Place:
-    """One bug of a file: a change, which its address names as long as its function stays."""
+    """One bug of a file: a change with an address that is stable as long as its function stays."""
 
     file: str
     count: int
@@ -36,7 +36,7 @@ class Place:
 
     @property
     def address(self) -> str:
-        """File, qualified name, operator, and which one of these in the function."""
+        """File, qualified name, operator, and the number among these in the function."""
         return f"{self.file}::{self.change.function}::{self.change.operator}[{self.count}]"
 
     def __str__(self) -> str:
@@ -74,9 +74,9 @@ def functions(text: str) -> set[str]:
 
 
 def probed(text: str, statement: str) -> str:
-    """The text whose functions begin with a statement, in which their names stand for {}.
+    """The text with a statement at the head of every function and at the end of the module.
 
-    The text ends with the statement as well, for the module that is imported.
+    In the statement {} stands for the name of the function, or that of the module.
     """
     source = _Source(text)
     for first, name in sorted(
@@ -121,7 +121,7 @@ class _Source:
 
 
 class _Around(NamedTuple):
-    """What a node is in: qualified name, whether that is a function, what this returns."""
+    """What encloses a node: qualified name, whether that is a function, its return type."""
 
     name: str = ""
     function: bool = False
@@ -153,7 +153,11 @@ def _changes(node: ast.AST, source: _Source, around: _Around) -> Iterator[Change
 
 
 def _left_out(node: ast.AST) -> bool:
-    """Whether a node tells, is there for types, has no text of its own, or may not differ."""
+    """Whether a node gets no bugs.
+
+    It is text for messages, serves types, has no text of its own, or a change makes no
+    difference.
+    """
     match node:
         case ast.Raise() | ast.Assert() | ast.JoinedStr() | ast.pattern():
             return True
@@ -167,7 +171,7 @@ def _left_out(node: ast.AST) -> bool:
 
 
 def _parts(node: ast.AST, around: _Around) -> Iterator[tuple[ast.AST, _Around]]:
-    """The nodes in a node that can have bugs, each with what it is in."""
+    """Nodes inside a node that can have bugs, each with what encloses it."""
     match node:
         case ast.FunctionDef() | ast.AsyncFunctionDef():
             returns = ast.unparse(node.returns) if node.returns else ""
@@ -214,7 +218,7 @@ Bug = tuple[str, ast.expr | ast.stmt, str]
 
 
 def _bugs(node: ast.AST, source: _Source, around: _Around) -> Iterator[Bug]:
-    """Bugs of a node itself: operator, which node is replaced, and by what."""
+    """Bugs of a node itself: operator, the node that is replaced, and the replacement."""
     match node:
         case ast.Compare(left=left, ops=ops, comparators=comparators):
             for k, op in enumerate(ops):
@@ -279,7 +283,7 @@ def _bugs(node: ast.AST, source: _Source, around: _Around) -> Iterator[Bug]:
 
 
 def _chosen(test: ast.expr, source: _Source) -> Iterator[Bug]:
-    """A test turned round that has no comparison or word of its own to be changed."""
+    """The negation of a test that has no comparison or word of its own to be changed."""
     if isinstance(test, ast.Name | ast.Attribute | ast.Call | ast.Subscript):
         yield "choice", test, f"(not {source[test]})"
 
@@ -300,7 +304,7 @@ def _names(node: ast.AST) -> list[str]:
 
 
 def _joined(*operands: ast.expr) -> bool:
-    """Whether operands are texts or lists, of which there is no other sum, or a type or none."""
+    """Whether some operand is a text, a list, a tuple or None, so that no other sum exists."""
     return any(
         isinstance(each, ast.JoinedStr | ast.List | ast.Tuple | ast.ListComp)
         or (isinstance(each, ast.Constant) and isinstance(each.value, str | None))

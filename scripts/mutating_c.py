@@ -33,9 +33,10 @@ _Change = tuple[str, str, int, int, str]
 
 
 def changes_in_c(text: str) -> Iterator[_Change]:
-    """Changes of a source: function, operator, begin, end, and what stands there afterwards.
+    """Changes of a C source: function, operator, begin, end, and the replacement.
 
-    Behind the end of a loop there may be anything: the boundary of its counter is no place.
+    Reading behind the end of a loop may give anything, so the boundary of a counter is left
+    alone.
     """
     tokens = [each for each in TOKEN.finditer(text) if each.lastgroup != "blank"]
     words = [each.group() for each in tokens]
@@ -77,7 +78,7 @@ def changes_in_c(text: str) -> Iterator[_Change]:
 
 
 def _partners(words: Sequence[str]) -> dict[int, int]:
-    """Which bracket closes each one that opens, and the other way round."""
+    """Index of the partner of each bracket, opening or closing."""
     partner, opened = {}, []
     for k, word in enumerate(words):
         if word in "([{":

@@ -25,18 +25,14 @@ FORCE, SPRING, GAP = 0.1, 100.0, 1.0
 
 @dataclass(frozen=True)
 class HarmonicBalance:
-    """Fourier coefficients of a periodic motion.
+    """Fourier coefficients of a periodic motion as unknowns.
 
-    Unknowns: constants of both masses, then cosines and sines of each harmonic; at last Omega.
-
-    Parameters
-    ----------
-    harmonics, samples : int
-        Harmonics that are kept, and instants of a period at which the spring's force is taken.
+    They are the constants of both masses, then cosines and sines of each harmonic, and
+    Omega at last.
     """
 
-    harmonics: int
-    samples: int
+    harmonics: int  # number of harmonics that are kept
+    samples: int  # instants of a period at which the spring's force is evaluated
 
     @cached_property
     def series(self) -> np.ndarray:
@@ -45,7 +41,7 @@ class HarmonicBalance:
 
     @cached_property
     def projection(self) -> np.ndarray:
-        """Coefficients of a function that is given at the samples."""
+        """Matrix that gives the coefficients of a function from its values at the samples."""
         weights = np.full(2 * self.harmonics + 1, 2 / self.samples)
         weights[0] /= 2
         return weights[:, None] * self.series.T
@@ -88,17 +84,12 @@ class HarmonicBalance:
 
 @dataclass(frozen=True)
 class Shooting:
-    """The state at the phase 0 of the force; a period by `solve_ivp`, with its derivatives.
+    """The state at the phase 0 of the force as unknowns, integrated by `solve_ivp`.
 
-    Unknowns: positions and velocities (by the phase), then Omega.
-
-    Parameters
-    ----------
-    tolerance : float
-        Relative; absolute is a hundredth of it.
+    They are positions and velocities (by the phase), then Omega.
     """
 
-    tolerance: float
+    tolerance: float  # relative; the absolute one is a hundredth of it
 
     def motion(self, unknowns: np.ndarray, phases: np.ndarray) -> np.ndarray:
         """Positions (2, phases) of a solution; phases ascend."""
@@ -115,7 +106,7 @@ class Shooting:
         return np.asarray(found.y[:2])
 
     def residual(self, unknowns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """State after a period less that before, and its derivatives by the unknowns and Omega."""
+        """State after a period less that before it, and derivatives by the unknowns and Omega."""
         begin = np.hstack([unknowns[:4, None], np.eye(4, 5)])
         found = solve_ivp(
             _variational,
@@ -130,7 +121,7 @@ class Shooting:
         return end[:, 0] - unknowns[:4], end[:, 1:] - np.eye(4, 5)
 
     def multipliers(self, jacobian: np.ndarray) -> np.ndarray:
-        """Floquet multipliers, from what `residual` gives."""
+        """Floquet multipliers, from the Jacobian of `residual`."""
         return np.linalg.eigvals(jacobian[:, :4] + np.eye(4))
 
 
@@ -164,26 +155,10 @@ def follow_both_ways(
 ) -> np.ndarray:
     """Unknowns (points, n) along the branch through a start, from one end to the other.
 
-    Parameters
-    ----------
-    problem : HarmonicBalance or Shooting
-    start : array (n,)
-        Near a solution; corrected at its Omega.
-    interval : (float, float)
-        Of Omega, whose length is the unit of arclength; that of unknowns is their size.
-    step : float
-        The largest one.
-    inside : callable
-        Whether a solution still belongs to the branch.
-
-    Returns
-    -------
-    array (points, n)
-
-    Raises
-    ------
-    RuntimeError
-        If there is no solution near the start.
+    `start` (n,) is near a solution and is corrected at its Omega. The length of the
+    interval of Omega is the unit of arclength, and the size of the unknowns is theirs;
+    `step` is the largest step, and `inside` says whether a solution still belongs to the
+    branch. RuntimeError says that there is no solution near the start.
     """
     fixed = np.zeros(len(start))
     fixed[-1] = 1.0

@@ -119,7 +119,7 @@ def stablest(path: Path) -> None:
 
 
 def main() -> int:
-    """Draw all of them."""
+    """Draw all pictures."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--out", type=Path, default=CHECKOUT / "docs" / "pictures")
     folder = parser.parse_args().out

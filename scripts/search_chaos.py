@@ -22,7 +22,7 @@ LEAST, ERRORS = 0.01, 3.0
 
 
 def drawn(count: int) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Parameters and starts."""
+    """Random parameters by name, and starts."""
     random = np.random.default_rng(SEED)
     us1, us2 = random.uniform(0.2, 2, count), random.uniform(0.2, 2, count)
     points = {

@@ -41,7 +41,7 @@ TRANSITIONS = 40
 
 @dataclass(frozen=True)
 class Section:
-    """Part of the stress: what one task does, how many trials it makes, and how many are usual."""
+    """A part of the stress: the task, the trials that it makes, and their usual number."""
 
     work: Callable[[int, int], tuple[Counter[str], list[str]]]
     chunk: int
@@ -78,7 +78,7 @@ def main() -> int:
 
 
 def _run(pool: Pool, name: str, count: int, seed: int) -> tuple[Counter[str], list[str]]:
-    """One section in chunks over the processes."""
+    """Counts of verdicts and details of one section, run in chunks over the processes."""
     section = SECTIONS[name]
     tasks = [
         (name, seed, start, min(section.chunk, count - start))
@@ -116,7 +116,7 @@ def _motions(seed: int, count: int, kinds: tuple[str, ...]) -> Iterator[Motion]:
 def _judged(
     judge: Callable[[Motion, int], tuple[str, str]], kinds: tuple[str, ...], transitions: int
 ) -> Callable[[int, int], tuple[Counter[str], list[str]]]:
-    """Count verdicts by kind of motion."""
+    """A task that counts verdicts on random motions by their kind."""
 
     def work(seed: int, count: int) -> tuple[Counter[str], list[str]]:
         found: Counter[str] = Counter()

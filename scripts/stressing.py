@@ -21,32 +21,23 @@ Shape = tuple[tuple[int, bool], ...]  # of each mode the number of powers, and w
 
 @dataclass(frozen=True)
 class Sums:
-    """Many sums of one shape.
-
-    Attributes
-    ----------
-    shape : Shape
-    exponents : array (count, modes, 2)
-        Rate and frequency.
-    values : array (count, functions)
-        Coefficients, in the order of the engine's functions.
-    """
+    """Many sums of one shape, as functions of time."""
 
     shape: Shape
-    exponents: np.ndarray
-    values: np.ndarray
+    exponents: np.ndarray  # (count, modes, 2): rate and frequency
+    values: np.ndarray  # (count, functions): coefficients, in the order of the engine's functions
 
     def take(self, places: np.ndarray) -> Sums:
-        """Some of them."""
+        """The sums at some places."""
         return Sums(self.shape, self.exponents[places], self.values[places])
 
     @property
     def fastest(self) -> np.ndarray:
-        """Largest exponent of each."""
+        """Largest absolute value (count,) of an exponent of each sum."""
         return np.asarray(np.hypot(*np.moveaxis(self.exponents, 2, 0)).max(axis=1))
 
     def derivative(self) -> Sums:
-        """Their derivatives."""
+        """The derivatives of the sums by time."""
         result, first = np.zeros_like(self.values), 0
         for m, (length, oscillates) in enumerate(self.shape):
             rate, frequency = self.exponents[:, m].T
@@ -84,7 +75,7 @@ class Sums:
         return total
 
     def bound(self, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-        """Bounds on their absolute values between times."""
+        """Bounds of the sums' absolute values between two times each."""
         total, first = np.zeros(high.shape), 0
         wide = (slice(None), *[None] * (high.ndim - 1))
         for m, (length, oscillates) in enumerate(self.shape):
@@ -104,7 +95,8 @@ def undecided(
 ) -> np.ndarray:
     """Cells (n, 3) of index, begin and end in which sums may exceed what is allowed.
 
-    Everywhere else between 0 and `ends` they do not: quartic Bernstein bounds of dense cells.
+    Everywhere else between 0 and `ends` they do not: quartic Bernstein bounds of dense
+    cells.
     """
     slope = sums.derivative()
     fourth = slope.derivative().derivative().derivative()
@@ -134,7 +126,7 @@ def undecided(
 
 
 class Ball:
-    """One sum in ball arithmetic; its doubles are exact."""
+    """One sum in ball arithmetic, its doubles taken as exact."""
 
     def __init__(
         self, shape: Shape, exponents: np.ndarray, values: Sequence[Any] | np.ndarray
@@ -182,12 +174,9 @@ class Ball:
 
 
 def first_excess(ball: Ball, low: float, high: float, allowed: float) -> float | None:
-    """A time in [low, high] at which a sum exceeds what is allowed; None if none does, proved.
+    """A time in [low, high] at which a sum exceeds `allowed`; None is a proof that none does.
 
-    Raises
-    ------
-    RuntimeError
-        If that cannot be told.
+    RuntimeError says that neither is decided.
     """
     from flint import arb
 

@@ -39,18 +39,10 @@ DEVIATIONS = 8.0  # standard ones of the rounding that has gathered
 
 
 def random_chain(rng: np.random.Generator) -> tuple[PiecewiseLinear, np.ndarray]:
-    """A forced chain with rigid stops, a soft one, and dry friction or none; and a start.
+    """A random forced chain with rigid stops, a soft one and perhaps friction; and a start.
 
-    Parameters
-    ----------
-    rng : Generator
-
-    Returns
-    -------
-    PiecewiseLinear
-        Configurations: sliding forwards, sticking, backwards, then the same with the soft stop
-        touched; or two of them without friction.
-    array (N,)
+    The start is (N,). Its configurations are sliding forwards, sticking and backwards, then
+    the same with the soft stop touched; or, without friction, two.
     """
     count = int(rng.integers(5, 13))
     masses, springs = rng.uniform(0.5, 2, count), rng.uniform(0.5, 2, count + 1)
@@ -107,7 +99,10 @@ def _rubbing(
     mass: int,
     limit: float,
 ) -> tuple[list[np.ndarray], list[np.ndarray], list[np.ndarray]]:
-    """Three regimes of each field; rows of velocities and forces, a reset to rest, come last."""
+    """Fields, rows and resets with three regimes for each field.
+
+    Rows of velocities and forces, and a reset to rest, are added at the end.
+    """
     size = len(fields[0])
     velocity = (size - 2) // 2 + mass
     found, forces = [], []
@@ -134,7 +129,7 @@ def _system(
     stops: list[tuple[int, int]],
     rubs: bool,
 ) -> PiecewiseLinear:
-    """Boundaries and transitions: the soft stop, rigid ones, friction."""
+    """The system with the boundaries and transitions of the soft stop, rigid ones and friction."""
     size, regimes, rest = fields.shape[1], 3 if rubs else 1, len(resets) - 1
     boundaries, transitions = [], []
     slow = 2 + len(stops)
@@ -212,14 +207,14 @@ class _DigitsPhase:
         return self._powers[k]
 
     def steps(self, state: Any, count: int) -> Any:
-        """The state so many steps later."""
+        """The state after so many steps."""
         for k in range(count.bit_length()):
             if count >> k & 1:
                 state = (self.power(k) * state).mid()
         return state
 
     def flow(self, steps: float) -> np.ndarray:
-        """The flow over a time in steps, in doubles."""
+        """The flow over a time given in steps, in doubles."""
         whole, part = divmod(steps, 1.0)
         found = term = np.eye(len(self.whole))
         for k in range(1, TERMS):
@@ -232,7 +227,7 @@ class _DigitsPhase:
 
     @cached_property
     def samples(self) -> tuple[np.ndarray, np.ndarray]:
-        """What gives values and slopes at the ends of steps: (samples + 1, boundaries, N + 1)."""
+        """Matrices for values and slopes at the ends of steps: (samples + 1, boundaries, N + 1)."""
         step = _doubles(self.power(0))
         found = [self.rows]
         for _ in range(SAMPLES):
@@ -279,7 +274,7 @@ class _DigitsRun:
         return self.phases[self.here]
 
     def advance(self) -> _Event | None:
-        """Go behind the next transition; None if there is none."""
+        """The next transition, behind which the motion then is; None if there is none."""
         phase = self.phase()
         values, slopes = phase.samples
         for window in range(WINDOWS):
@@ -304,7 +299,7 @@ class _DigitsRun:
     def _first(
         self, phase: _DigitsPhase, step: int, highest: np.ndarray, begins: bool
     ) -> tuple[int, Any] | None:
-        """The boundary that is crossed first in a step, and where; None if none is."""
+        """The boundary that is crossed first in a step, and the time; None if none is."""
         start = phase.steps(self.state, step)
         series = phase.series(start, phase.exact_rows)
         first: tuple[int, Any] | None = None
@@ -341,7 +336,7 @@ class _DigitsRun:
     def _near(
         self, phase: _DigitsPhase, step: int, u: float, b: int, height: float, what: str
     ) -> None:
-        """Set the motion aside if rounding may have decided."""
+        """Set the motion aside if a value is so small that rounding may have decided."""
         flow = phase.flow(step + u)
         row = phase.rows[b] @ flow
         size = np.abs(row) @ np.abs(_doubles(self.state)[:, 0])
@@ -373,7 +368,7 @@ class _DigitsRun:
         return _Event(float(self.time), (self.here, 1 << b))
 
     def _taken(self, b: int, before: Any) -> TransitionShape:
-        """The transition of which all conditions hold."""
+        """The transition whose conditions all hold."""
         from flint import arb_mat
 
         for transition in self.system.structure.transitions[self.here]:
@@ -399,7 +394,7 @@ class _DigitsRun:
         taken: TransitionShape,
         at_once: bool,
     ) -> None:
-        """The rounding behind the transition: the saltation matrix."""
+        """Carry the rounding behind the transition by the saltation matrix."""
         flow, state = phase.flow(u), _doubles(before)[:, 0]
         velocity, size = phase.whole @ state, len(phase.whole)
         reset = np.vstack([self.system.resets[taken.reset], np.eye(1, size, size - 1)])
@@ -416,7 +411,7 @@ class _DigitsRun:
 
 
 def _root(series: np.ndarray, low: Any, high: Any) -> Any:
-    """The only zero between two places, by Newton's method kept inside."""
+    """The only zero between two places, by Newton's method with bisection as safeguard."""
     slope = series[1:] * np.arange(1, TERMS)
     middle = (low + high) / 2
     for _ in range(300):
@@ -433,19 +428,11 @@ def _root(series: np.ndarray, low: Any, high: Any) -> Any:
 def against_digits(
     system: PiecewiseLinear, state: np.ndarray, transitions: int = TRANSITIONS
 ) -> tuple[str, str]:
-    """Verdict on the compiled engine against the run in fifty digits.
+    """Verdict on the compiled engine against the run in fifty digits, and a detail.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-        Whose transitions follow single boundaries, with values as conditions.
-    state : array (N,)
-    transitions : int
-
-    Returns
-    -------
-    verdict, detail : str
-        Wrong ones begin with "wrong", and what rounding decides with "set aside".
+    The system's transitions follow single boundaries and have values as conditions.
+    Verdicts on wrong motions begin with "wrong", on those that rounding decides with "set
+    aside".
     """
     engine = compiled_engine()
     if engine is None:
@@ -471,16 +458,7 @@ def against_digits(
 
 
 def chains_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
-    """Verdicts on random chains, and what is told of those that do not agree.
-
-    Parameters
-    ----------
-    seed, count : int
-
-    Returns
-    -------
-    Counter of str, list of str
-    """
+    """Counts of verdicts on random chains, and details of those that do not agree."""
     verdicts: Counter[str] = Counter()
     told = []
     for place in range(count):

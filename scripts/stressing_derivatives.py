@@ -19,16 +19,7 @@ ALLOWED = 1e-9  # in units of the motion's condition
 
 
 def derivatives_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
-    """Verdicts on random oscillators, and what is told of those that do not agree.
-
-    Parameters
-    ----------
-    seed, count : int
-
-    Returns
-    -------
-    Counter of str, list of str
-    """
+    """Counts of verdicts on random oscillators, and details of those that do not agree."""
     verdicts: Counter[str] = Counter()
     told = []
     for place in range(count):

@@ -43,7 +43,7 @@ def truth_of(rng: np.random.Generator) -> tuple[dict[str, float], dict[str, floa
 
 
 def by_series(motion: Any, rng: np.random.Generator) -> tuple[dict[str, np.ndarray], Any]:
-    """Positions at 80 times, some of them missing; the noise is not told."""
+    """Positions at 80 times, some of them missing, and None for the size of their noise."""
     times = np.linspace(0.1, 14, 80)
     values = motion(times)[:, 0] + 0.01 * rng.normal(size=80)
     values[rng.random(80) < 0.1] = np.nan
@@ -51,7 +51,7 @@ def by_series(motion: Any, rng: np.random.Generator) -> tuple[dict[str, np.ndarr
 
 
 def by_events(motion: Any, rng: np.random.Generator) -> tuple[dict[str, np.ndarray], Any]:
-    """Times of impacts; the noise is told."""
+    """Times of impacts, and the size of their noise."""
     where = [WALL in names for names in motion.boundaries]
     times = motion.times[where][:EVENTS]
     return {WALL: times + 2e-3 * rng.normal(size=len(times))}, 2e-3
@@ -151,7 +151,7 @@ def fits_chunk(seed: int, count: int) -> tuple[Counter[str], list[str]]:
 def judge(
     found: Counter[str], kind: str, names: tuple[str, ...], held: Counter[str], count: int
 ) -> None:
-    """Add, for each parameter, whether so many intervals hold the truth as should."""
+    """Count, for each parameter, whether as many intervals hold the truth as should."""
     for name in names:
         share = held[name] / count
         verdict = "right" if FEWEST <= share <= MOST or count < 50 else "wrong"

@@ -41,23 +41,13 @@ Sequence_ = list[tuple[int, int]]  # (configuration, set that led to it)
 
 @dataclass(frozen=True)
 class Motion:
-    """A system at a parameter point and a start, all doubles.
-
-    Attributes
-    ----------
-    kind : str
-    system : str
-    parameters : dict of str to float
-    state : tuple of float
-    until : float
-        Waiting for events that hardly come takes the reference a second.
-    """
+    """A system at a parameter point and a start, all in doubles."""
 
     kind: str
     system: str
     parameters: dict[str, float]
     state: tuple[float, ...]
-    until: float = 500.0
+    until: float = 500.0  # longest time; waiting for rare events takes the reference a second
 
     def __str__(self) -> str:
         values = ", ".join(f"{n}={v!r}" for n, v in self.parameters.items())
@@ -115,7 +105,7 @@ def _friction(rng: np.random.Generator, kind: str) -> Motion:
 def _at_limit(
     rng: np.random.Generator, p: dict[str, float], state: np.ndarray, on_belt: Sequence[int]
 ) -> np.ndarray:
-    """A start with forces equal to limits as far as doubles allow; sometimes exact binaries."""
+    """A start whose forces equal limits up to rounding; sometimes in exact binary numbers."""
     state = state.copy()
     if rng.random() < 0.5:  # few bits, so that sums and products are exact
         for name in p:
@@ -165,7 +155,7 @@ def _plain(parameters: dict[str, float]) -> dict[str, float]:
 
 
 def _prepared(motion: Motion) -> tuple[PiecewiseLinear, np.ndarray, int] | None:
-    """None where the start belongs to no configuration."""
+    """The system, the start and its configuration; None if the start belongs to none."""
     system, state = piecewise(motion.system, motion.parameters), np.array(motion.state)
     try:
         return system, state, configuration_of(system, state)
@@ -191,7 +181,7 @@ def _sequence(run: Run) -> Sequence_:
 
 
 def _differ(one: Sequence_, other: Sequence_) -> int | None:
-    """First entry that differs, or None; a missing one differs."""
+    """Index of the first entry that differs or is missing; None if there is none."""
     for k in range(max(len(one), len(other))):
         if k >= len(one) or k >= len(other) or one[k] != other[k]:
             return k
@@ -201,7 +191,7 @@ def _differ(one: Sequence_, other: Sequence_) -> int | None:
 def _proved(
     motion: Motion, system: PiecewiseLinear, start: int, transitions: int
 ) -> tuple[Sequence_, Proof]:
-    """The sequence of the exact motion, as far as it is proved."""
+    """The proved part of the exact motion's sequence, and the proof."""
     structure = system.structure
     proof = validate(
         motion.system,
@@ -340,7 +330,7 @@ def _integrated(
 
 
 def _next(system: PiecewiseLinear, c: int, reached: int, y: np.ndarray) -> tuple[int, np.ndarray]:
-    """Transition by one boundary; what is small at it counts as zero."""
+    """Next configuration and state behind one boundary; small values count as zero."""
     for transition in system.structure.transitions[c]:
         if transition.boundaries != {reached}:
             continue

@@ -27,7 +27,7 @@ PROVED = 0.002  # share that is proved in balls as a whole
 
 
 def structure_of(shape: Shape, reached: bool) -> Structure:
-    """One configuration with one boundary, left to itself."""
+    """A structure of one configuration with one boundary, which leads back to itself."""
     modes, first = [], 0
     for length, oscillates in shape:
         count = length * (1 + oscillates)
@@ -110,7 +110,7 @@ def _shape(rng: np.random.Generator, longest: int = 1, damped: bool = False) -> 
 
 
 def _below(rng: np.random.Generator, sums: Sums) -> Sums:
-    """Start below zero: as deep as a random part of all amplitudes, sometimes hardly."""
+    """The sums shifted to start below zero, by a random part of all amplitudes, or hardly."""
     values = sums.values.copy()
     sizes = np.abs(values).sum(axis=1)
     start = sums.at(np.zeros(len(values)))
@@ -158,7 +158,7 @@ def _powers(rng: np.random.Generator, count: int) -> Sums:
 
 
 def _polynomial(rng: np.random.Generator, count: int) -> Sums:
-    """Negative leading or constant coefficients, multiple roots among them."""
+    """Random polynomials that are negative at time zero, some of them with a double root."""
     degree = int(rng.integers(1, 6))
     roots = rng.uniform(0.1, 10, (count, degree)) * rng.choice(
         [-1, 1], (count, degree), p=[0.3, 0.7]
@@ -177,7 +177,7 @@ def _polynomial(rng: np.random.Generator, count: int) -> Sums:
 
 
 def _tangent(rng: np.random.Generator, count: int) -> Sums:
-    """-(a + b cos(wt + p) + c cos(vt + q))^2 + depth: double zeros, a little above or below."""
+    """Sums -(a + b cos(wt + p) + c cos(vt + q))^2 + depth, which have nearly double zeros."""
     a = rng.uniform(-1, 1, count)
     b, c = rng.normal(size=(2, count))
     if rng.random() < 0.5:
@@ -205,7 +205,7 @@ def _tangent(rng: np.random.Generator, count: int) -> Sums:
 
 def _from_zero(order: int) -> Callable[[np.random.Generator, int], Sums]:
     def family(rng: np.random.Generator, count: int) -> Sums:
-        """Leave zero with a derivative of some order; those below it vanish to rounding."""
+        """Sums that leave zero with a derivative of some order, the lower ones zero to rounding."""
         choice = rng.random()
         shape = ((int(rng.integers(1, 3)), False), (1, True), (1, True))
         if choice < 0.3:
@@ -242,7 +242,7 @@ def _from_zero(order: int) -> Callable[[np.random.Generator, int], Sums]:
 
 
 def _spread(rng: np.random.Generator, count: int) -> Sums:
-    """Frequencies up to a million times slower than the fastest."""
+    """Sums with frequencies up to a million times slower than the fastest."""
     sums = _random(rng, count, ((1, False), (1, True), (1, True), (1, True)))
     sums.exponents[:, 2, 1] *= 10.0 ** rng.uniform(-6, 0, count)
     sums.exponents[:, 3, 1] *= 10.0 ** rng.uniform(-3, 0, count)
@@ -251,7 +251,7 @@ def _spread(rng: np.random.Generator, count: int) -> Sums:
 
 
 def _clustered(rng: np.random.Generator, count: int) -> Sums:
-    """Exponents that nearly agree, with amplitudes that nearly cancel."""
+    """Sums of exponents that nearly agree, with amplitudes that nearly cancel."""
     oscillates = bool(rng.random() < 0.7)
     sums = _random(
         rng, count, ((1, False), (1, oscillates), (1, oscillates), (1, True)), (-0.3, 0.0)
@@ -284,7 +284,7 @@ FAMILIES: dict[str, Callable[[np.random.Generator, int], Sums]] = {
 
 
 def random_sums(rng: np.random.Generator, family: str, count: int) -> tuple[Sums, np.ndarray]:
-    """Sums of a family, and until when they are searched."""
+    """Random sums of a family, and the times until which they are searched."""
     sums = FAMILIES[family](rng, count)
     return sums, _radians(rng, sums, 300.0 if family == "spread" else 40.0)
 
@@ -292,7 +292,7 @@ def random_sums(rng: np.random.Generator, family: str, count: int) -> tuple[Sums
 def verdicts(
     rng: np.random.Generator, sums: Sums, until: np.ndarray, reached: bool
 ) -> tuple[Counter[str], list[str]]:
-    """Search, and check every answer."""
+    """Counts of verdicts on the search of each sum, and details of wrong ones."""
     times, found = search(sums, until, reached)
     size = np.abs(sums.values).sum(axis=1)
     zero = np.zeros(len(times))

@@ -20,13 +20,8 @@ _ALLOWED = 64 * EPS
 def broken_step(system: PiecewiseLinear, run: Run, drift: float) -> str:
     """First step of a run that does not follow from the state before it; empty if all do.
 
-    Parameters
-    ----------
-    system : PiecewiseLinear
-        Its doubles count as exact.
-    run : Run
-    drift : float
-        Errors may grow by this factor of the radians that passed: 0 for none.
+    The system's doubles count as exact. Errors may grow by the factor `drift` of the radians
+    that passed; 0 allows none.
     """
     for k in range(1, len(run.times) + 1):
         last = k == len(run.times)
@@ -61,7 +56,7 @@ def _errors(sums: Sums, sizes: np.ndarray, time: float, drift: float) -> np.ndar
 def _crossed(
     system: PiecewiseLinear, run: Run, k: int, end: float, drift: float, last: bool
 ) -> str:
-    """Whether a boundary was crossed unseen, or none was reached at the end of the step."""
+    """What is wrong with the boundaries of a step: crossed unseen, or not reached; else empty."""
     c, state = int(run.configurations[k - 1]), run.states[k - 1]
     sums, sizes = _sums(system, c, state)
     dwell, names = end - run.times[k - 1], system.structure.boundaries[c]
@@ -95,7 +90,7 @@ def _crossed(
 
 
 def _followed(system: PiecewiseLinear, run: Run, k: int, drift: float) -> str:
-    """Whether the state and the next configuration follow."""
+    """What is wrong with the state and configuration behind a step; else empty."""
     structure, c = system.structure, int(run.configurations[k - 1])
     reached, target = int(run.sets[k]), int(run.configurations[k])
     dwell = run.times[k] - run.times[k - 1]
@@ -132,7 +127,7 @@ def _followed(system: PiecewiseLinear, run: Run, k: int, drift: float) -> str:
 
 
 def _time_error(system: PiecewiseLinear, run: Run, k: int, dwell: float, drift: float) -> float:
-    """How far the time of an event may be off within the rounding of its boundary function."""
+    """Error of an event's time that the rounding of its boundary function allows."""
     sums, sizes = _sums(system, int(run.configurations[k - 1]), run.states[k - 1])
     at = np.full(len(sizes), dwell)
     slope = sums.derivative()
@@ -152,7 +147,7 @@ def _signs(
     time_error: float,
     located: bool,
 ) -> set[bool]:
-    """What the first nonzero derivative may be: positive, or not."""
+    """Possible verdicts on whether the first nonzero derivative is positive."""
     n = len(extended) - 1
     matrix = np.vstack([system.fields[along], np.zeros(n + 1)])
     function, bound, size = system.rows[row], np.abs(system.rows[row]), np.abs(extended)

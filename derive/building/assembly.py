@@ -23,90 +23,86 @@ Holder = FrictionPart | StopPart
 
 @dataclass(frozen=True, eq=False)
 class Assembly:
-    """Parts on a frame; a configuration is a tuple of their regimes.
+    """The parts of an oscillator on their frame; a regime of each part is a configuration.
 
-    The parts that hold a direction at a constant velocity, contacts that stick and stops in
-    contact, are the active ones; their reactions follow from the constrained motion.
-
-    Attributes
-    ----------
-    frame : Frame
-    parts : tuple of parts
-    smooth : n x 1 matrix
-        Generalized forces without the parts', affine in the state.
-    phases : tuple of (cosine, sine)
-        States of the forcing.
-    rates : tuple of (state, rate)
-        How they move.
-    simultaneous_impacts : "sequence", "moreau" or None
-        How stops act that are reached at one instant and coupled by the mass matrix.
+    A part is active in a regime in which it holds its direction at a constant velocity: a
+    contact that sticks and a stop in contact. The reactions of active parts follow from the
+    constrained motion.
     """
 
     frame: Frame
     parts: tuple[Part, ...]
-    smooth: sp.Matrix
+    smooth: sp.Matrix  # n x 1: generalized forces without the parts', affine in the state
+    # (cosine, sine) states of each harmonic forcing
     phases: tuple[tuple[sp.Symbol, sp.Symbol], ...]
-    rates: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    rates: tuple[tuple[sp.Symbol, sp.Expr], ...]  # (state, its derivative by time) of these states
+    # law of coupled stops that are reached at once: "sequence", "moreau" or None
     simultaneous_impacts: str | None = None
 
     def name(self, regimes: Regimes) -> str:
-        """Name of a configuration; that of a system without elements is `free`."""
+        """Name of a configuration: its regimes joined by hyphens, or `free` without elements."""
         return "-".join(regimes) or "free"
 
     def holder(self, index: int) -> Holder:
-        """The part of that index, which may be active."""
+        """The part of that index, which must be friction or a rigid stop."""
         part = self.parts[index]
         if isinstance(part, SwitchPart):
             raise TypeError(f"{part.name} never holds")
         return part
 
     def friction(self, index: int) -> FrictionPart:
-        """The part of that index, a contact with friction."""
+        """The part of that index, which must be a contact with friction."""
         part = self.parts[index]
         assert isinstance(part, FrictionPart)
         return part
 
     def stop(self, index: int) -> StopPart:
-        """The part of that index, a rigid stop."""
+        """The part of that index, which must be a rigid stop."""
         part = self.parts[index]
         assert isinstance(part, StopPart)
         return part
 
     @property
     def holders(self) -> tuple[int, ...]:
-        """Parts that may be active."""
+        """Indices of friction contacts and rigid stops, the parts that may be active."""
         return tuple(i for i, p in enumerate(self.parts) if not isinstance(p, SwitchPart))
 
     def pressed(self, index: int, regimes: Regimes) -> bool:
-        """Whether what bears the normal load of a contact with friction touches."""
+        """Whether the soft stop that bears a friction contact's normal load is in contact.
+
+        It is true of a contact whose load no stop bears.
+        """
         bearer = self.friction(index).bearer
         return bearer is None or regimes[bearer] == "contact"
 
     def active(self, regimes: Regimes) -> tuple[int, ...]:
-        """Parts that hold their direction."""
+        """Indices of the parts that hold their direction."""
         return tuple(i for i in self.holders if regimes[i] == self.holder(i).holding)
 
     @remembered
     def coupling(self, first: int, second: int) -> sp.Expr:
-        """How much a unit force along one direction accelerates the other."""
+        """Acceleration along the direction of one part by a unit force along that of another."""
         rows = self.holder(first).direction, self.holder(second).direction
         return sp.cancel((rows[0] * self.frame.inverse * rows[1].T)[0])
 
     def rows(self, indices: Sequence[int]) -> sp.Matrix:
-        """Directions of parts, one below the other."""
+        """Matrix (k, n) of the directions of k parts."""
         size = len(self.frame.positions)
         return sp.Matrix.vstack(sp.zeros(0, size), *(self.holder(i).direction for i in indices))
 
     @remembered
     def independent(self, indices: tuple[int, ...]) -> bool:
-        """Whether no direction of these parts follows from the others."""
+        """Whether the directions of these parts are linearly independent."""
         rows = self.rows(indices)
         columns = sorted({place for _, place in rows.todok()})
         return bool(rows.extract(list(range(rows.rows)), columns).rank() == len(indices))
 
     @remembered
     def _drift(self, index: int, active: tuple[int, ...]) -> sp.Expr | None:
-        """Constant velocity of a direction that the active ones fix; relative to a belt."""
+        """Velocity along a direction, less that of its belt, which the active directions fix.
+
+        None if the direction is independent of them.
+        """
         if not active or self.independent((*active, index)):
             return None
         part, rows = self.holder(index), self.rows(active)
@@ -115,11 +111,15 @@ class Assembly:
         return sp.cancel((weights * speeds)[0] - part.speed)
 
     def drift(self, index: int, regimes: Regimes) -> sp.Expr | None:
-        """Velocity of an inactive part's direction where the active ones fix it, else None."""
+        """Relative velocity of an inactive part if the active ones fix it, else None."""
         return self._drift(index, self.active(regimes))
 
     def approach(self, index: int, others: Sequence[int]) -> int | None:
-        """Sign of a stop's velocity of approach, others having theirs; None if open."""
+        """Sign of a stop's velocity of approach if other parts' directions fix it, else None.
+
+        The others are taken to move with their velocities of holding. None also means that the
+        sign is not shown.
+        """
         indices = tuple(i for i in others if i != index)
         while not self.independent(indices):
             indices = indices[:-1]
@@ -128,10 +128,11 @@ class Assembly:
 
     @remembered
     def exists(self, regimes: Regimes) -> bool:
-        """Whether regimes go together.
+        """Whether a combination of regimes is possible.
 
-        The active directions are independent, none slips against its velocity, and a contact
-        that a soft stop presses is lifted where the stop does not touch.
+        The active directions have to be independent, no contact may slip against a velocity
+        that is fixed, and a contact that a soft stop presses is lifted where the stop does not
+        touch. Where it is pressed it is lifted only if its load may vanish.
         """
         if not self.independent(self.active(regimes)):
             return False
@@ -153,9 +154,10 @@ class Assembly:
     def impulse(
         self, stop: int, kept: tuple[int, ...]
     ) -> tuple[sp.Matrix, tuple[sp.Expr, ...]] | None:
-        """Change of velocities, and impulses of kept contacts, by an impact.
+        """Change of velocities (n x 1) by an impact, and the impulse of each kept stop.
 
-        Both for a unit velocity of approach; None if the kept contacts leave it no way.
+        Both are for a unit velocity of approach. None if the kept stops leave the struck mass
+        no way to move.
         """
         part, every = self.stop(stop), self.frame.inverse
         spread, answers = every * part.direction.T, sp.zeros(0, 1)
@@ -173,11 +175,11 @@ class Assembly:
 
     @property
     def products(self) -> tuple[Regimes, ...]:
-        """All products of regimes that go together."""
+        """All combinations of regimes that are possible."""
         return tuple(r for r in product(*(p.regimes for p in self.parts)) if self.exists(r))
 
     def _switched(self, regimes: Regimes) -> sp.Matrix:
-        """Generalized forces but those of contacts and stops."""
+        """Generalized forces (n x 1), without those of friction contacts and rigid stops."""
         total = sp.Matrix(self.smooth)
         for part, regime in zip(self.parts, regimes, strict=True):
             if isinstance(part, SwitchPart) and regime in part.forces:
@@ -185,12 +187,12 @@ class Assembly:
         return total
 
     def unheld(self, regimes: Regimes) -> tuple[sp.Expr, ...]:
-        """Accelerations along the holders' directions, less those of the holders' forces."""
+        """Acceleration along each holder's direction, without the forces of all holders."""
         accelerations = self.rows(self.holders) * self.frame.inverse * self._switched(regimes)
         return tuple(self.frame.tidy(sp.expand(each)) for each in accelerations)
 
     def _forces(self, regimes: Regimes) -> sp.Matrix:
-        """Generalized forces but the reactions."""
+        """Generalized forces (n x 1), without the reactions of active parts."""
         total = self._switched(regimes)
         for part, regime in zip(self.parts, regimes, strict=True):
             if isinstance(part, FrictionPart) and (force := part.force(regime)) is not None:
@@ -198,7 +200,10 @@ class Assembly:
         return total.expand()
 
     def _held(self, active: Sequence[int]) -> dict[int, tuple[int, sp.Expr]] | None:
-        """Coordinate and weight of each active part; None where one holds no coordinate."""
+        """Coordinate and weight of each active part, by its index.
+
+        None if a part holds a combination of coordinates.
+        """
         found = {}
         for i in active:
             weights = self.holder(i).direction.todok()
@@ -210,12 +215,12 @@ class Assembly:
 
     @remembered
     def _spread(self, free: tuple[int, ...]) -> sp.Matrix:
-        """Inverse of the mass of some coordinates, the others held."""
+        """Inverse of the mass matrix of the free coordinates, the others being held."""
         return inverse(self.frame.mass.extract(free, free))
 
     @remembered
     def _motion(self, regimes: Regimes) -> tuple[sp.Matrix, dict[int, sp.Expr]]:
-        """Accelerations, and the active parts' reactions along their directions."""
+        """Accelerations (n x 1), and the reaction of each active part along its direction."""
         frame, active, forces = self.frame, self.active(regimes), self._forces(regimes)
         held = self._held(active)
         if held is None:
@@ -244,20 +249,24 @@ class Assembly:
         )
 
     def reaction(self, index: int, regimes: Regimes) -> sp.Expr:
-        """Force of an active part on the oscillator along its direction."""
+        """Force of an active part on the oscillator along the part's direction."""
         return self._motion(regimes)[1][index]
 
     def pressure(self, index: int, regimes: Regimes) -> sp.Expr:
-        """What a stop in contact pushes with."""
+        """Force with which a stop in contact pushes the oscillator back."""
         return -self.reaction(index, regimes)
 
     def excesses(self, index: int, regimes: Regimes) -> tuple[sp.Expr, sp.Expr]:
-        """By how much what holds a contact that sticks exceeds its limit, forward and backward."""
+        """Excess of a sticking contact's force over its limit, forward and backward."""
         part, force = self.friction(index), self.reaction(index, regimes)
         return force - part.limit, -force - part.limit
 
     def dynamics(self, regimes: Regimes) -> Dynamics:
-        """Second order where nothing but positions and velocities moves freely or is held."""
+        """Motion in one configuration, of second order if that is possible.
+
+        It is not if the system has states beside positions and velocities, or if a combination
+        of coordinates is held.
+        """
         frame, active = self.frame, self.active(regimes)
         held = self._held(active)
         size = len(frame.positions)
@@ -286,7 +295,7 @@ class Assembly:
         return FirstOrder(frame.matrix_of(rates, frame.states), offset)
 
     def configuration(self, regimes: Regimes) -> Configuration:
-        """The configuration of a product of regimes."""
+        """The configuration of a combination of regimes."""
         dynamics = self.dynamics(regimes)
         constraints: list[sp.Expr] = []
         for i in self.active(regimes):
@@ -302,7 +311,11 @@ class Assembly:
         return Configuration(self.name(regimes), dynamics, boundaries, tuple(constraints))
 
     def boundaries(self, index: int, regimes: Regimes) -> tuple[Boundary, ...]:
-        """Where a part leaves its regime; none where its velocity cannot change."""
+        """Boundaries at which a part leaves its regime.
+
+        There are none where a stop's velocity is fixed at rest or away from it, or where
+        nothing presses a friction contact.
+        """
         part, regime = self.parts[index], regimes[index]
         if isinstance(part, SwitchPart):
             return tuple(exit_.boundary for exit_ in part.exits[regime])
@@ -326,7 +339,7 @@ class Assembly:
         return (Boundary(names[0], sign * part.relative, acts_when="reached"), *losses)
 
     def contacts(self, products: Sequence[Regimes]) -> tuple[Contact, ...]:
-        """The forces of the surroundings on the oscillator."""
+        """Forces of the surroundings on the oscillator, one record a part with a direction."""
         found = []
         for index, part in enumerate(self.parts):
             if part.direction is None:

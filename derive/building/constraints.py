@@ -19,13 +19,10 @@ __all__ = ["constraints_of", "needed_of"]
 def constraints_of(
     frame: Frame, elements: Sequence[Element], parts: Sequence[Part]
 ) -> tuple[sp.Expr, ...]:
-    """Expressions of the parameters that must not be negative, and may be on their domains.
+    """Expressions of the parameters that must not be negative but may be so on their domains.
 
-    Raises
-    ------
-    DeclarationError
-        For one that is negative on the whole domain, no rational function, or depends on the
-        state.
+    DeclarationError refuses one that is negative on the whole domain, that is no rational
+    function, or that depends on the state.
     """
     found = dict[sp.Expr, None]()
     for element, part in zip(elements, parts, strict=True):
@@ -48,7 +45,10 @@ def constraints_of(
 
 @singledispatch
 def needed_of(element: Element, part: Part, frame: Frame) -> Iterable[tuple[str, sp.Expr]]:
-    """What an element needs not to be negative, in words and as expressions; nothing by default."""
+    """Quantities of an element that must not be negative: name and expression of each.
+
+    There are none unless a function is registered for the element's class.
+    """
     return ()
 
 

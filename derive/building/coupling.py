@@ -17,10 +17,12 @@ __all__ = ["contact_law", "coupled"]
 
 
 def coupled(assembly: Assembly) -> bool:
-    """Whether a law decides: the mass matrix couples friction to what may hold beside it.
+    """Whether a contact law decides on the parts that may hold.
 
-    Friction whose direction stops alone hold needs no law with stops: it takes whatever force
-    there. Nor can it have one while the belt's velocity may or may not be zero.
+    It does if the mass matrix couples friction contacts to each other or to stops. A
+    contact whose direction is held by stops alone needs no law with the stops, as it takes
+    whatever force there is. There is no law at all if the belt of such a contact may or may
+    not have the velocity zero.
     """
     rubbing = [i for i in assembly.holders if isinstance(assembly.parts[i], FrictionPart)]
     stops = assembly.rows([i for i in assembly.holders if i not in rubbing])
@@ -35,7 +37,7 @@ def coupled(assembly: Assembly) -> bool:
 
 
 def contact_law(assembly: Assembly, products: Sequence[Regimes]) -> ContactLaw | None:
-    """The law of the parts that may hold; None where each is decided by itself."""
+    """The contact law of the parts that may hold; None where each is decided by itself."""
     if not coupled(assembly):
         return None
     holders = assembly.holders
@@ -85,7 +87,7 @@ def _contact(part: Part, assembly: Assembly) -> LawContact:
 
 
 def _events(assembly: Assembly) -> tuple[dict[str, int], dict[str, int]]:
-    """Boundaries at which each contact comes to rest, and those of its force."""
+    """Index of a contact by each boundary at which it comes to rest, and by each of its limits."""
     arrivals: dict[str, int] = {}
     limits: dict[str, int] = {}
     for place, index in enumerate(assembly.holders):
@@ -101,7 +103,11 @@ def _events(assembly: Assembly) -> tuple[dict[str, int], dict[str, int]]:
 def _exits(
     assembly: Assembly, others: Sequence[int], regimes: Regimes
 ) -> dict[str, tuple[str, dict[sp.Symbol, sp.Expr]]]:
-    """What other parts do at every set of their boundaries: regimes behind, and the reset."""
+    """Regimes and reset of the other parts behind each set of their boundaries.
+
+    The key is the set's names, sorted and joined by "+"; the value has the regimes, joined
+    by hyphens, and the reset.
+    """
     options: list[list[Exit | None]] = []
     for i in others:
         part = assembly.parts[i]

@@ -13,12 +13,12 @@ __all__ = ["is_array", "matrix_of_doubles", "values_of_doubles"]
 
 
 def is_array(given: Any) -> bool:
-    """Whether it is a NumPy array or SciPy sparse matrix of numbers, not of expressions."""
+    """Whether a value is a NumPy array or SciPy sparse matrix of numbers, not of expressions."""
     return hasattr(given, "dtype") and hasattr(given, "shape") and given.dtype.kind != "O"
 
 
 def matrix_of_doubles(given: Any, what: str) -> sp.Matrix:
-    """A matrix of the numbers of an array, exactly."""
+    """A matrix of the exact rational values of a two-dimensional array of doubles."""
     if len(given.shape) != 2:
         raise DeclarationError(f"{what} is no matrix: its shape is {given.shape}")
     if hasattr(given, "tocoo"):
@@ -34,7 +34,7 @@ def matrix_of_doubles(given: Any, what: str) -> sp.Matrix:
 
 
 def values_of_doubles(given: Any, what: str) -> list[sp.Rational]:
-    """The numbers of an array of one dimension, exactly."""
+    """The exact rational values of a one-dimensional array of doubles."""
     if len(given.shape) != 1:
         raise DeclarationError(f"{what} is no row of numbers: its shape is {given.shape}")
     return list(_fractions(given, what))

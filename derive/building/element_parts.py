@@ -28,18 +28,9 @@ __all__ = ["part_of", "slider_state", "states_of"]
 def part_of(element: Element, frame: Frame, elements: Sequence[Element]) -> Part:
     """The part of an element; each class of elements registers the function that makes it.
 
-    Parameters
-    ----------
-    element : Element
-    frame : Frame
-        Coordinates, states and parameters of the oscillator.
-    elements : sequence of Element
-        All of the oscillator: one may bear the normal load of another.
-
-    Raises
-    ------
-    DeclarationError
-        For names or functions that do not fit, or an element whose class is not registered.
+    `elements` are all of the oscillator, because one may bear the normal load of another.
+    DeclarationError refuses names and functions that do not fit, and an element whose class
+    is not registered.
     """
     raise DeclarationError(f"{element!r} is no element of an oscillator")
 
@@ -61,7 +52,7 @@ def slider_state(slider: Slider) -> sp.Symbol:
 
 
 def _into(element: RigidStop | SoftStop, frame: Frame) -> tuple[int, sp.Matrix, sp.Expr, sp.Expr]:
-    """Sign and row of the direction into a stop, penetration and its rate."""
+    """Sign and row (1 x n) of the direction into a stop, penetration, and its rate."""
     sign = 1 if element.side == "upper" else -1
     row = sign * frame.row(element.coordinate, f"element {element.name!r}")
     gap = frame.position(row) - sign * frame.expression(element.at)
@@ -76,7 +67,7 @@ def _rigid_stop(element: RigidStop, frame: Frame, elements: Sequence[Element]) -
 
 
 def _push(element: SoftStop, frame: Frame) -> sp.Expr:
-    """Force of a soft stop in contact, against the direction into it."""
+    """Force of a soft stop in contact, positive against the direction into it."""
     _, _, gap, approach = _into(element, frame)
     return frame.expression(element.stiffness) * gap + frame.expression(element.damping) * approach
 
@@ -150,7 +141,12 @@ def _friction(element: Friction, frame: Frame, elements: Sequence[Element]) -> F
 def _load(
     element: Friction, frame: Frame, elements: Sequence[Element]
 ) -> tuple[sp.Expr, bool, int | None]:
-    """Normal load of a contact, whether it may vanish while it is pressed, and what bears it."""
+    """Normal load of a contact, whether it may vanish, and the index of what bears it.
+
+    The load of a contact that a soft stop bears is the push of that stop; whether it may
+    vanish concerns the time in which the stop is in contact. The index is None without such
+    a stop.
+    """
     where, normal = f"element {element.name!r}", element.normal
     if isinstance(normal, str | RigidStop | SoftStop | Slider | Friction | Regions):
         name = normal if isinstance(normal, str) else normal.name

@@ -31,11 +31,11 @@ Direction = str | Mapping[str, Any] | Sequence[Any]
 
 
 class Element(Protocol):
-    """What makes an oscillator nonsmooth: `part_of` tells its regimes, forces and boundaries."""
+    """An element that makes an oscillator nonsmooth; `part_of` gives its regimes and forces."""
 
     @property
     def name(self) -> str:
-        """Its name, with which those of its boundaries begin."""
+        """Name of the element, with which the names of its boundaries begin."""
 
 
 @dataclass(frozen=True)
@@ -350,7 +350,7 @@ class Regions:
 
 
 def direction_name(direction: Direction) -> str:
-    """Name of a coordinate, or those of a direction, joined."""
+    """Name of a coordinate; of a direction the names of its coordinates, joined by hyphens."""
     if isinstance(direction, str):
         return direction
     if not isinstance(direction, Mapping):
@@ -359,7 +359,7 @@ def direction_name(direction: Direction) -> str:
 
 
 def _settle_direction(element: Any, ending: str = "") -> None:
-    """Name an element by its direction if it has no name, and keep a vector as numbers."""
+    """Name an element by its direction if it has no name, and make a vector of doubles exact."""
     direction = element.coordinate
     object.__setattr__(element, "name", element.name or direction_name(direction) + ending)
     if is_array(direction):
@@ -375,7 +375,7 @@ def _check_side(side: str) -> None:
 def _check(
     value: Any, what: str, lower: int, upper: int | None = None, strict: bool = False
 ) -> None:
-    """Refuse a value that is known to lie outside; what depends on parameters may be inside."""
+    """Refuse a value that is known to lie outside its range; parameters may lie inside."""
     number = exact(value)
     if number.is_number and not (number.is_real and number.is_finite):
         raise DeclarationError(f"{what} is not a real number: {value}")

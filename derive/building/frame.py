@@ -28,26 +28,17 @@ _LISTED = 12
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """States and parameters by name, and the mass matrix.
+    """States, parameters and mass matrix of an oscillator."""
 
-    Attributes
-    ----------
-    positions, velocities : n symbols
-    others : tuple of symbols
-        Cosines and sines of the forcing, positions of sliders.
-    parameters : tuple of Parameter
-    mass : n x n matrix
-    """
-
-    positions: tuple[sp.Symbol, ...]
-    velocities: tuple[sp.Symbol, ...]
-    others: tuple[sp.Symbol, ...]
+    positions: tuple[sp.Symbol, ...]  # n symbols
+    velocities: tuple[sp.Symbol, ...]  # n symbols
+    others: tuple[sp.Symbol, ...]  # cosines and sines of the forcing, positions of sliders
     parameters: tuple[Parameter, ...]
-    mass: sp.Matrix
+    mass: sp.Matrix  # n x n
 
     @cached_property
     def states(self) -> tuple[sp.Symbol, ...]:
-        """Positions, velocities, others."""
+        """All states: positions, velocities, others."""
         return (*self.positions, *self.velocities, *self.others)
 
     @cached_property
@@ -65,14 +56,14 @@ class Frame:
         return known | {str(s): s for s in self.states}
 
     def expression(self, given: Any) -> Any:
-        """An exact expression, its symbols replaced by those of the same name."""
+        """An exact expression, its symbols replaced by the frame's symbols of the same name."""
         found = exact(given)
         return found.xreplace(
             {s: self._symbols[s.name] for s in found.free_symbols if s.name in self._symbols}
         )
 
     def column(self, given: Sequence[Any] | Mapping[str, Any] | None, what: str) -> sp.Matrix:
-        """Column of n values, given in order or by coordinate; zero where not given."""
+        """Column (n x 1) of values given in order or by coordinate; zero where none is given."""
         names = [str(s) for s in self.positions]
         if isinstance(given, Mapping):
             self._check_coordinates(given, what)
@@ -93,7 +84,7 @@ class Frame:
         return self._constant(square(given, what, size, self.expression), what)
 
     def _constant(self, matrix: sp.Matrix, what: str) -> sp.Matrix:
-        """The matrix, unless it changes with the time or the state."""
+        """The matrix itself; refused if it depends on the time or the state."""
         names = {symbol.name for symbol in matrix.free_symbols}
         if str(TIME) in names:
             raise DeclarationError(
@@ -108,7 +99,7 @@ class Frame:
         return matrix
 
     def row(self, direction: Direction, where: str) -> sp.Matrix:
-        """Row of weights of a direction."""
+        """Row of weights (1 x n) of a direction; a zero direction is refused."""
         if isinstance(direction, str):
             direction = {direction: 1}
         row = self.column(direction, where).T
@@ -117,15 +108,15 @@ class Frame:
         return sp.ImmutableMatrix(row)
 
     def position(self, row: sp.Matrix) -> sp.Expr:
-        """Position along a direction."""
+        """Position along a row of weights."""
         return along(row, self.positions)
 
     def velocity(self, row: sp.Matrix) -> sp.Expr:
-        """Velocity along a direction."""
+        """Velocity along a row of weights."""
         return along(row, self.velocities)
 
     def affine(self, function: Any, where: str) -> sp.Expr:
-        """An affine function of the state; DeclarationError if it is none."""
+        """An affine function of the state; DeclarationError refuses another one."""
         function = self.expression(function)
         slopes, _ = self.terms(function)
         if any(slope.free_symbols & self._known for slope in slopes.values()):
@@ -134,7 +125,7 @@ class Frame:
 
     @remembered
     def tidy(self, function: sp.Expr) -> sp.Expr:
-        """An affine function of the state with simplified coefficients."""
+        """An affine function of the state with its coefficients in lowest terms."""
         slopes, constant = self.terms(function)
         return sp.Add(cancel(constant), *(cancel(slope) * s for s, slope in slopes.items()))
 
@@ -143,7 +134,7 @@ class Frame:
         return affine_terms(function, self._known)
 
     def matrix_of(self, functions: Iterable[sp.Expr], states: Sequence[sp.Symbol]) -> sp.Matrix:
-        """Rows of the coefficients of some states in affine functions."""
+        """Matrix of the coefficients of given states, one row for each affine function."""
         columns = {s: j for j, s in enumerate(states)}
         rows = [self.terms(function)[0] for function in functions]
         entries = {
@@ -156,7 +147,7 @@ class Frame:
 
     @remembered
     def sign(self, expression: sp.Expr) -> int | None:
-        """Sign of an expression of parameters on their whole domain; None if not shown."""
+        """Sign of an expression of parameters on their whole domain; None if none is shown."""
         expression = sp.cancel(expression)
         if expression == 0:
             return 0
@@ -173,12 +164,12 @@ class Frame:
 
 
 def along(row: sp.Matrix, values: Sequence[sp.Expr]) -> sp.Expr:
-    """A row of weights times as many values."""
+    """Sum of the values, weighted by the entries of a row."""
     return sp.Add(*(weight * values[j] for (_, j), weight in row.todok().items()))
 
 
 def square(given: Any, what: str, size: int, resolved: Any = exact) -> sp.Matrix:
-    """A matrix of the given size, its entries resolved."""
+    """A matrix of the given size, each entry passed through `resolved`."""
     if is_array(given):
         matrix = matrix_of_doubles(given, what)
     else:
@@ -239,7 +230,7 @@ def _inferred(symbol: sp.Symbol, restitution: bool) -> Parameter:
 
 
 def _symbols(value: Any) -> Iterator[sp.Symbol]:
-    """Symbols of whatever may hold expressions, in order of appearance."""
+    """Symbols of all expressions in a nested value, in order of appearance."""
     if is_array(value):
         return
     if isinstance(value, sp.MatrixBase):

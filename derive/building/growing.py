@@ -42,7 +42,7 @@ _MOST_TOGETHER = 7  # parts with friction at rest whose boundaries are reached a
 
 @dataclass(frozen=True)
 class _Identity:
-    """What tells a growing system from every other."""
+    """The declarations by which two growing systems are compared."""
 
     name: str
     description: str
@@ -51,16 +51,17 @@ class _Identity:
 
 
 def is_large(assembly: Assembly) -> bool:
-    """Whether the configurations of an oscillator are made when they are first visited.
+    """Whether an oscillator has so many configurations that each is made at its first visit.
 
-    Sets of boundaries are counted without regard to which regimes go together. Contacts that the
-    mass matrix couples are decided by one law, which knows all configurations.
+    Sets of boundaries are counted without regard to which regimes go together. Contacts
+    that the mass matrix couples are excluded: one law decides on them, which knows all
+    configurations.
     """
     return _sets(assembly) * len(assembly.frame.positions) > _LARGEST and not coupled(assembly)
 
 
 def _sets(assembly: Assembly) -> int:
-    """About how many sets of boundaries all configurations have."""
+    """Approximate number of sets of boundaries in all configurations."""
     return prod(sum(1 + _exits(part, regime) for regime in part.regimes) for part in assembly.parts)
 
 
@@ -77,15 +78,9 @@ def _exits(part: Any, regime: str) -> int:
 class GrowingSystem(System):
     """An oscillator whose configurations are made when they are first visited.
 
-    It is a `System`: whatever asks for all configurations or transitions gets them where they are
-    at most 4096, and is refused else.
-
-    Parameters
-    ----------
-    name, description : str
-    assembly : Assembly
-        The parts; their regimes are the configurations.
-    constraints : tuple of expressions
+    It is a `System`, whose configurations are the combinations of regimes of the parts in
+    `assembly`. What asks for all configurations or transitions gets them if there are at
+    most 4096, and is refused otherwise.
     """
 
     assembly: Assembly
@@ -117,12 +112,12 @@ class GrowingSystem(System):
         return hash((self.name, self.states))
 
     def __repr__(self) -> str:
-        """Name, and how many configurations there may be."""
+        """Name of the system, and an upper bound of the number of its configurations."""
         return f"<System {self.name!r} of up to {self._count:,} configurations>"
 
     @property
     def identity(self) -> _Identity:
-        """What tells it from every other system."""
+        """The declarations that distinguish the system from every other."""
         return _Identity(self.name, self.description, self.assembly, self.constraints)
 
     @property
@@ -175,22 +170,13 @@ class GrowingSystem(System):
         )  # fmt: skip
 
     def configuration(self, name: str) -> Configuration:
-        """See `System`: the one of that name is made.
-
-        Raises
-        ------
-        DeclarationError
-            If there is none of that name.
-        """
+        """The configuration of that name, made now; DeclarationError refuses an unknown one."""
         return self.assembly.configuration(self._regimes(name))
 
     def transition(self, source: str, boundary: str, target: str) -> Transition:
-        """See `System`: those of that configuration are made.
+        """The first transition from a source by a boundary to a target, made now.
 
-        Raises
-        ------
-        DeclarationError
-            If no transition leads there.
+        DeclarationError says that there is none.
         """
         for found in transitions_at(self.assembly, self._regimes(source), {boundary}):
             if found.target == target:
@@ -199,33 +185,20 @@ class GrowingSystem(System):
 
     @cached_property
     def regimes(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        """Name of each part, and its regimes."""
+        """Name and regimes of each part."""
         return tuple((part.name, part.regimes) for part in self.assembly.parts)
 
     def has(self, name: str) -> bool:
-        """Whether there is a configuration of a name."""
+        """Whether the system has a configuration of that name."""
         return any(map(self.assembly.exists, self._split(name, 0)))
 
     def piece(self, name: str, boundaries: Collection[str] = ()) -> str:
-        """Derive what follows the boundaries of one configuration, as a Python module.
+        """Source of a Python module for one configuration and what follows its boundaries.
 
-        Parameters
-        ----------
-        name : str
-            Of the configuration.
-        boundaries : collection of str
-            Those that are reached at one instant; without them each that a part reaches alone.
-
-        Returns
-        -------
-        str
-            Tables and kernels of the configuration, and what has to be known of those that it
-            leads to.
-
-        Raises
-        ------
-        DeclarationError
-            If there is no such configuration, or too many contacts are reached together.
+        `boundaries` are reached at one instant; if there are none, each set follows that a part
+        reaches alone. The module has tables and kernels of the configuration, and what has to
+        be known of those that it leads to. DeclarationError refuses an unknown configuration,
+        and too many friction contacts that are reached together.
         """
         assembly, regimes = self.assembly, self._regimes(name)
         if boundaries:
@@ -249,15 +222,10 @@ class GrowingSystem(System):
         return source
 
     def composed(self, orbit: Any) -> dict[str, Any]:
-        """Give the table of an orbit that is composed at run time.
+        """The table of an itinerary that is composed at run time.
 
-        Parameters
-        ----------
-        orbit : Itinerary
-
-        Returns
-        -------
-        dict
+        DeclarationError refuses one with vanishing phases, a presentation or parameters to
+        solve for.
         """
         reason = "its system's configurations are made when they are first visited"
         if orbit.vanishing or orbit.presentation or orbit.solved_for:
@@ -288,7 +256,10 @@ class GrowingSystem(System):
         )
 
     def _split(self, name: str, place: int) -> Iterator[Regimes]:
-        """A name as regimes, from a part on; they may contain hyphens."""
+        """All ways to read a name as regimes of the parts from an index on.
+
+        There may be several, as regimes may contain hyphens.
+        """
         if place == len(self.regimes):
             if not name:
                 yield ()
@@ -302,14 +273,14 @@ class GrowingSystem(System):
 
 
 class _Piece(System):
-    """One configuration of a system, and what follows its boundaries."""
+    """A system of one configuration, and of the transitions at its boundaries."""
 
     def __post_init__(self) -> None:
-        """Nothing is checked: the elements were, when the system was declared."""
+        """Check nothing, since the elements were checked when the system was declared."""
 
 
 def _conditions(part: Any, regime: str) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
-    """Functions of the state that are not positive in a regime, and those that vanish."""
+    """Functions of the state that are not positive in a regime, and those that vanish in it."""
     if isinstance(part, SwitchPart):
         vanishing = (part.constraints[regime],) if regime in part.constraints else ()
         return tuple(e.boundary.function for e in part.exits[regime]), vanishing

@@ -34,19 +34,13 @@ def impacts(
     moved: Sequence[int],
     landing: Sequence[int],
 ) -> Iterator[tuple[int, _Impact]]:
-    """Conditions, next regimes and velocities (n x 1) of all impacts, in their order.
+    """All impacts on the stops that are reached, in the order in which they are tried.
 
-    Each with the number of the order in which the stops act, 0 where there is but one.
-
-    Parameters
-    ----------
-    assembly : Assembly
-    regimes : tuple of str
-        Before the event, those of switching parts already replaced.
-    reached : indices of stops
-        At the stop, perhaps with a velocity.
-    moved : indices of all parts that have reached a boundary
-    landing : indices of contacts that regain their normal load
+    Each has its conditions, the regimes and the velocities (n x 1) behind it, and before
+    them the number of the order in which the stops act, 0 if there is only one order.
+    `regimes` are those before the event, except that switching parts have changed already;
+    `reached` are stops at which the mass may arrive, `moved` all parts that have reached a
+    boundary, and `landing` friction contacts that regain their normal load.
     """
     velocities, law = sp.Matrix(assembly.frame.velocities), assembly.simultaneous_impacts
     orders = [tuple(reached)]
@@ -72,7 +66,7 @@ def impacts(
 
 
 def _closed(assembly: Assembly, regimes: Regimes, stops: Sequence[int]) -> list[int]:
-    """Stops in contact that the mass matrix couples to some of these."""
+    """Indices of the stops in contact that the mass matrix couples to some of the given ones."""
     return [
         i
         for i in assembly.holders
@@ -81,7 +75,7 @@ def _closed(assembly: Assembly, regimes: Regimes, stops: Sequence[int]) -> list[
 
 
 def _interact(assembly: Assembly, regimes: Regimes, stops: Sequence[int]) -> bool:
-    """Whether the impact on one stop changes the velocity at another one, or may do so."""
+    """Whether an impact on one of the stops may change the velocity at another one."""
     return any(
         assembly.coupling(i, j) != 0
         or {*_closed(assembly, regimes, [i])} & {*_closed(assembly, regimes, [j])}
@@ -92,7 +86,7 @@ def _interact(assembly: Assembly, regimes: Regimes, stops: Sequence[int]) -> boo
 def _at_once(
     assembly: Assembly, regimes: Regimes, reached: Sequence[int]
 ) -> Iterator[tuple[list[int], _Impact]]:
-    """Impacts by Moreau's law: every set of stops that take an impulse."""
+    """Impacts by Moreau's law, one for every set of stops that take an impulse."""
     velocities, inverse = sp.Matrix(assembly.frame.velocities), assembly.frame.inverse
     closed = _closed(assembly, regimes, reached)
     stops = [*reached, *closed]
@@ -128,7 +122,7 @@ def _at_once(
 def _struck(
     assembly: Assembly, regimes: Regimes, stops: Sequence[int], velocities: sp.Matrix
 ) -> Iterator[_Impact]:
-    """One impact after another."""
+    """Impacts on the stops one after another, in the given order."""
     if not stops:
         yield (), regimes, velocities
         return
@@ -164,7 +158,10 @@ def _struck(
 
 
 def _touching(assembly: Assembly, regimes: Regimes, stop: int) -> str:
-    """A configuration in which a stop is in contact: the given regimes beside it, if possible."""
+    """Name of a configuration in which a stop is in contact.
+
+    The other parts keep their regimes if such a configuration exists.
+    """
     wanted = changed(regimes, stop, "contact")
     if assembly.exists(wanted):
         return assembly.name(wanted)
@@ -189,7 +186,10 @@ def _settled(
     moved: Sequence[int],
     landing: Sequence[int],
 ) -> Iterator[_Impact]:
-    """Regimes of friction behind impacts, by the sign of each velocity that has jumped."""
+    """An impact with every combination of regimes that friction may have behind it.
+
+    The sign of each relative velocity and load that has jumped decides.
+    """
     velocities = assembly.frame.velocities
     jump = [
         sp.S.Zero if new == old else sp.expand(new - old)
@@ -236,7 +236,10 @@ def _settled(
 
 
 def _sign_behind(assembly: Assembly, relative: sp.Expr, struck: Sequence[int]) -> int | None:
-    """Sign of a velocity that depends on nothing but the approach to one stop; None if unknown."""
+    """Sign of a velocity behind an impact on one stop; None if it is not known.
+
+    It is known where the velocity depends on the approach to that stop alone.
+    """
     if len(struck) > 1:
         return None
     part = assembly.stop(struck[0])

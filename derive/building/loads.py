@@ -22,14 +22,11 @@ __all__ = ["landed", "loaded"]
 def loaded(
     assembly: Assembly, source: Regimes, regimes: Regimes, reached: Mapping[int, frozenset[str]]
 ) -> tuple[Regimes, tuple[int, ...]]:
-    """Regimes behind boundaries that lose or regain a force, and the contacts that land.
+    """Regimes behind boundaries at which a friction force ends or returns, and what lands.
 
-    Parameters
-    ----------
-    assembly : Assembly
-    source, regimes : tuple of str
-        Before the event, and with those of switching parts already replaced.
-    reached : mapping of the index of a part to its boundaries
+    `source` are the regimes before the event, in `regimes` those of switching parts are
+    replaced already, and `reached` has the boundaries by the index of their part. Contacts
+    that land are left lifted; `landed` gives them their regimes.
     """
     landing = []
     for i, part in enumerate(assembly.parts):
@@ -52,9 +49,10 @@ def loaded(
 def landed(
     assembly: Assembly, regimes: Regimes, landing: Sequence[int]
 ) -> Iterator[tuple[tuple[Condition, ...], Regimes, tuple[int, ...]]]:
-    """All ways in which contacts land, by their velocities: conditions, regimes, and those at rest.
+    """All ways in which contacts land: conditions, regimes, and the contacts that are at rest.
 
-    Those at rest slide in name; they have still to be decided.
+    The velocities decide. A contact at rest gets a sliding regime for the moment; its
+    regime has still to be decided.
     """
     options = [_sides(assembly, regimes, landing, i) for i in landing]
     for chosen in product(*options):
@@ -69,11 +67,11 @@ def landed(
 def _sides(
     assembly: Assembly, regimes: Regimes, landing: Sequence[int], index: int
 ) -> list[tuple[str | None, tuple[Condition, ...]]]:
-    """Regimes in which one contact may land, with their conditions; None where it is at rest."""
+    """Regimes in which one contact may land, with their conditions; None stands for rest."""
     part = assembly.friction(index)
 
     def beside(regime: str) -> Regimes | None:
-        """An existing configuration with that regime."""
+        """A configuration that exists and in which the contact has that regime, else None."""
         every = [
             (regime,) if i == index else ("lifted", "slip", "overshoot") if i in landing else (r,)
             for i, r in enumerate(regimes)

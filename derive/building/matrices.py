@@ -66,7 +66,10 @@ def chain_matrices(
 
 
 def _joined(links: Sequence[Any], count: int, left: int) -> sp.Matrix:
-    """Sum of links, the first between the masses `left` and `left` + 1; outside is the ground."""
+    """Matrix (count x count) of a chain of links, each of which acts between two neighbours.
+
+    The first link joins the masses `left` and `left` + 1; one out of range is the ground.
+    """
     total: dict[tuple[int, int], sp.Expr] = {}
     for place, link in enumerate(map(exact, links), start=left):
         ends = [(j, sign) for j, sign in ((place, -1), (place + 1, 1)) if 0 <= j < count]

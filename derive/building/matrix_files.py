@@ -98,14 +98,14 @@ def _matlab(file: Path) -> dict[str, Any]:
 
 
 def _size_of_market(file: Path, most: float) -> float:
-    """Bytes of the entries of a matrix, as the header says."""
+    """Bytes of the entries of a Matrix Market file, by its header."""
     from scipy.io import mminfo
 
     return 16.0 * int(mminfo(file)[2])
 
 
 def _size_of_archive(file: Path, most: float) -> float:
-    """Bytes of all arrays, as their headers say, or the archive: the larger counts."""
+    """Bytes of all arrays of an archive, for each the larger of what its two headers say."""
     total = 0.0
     with zipfile.ZipFile(file) as archive:
         for told in archive.infolist():
@@ -122,9 +122,9 @@ def _size_of_archive(file: Path, most: float) -> float:
 
 
 def _size_of_matlab(file: Path, most: float) -> float:
-    """Bytes of all matrices: as they are unpacked, and of dense ones as their headers say.
+    """Bytes of all matrices of a MATLAB file: unpacked, plus the dense ones by their headers.
 
-    It ends where they are too many.
+    The count ends when it exceeds `most`.
     """
     from scipy.io import whosmat
 
@@ -145,7 +145,10 @@ def _size_of_matlab(file: Path, most: float) -> float:
 
 
 def _unpacked(stream: BinaryIO, size: int, most: float) -> int:
-    """Bytes that the next ones of a file unpack to, none of which are kept."""
+    """Number of bytes to which the next `size` bytes unpack; none are kept.
+
+    The count ends when it exceeds `most`.
+    """
     unpacking, total = zlib.decompressobj(), 0
     while size > 0 and total <= most and (piece := stream.read(min(size, _PIECE))):
         size -= len(piece)
@@ -156,7 +159,7 @@ def _unpacked(stream: BinaryIO, size: int, most: float) -> int:
 
 
 def _numeric(entries: dict[str, Any]) -> dict[str, Any]:
-    """Entries of two dimensions and of numbers."""
+    """The entries that are two-dimensional arrays of numbers."""
     return {
         name: entry
         for name, entry in entries.items()

@@ -184,7 +184,7 @@ def _assembled(
 
 
 def _check_list(argument: str, given: Any, kinds: tuple[type, ...], written: str) -> None:
-    """Refuse what is no list of these kinds; `written` is how one of them is."""
+    """Refuse an argument that is no list of the given kinds; `written` shows an entry's form."""
     if isinstance(given, kinds):
         name = type(given).__name__
         raise DeclarationError(f"{argument} is a {name}, not a list: {argument}=[{name}(...)]")
@@ -215,7 +215,7 @@ def _given(stiffness: Any, what: str) -> Any:
 
 
 def _check_independence(assembly: Assembly) -> None:
-    """Two contacts in one direction that move alike share their force in no definite way."""
+    """Refuse two friction contacts that move alike: how they share their force is indefinite."""
     for i, j in combinations(assembly.holders, 2):
         first, second = assembly.parts[i], assembly.parts[j]
         if isinstance(first, FrictionPart) and isinstance(second, FrictionPart):

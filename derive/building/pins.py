@@ -15,9 +15,11 @@ __all__ = ["pins"]
 def pins(
     assembly: Assembly, begun: Sequence[int], target: Regimes, *, impact: bool
 ) -> dict[sp.Symbol, sp.Expr]:
-    """Velocities, and the places of stops, of parts that begin to hold.
+    """Reset of the velocities, and at stops the positions, of parts that begin to hold.
 
-    A held coordinate is set; otherwise all active directions are projected upon together.
+    A held coordinate is set to its value. Where a combination of coordinates is held, the
+    state is projected orthogonally on all active directions together; at an impact it is
+    left as it is.
     """
     frame = assembly.frame
     weights = {i: assembly.holder(i).direction.todok() for i in begun}
@@ -47,7 +49,10 @@ def pins(
 def _projected(
     symbols: Sequence[sp.Symbol], rows: sp.Matrix, excess: sp.Matrix
 ) -> dict[sp.Symbol, sp.Expr]:
-    """The nearest values for which the excess vanishes."""
+    """Values of the symbols nearest to the present ones for which the excess vanishes.
+
+    `excess` (k x 1) has the gradients `rows` (k, n) by the symbols.
+    """
     if rows.rows == 0:
         return {}
     shift = rows.T * (rows * rows.T).inv() * excess

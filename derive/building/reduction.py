@@ -270,7 +270,7 @@ def _free_interface(structure: Structure, kept: Sequence[int], count: int) -> _R
 
 
 def _residual(structure: Structure, kept: Sequence[int], squares: Array, shapes: Array) -> Array:
-    """Static answers (n, held) of the modes that are left out to unit forces at kept coordinates.
+    """Static answers (n, held) of the neglected modes to unit forces at the kept coordinates.
 
     Where the structure moves as a rigid body the forces are balanced by its inertia.
     """
@@ -300,7 +300,7 @@ def _residual(structure: Structure, kept: Sequence[int], squares: Array, shapes:
 
 
 def _modes(stiffness: Any, mass: Any, count: int) -> tuple[Array, Array, float]:
-    """Squares and shapes of the lowest modes, and the frequency of the next one."""
+    """Squared frequencies and shapes of the lowest modes, and the frequency of the next one."""
     size = mass.shape[0]
     squares, shapes = lowest_modes(stiffness, mass, min(count + 1, size))
     cutoff = float(np.sqrt(max(squares[count], 0.0))) if count < size else float("inf")
@@ -308,7 +308,7 @@ def _modes(stiffness: Any, mass: Any, count: int) -> tuple[Array, Array, float]:
 
 
 def _carried(matrix: Any, transformation: Array) -> Array:
-    """The matrix in reduced coordinates, symmetric; what is rounding alone is zero."""
+    """The matrix in reduced coordinates, symmetric; entries of rounding alone become zero."""
     carried = transformation.T @ (matrix @ transformation)
     sizes = abs(transformation)
     rounding = 4 * np.finfo(float).eps * (sizes.T @ (abs(matrix) @ sizes))
@@ -317,7 +317,7 @@ def _carried(matrix: Any, transformation: Array) -> Array:
 
 
 def _place(which: int | str, names: Sequence[str], what: str) -> int:
-    """Place of a coordinate that is given by its place or its name."""
+    """Index of a coordinate that is given by its index or its name."""
     if isinstance(which, str):
         if which not in names:
             raise DeclarationError(f"{what}: unknown coordinate {which!r}")

@@ -15,7 +15,7 @@ _Result = TypeVar("_Result")
 def remembered(
     method: Callable[Concatenate[Any, _Arguments], _Result],
 ) -> Callable[Concatenate[Any, _Arguments], _Result]:
-    """The method, computed once for each row of arguments.
+    """The method with its results stored in the object, one for each tuple of arguments.
 
     Unlike `functools.cache` it does not keep its objects alive.
     """

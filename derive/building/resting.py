@@ -22,12 +22,16 @@ Choice = tuple[tuple[Condition, ...], Regimes]
 
 
 def changed(regimes: Regimes, index: int, regime: str) -> Regimes:
-    """Regimes with one of them replaced."""
+    """The regimes with one of them replaced."""
     return (*regimes[:index], regime, *regimes[index + 1 :])
 
 
 def unsettled(assembly: Assembly, regimes: Regimes) -> tuple[int, ...]:
-    """Contacts that slide in name only: stops hold their direction, perhaps at rest."""
+    """Indices of friction contacts whose sliding regime is nominal.
+
+    Stops hold the direction of such a contact at a velocity that is zero relative to the
+    belt, or may be zero.
+    """
     found = []
     for i in assembly.holders:
         if isinstance(assembly.parts[i], FrictionPart) and regimes[i] in ("slip", "overshoot"):
@@ -40,15 +44,11 @@ def unsettled(assembly: Assembly, regimes: Regimes) -> tuple[int, ...]:
 def at_rest(
     assembly: Assembly, regimes: Regimes, moved: Iterable[int], resting: Iterable[int]
 ) -> tuple[Choice, ...]:
-    """All ways out of an event, in the order in which they are tried.
+    """All ways out of an event for the parts at rest, in the order in which they are tried.
 
-    Parameters
-    ----------
-    assembly : Assembly
-    regimes : tuple of str
-        Before the event, those of switching parts already replaced.
-    moved, resting : indices of parts
-        Which have reached a boundary; which are at rest although their regime slides.
+    Each is a tuple of conditions and the regimes to which they lead. `regimes` are those
+    before the event, except that switching parts have changed already; `moved` have reached
+    a boundary, and `resting` are at rest although their regime is one of sliding.
     """
     moved = tuple(moved)
     clusters = _clusters(assembly, moved, {*assembly.active(regimes), *resting})
@@ -58,7 +58,7 @@ def at_rest(
 def _clusters(
     assembly: Assembly, moved: Sequence[int], others: Iterable[int]
 ) -> list[tuple[int, ...]]:
-    """Moved parts and what they are coupled to, directly or through others."""
+    """Clusters of indices: moved parts with those coupled to them, directly or through others."""
     left, clusters = sorted({*moved, *others}), []
     while left:
         cluster = [left.pop(0)]
@@ -116,7 +116,10 @@ def _choices(assembly: Assembly, cluster: tuple[int, ...], regimes: Regimes) -> 
 def _complementary(
     assembly: Assembly, cluster: tuple[int, ...], regimes: Regimes
 ) -> Iterator[Choice]:
-    """Every combination of a cluster with the conditions that make it consistent."""
+    """Every possible combination of regimes of a cluster, with the conditions for its motion.
+
+    Combinations with more active parts come first.
+    """
     combinations = []
     for regimes_of in product(*(assembly.holder(i).outcomes for i in cluster)):
         candidate = regimes
@@ -133,7 +136,7 @@ def _complementary(
 def _consistent(
     assembly: Assembly, index: int, regimes: Regimes, along: str
 ) -> tuple[Condition, ...]:
-    """Conditions on one part of a cluster."""
+    """Conditions under which one part of a cluster keeps its regime in a combination."""
     part, regime = assembly.holder(index), regimes[index]
     if isinstance(part, StopPart):
         if regime == "contact":

@@ -27,13 +27,10 @@ class Structure(NamedTuple):
 
 
 def checked_structure(mass: Any, stiffness: Any, damping: Any) -> Structure:
-    """Check matrices of numbers; those that are not given are zero.
+    """Mass, stiffness and damping, checked; a damping that is not given is zero.
 
-    Raises
-    ------
-    DeclarationError
-        Names the matrix that is not square, finite, symmetric or of the size of mass, or a
-        mass that is not positive definite.
+    DeclarationError names the matrix that is not square, finite, symmetric or of the size
+    of mass, or a mass that is not positive definite.
     """
     from scipy.sparse import csc_array
 
@@ -75,7 +72,7 @@ def _checked(given: Any, what: str, size: int | None) -> Any:
 
 
 class _Factor:
-    """A symmetric matrix, factored once, and whether it is positive definite."""
+    """The factors of a symmetric matrix, which also show whether it is positive definite."""
 
     def __init__(self, matrix: Any) -> None:
         from scipy.sparse.linalg import splu
@@ -98,19 +95,19 @@ class _Factor:
         self.positive_definite = in_place and bool((pivots > rounding).all())
 
     def __call__(self, right: Array) -> Array:
-        """Solve for columns."""
+        """Solutions (n, k) of the linear equations with k right-hand sides."""
         return np.asarray(self._factor.solve(np.ascontiguousarray(right)))
 
 
 def solver(matrix: Any) -> _Factor:
-    """Factor a symmetric sparse matrix."""
+    """The factors of a symmetric sparse matrix."""
     from scipy.sparse import csc_array
 
     return _Factor(csc_array(matrix))
 
 
 def general_solve(matrix: Any, right: Array) -> Array:
-    """Solve a sparse system that is symmetric but not definite."""
+    """Solution of linear equations whose sparse matrix may be indefinite."""
     from scipy.sparse.linalg import splu
 
     return np.asarray(splu(matrix).solve(right))
@@ -121,10 +118,10 @@ def _is_positive_definite(matrix: Any) -> bool:
 
 
 def lowest_modes(stiffness: Any, mass: Any, count: int) -> tuple[Array, Array]:
-    """Squared angular frequencies of the lowest modes, and the modes (n, count) of unit mass.
+    """Squared frequencies (count,) of the lowest modes, and their shapes (n, count).
 
-    Each mode has its sign from its largest component, so that the same matrices give the same
-    modes.
+    Frequencies are angular and modes have unit mass. The largest component of a mode is
+    positive, so that the same matrices give the same modes.
     """
     from scipy.linalg import eigh
     from scipy.sparse.linalg import LinearOperator, eigsh

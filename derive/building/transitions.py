@@ -20,7 +20,7 @@ __all__ = ["transitions_alone", "transitions_at", "transitions_from"]
 
 
 def transitions_from(assembly: Assembly, regimes: Regimes) -> Iterator[Transition]:
-    """Every set of boundaries that one configuration can reach at one instant."""
+    """The transitions for every set of boundaries that a configuration reaches at one instant."""
     events = [[None, *_reachable(assembly, i, regimes)] for i in range(len(assembly.parts))]
     for sets in product(*events):
         reached = {i: names for i, names in enumerate(sets) if names is not None}
@@ -29,7 +29,7 @@ def transitions_from(assembly: Assembly, regimes: Regimes) -> Iterator[Transitio
 
 
 def transitions_alone(assembly: Assembly, regimes: Regimes) -> Iterator[Transition]:
-    """Every set of boundaries of one part that a configuration can reach without other parts'."""
+    """The transitions for every set of boundaries that one part reaches alone."""
     for i in range(len(assembly.parts)):
         for names in _reachable(assembly, i, regimes):
             if not _exclusive(assembly, regimes, {i: names}):
@@ -39,7 +39,7 @@ def transitions_alone(assembly: Assembly, regimes: Regimes) -> Iterator[Transiti
 def transitions_at(
     assembly: Assembly, regimes: Regimes, boundaries: Collection[str]
 ) -> Iterator[Transition]:
-    """The transitions of one set of boundaries that parts reach at one instant."""
+    """The transitions for one set of boundaries that are reached at one instant."""
     reached: dict[int, frozenset[str]] = {}
     left = frozenset(boundaries)
     for i in range(len(assembly.parts)):
@@ -53,7 +53,11 @@ def transitions_at(
 
 
 def _reachable(assembly: Assembly, index: int, regimes: Regimes) -> list[frozenset[str]]:
-    """Boundaries of one part: one at a time; those of friction meet where its load vanishes."""
+    """Sets of boundaries that one part reaches at one instant.
+
+    Each boundary is a set of its own; all those of a friction contact form one more if its
+    load may vanish, where they meet.
+    """
     part = assembly.parts[index]
     names = [b.name for b in assembly.boundaries(index, regimes)]
     found = [frozenset({name}) for name in names]
@@ -63,9 +67,10 @@ def _reachable(assembly: Assembly, index: int, regimes: Regimes) -> list[frozens
 
 
 def _exclusive(assembly: Assembly, regimes: Regimes, reached: Mapping[int, frozenset[str]]) -> bool:
-    """Whether two stops are among them that a mass cannot reach together.
+    """Whether the boundaries cannot be reached together.
 
-    Or boundaries that meet without a load, where what bears it does not let go.
+    That holds for two stops whose directions depend on each other, and for boundaries of a
+    friction contact that meet without a load while the stop that bears it stays in contact.
     """
     for i, names in reached.items():
         if len(names) > 1:
@@ -79,7 +84,7 @@ def _exclusive(assembly: Assembly, regimes: Regimes, reached: Mapping[int, froze
 def _event(
     assembly: Assembly, source: Regimes, reached: Mapping[int, frozenset[str]]
 ) -> Iterator[Transition]:
-    """Transitions for one set of boundaries: impacts first, then what is at rest."""
+    """The transitions for one set of boundaries: impacts first, then those of parts at rest."""
     regimes, own = source, dict[sp.Symbol, sp.Expr]()
     for i, boundaries in reached.items():
         part = assembly.parts[i]
@@ -141,7 +146,7 @@ def _resting(
     own: Mapping[sp.Symbol, sp.Expr],
     moved: Sequence[int],
 ) -> Transition:
-    """A transition without impact; what begins to hold is put exactly in its place."""
+    """A transition without impact, whose reset puts parts that begin to hold in their place."""
     begun = [i for i in assembly.active(target) if i in moved or source[i] != target[i]]
     reset = dict(own) | pins(assembly, begun, target, impact=False)
     return Transition(leads, names, assembly.name(target), conditions, reset)

@@ -135,7 +135,7 @@ _MOTIONS = {
 
 
 def admissible_prototype(orbit: EquationSystem) -> str:
-    """Declaration of the compiled admissibility test, without the semicolon."""
+    """C declaration of the admissibility test of an orbit, without the semicolon."""
     name = c_function(orbit.system.name, "admissible", orbit.itinerary.name)
     bounds = " double *bounds," if orbit.open_parameters else ""
     return (
@@ -145,12 +145,10 @@ def admissible_prototype(orbit: EquationSystem) -> str:
 
 
 def admissible_source(orbit: EquationSystem) -> str:
-    """Definition of the compiled admissibility test of an orbit.
+    """C definition of the admissibility test of an orbit.
 
-    Raises
-    ------
-    DerivationError
-        If it has more states than the compiled search for maxima along its flows takes.
+    DerivationError refuses an orbit with more states than the compiled search for maxima
+    along its flows takes.
     """
     states = len(orbit.system.states)
     if not orbit.trigonometric and states > MOST_STATES:

@@ -28,7 +28,7 @@ def _ordered_terms(expression: sp.Expr, order: str | None) -> list[sp.Expr]:
 
 
 class Ordered:
-    """The order in which a sum is printed, found once for all printers."""
+    """A mixin of printers that finds the order of a sum's terms once for all of them."""
 
     def _as_ordered_terms(self, expr: sp.Expr, order: str | None = None) -> list[sp.Expr]:
         return _ordered_terms(expr, order)
@@ -90,17 +90,17 @@ _PRINTER = _Printer()
 
 @lru_cache(maxsize=1 << 14)  # kernels of one orbit share most of their expressions
 def print_python(expression: sp.Expr) -> str:
-    """An expression as Python source over ``lib``."""
+    """Python source of an expression, over the arithmetic ``lib``."""
     return str(_PRINTER.doprint(expression))
 
 
 def shape_text(array: Argument | Output) -> str:
-    """Name and shape, as docstrings give them."""
+    """Name and shape of an array, as the docstrings of kernels state them."""
     return f"{array.name} ({', '.join(map(str, array.shape))})" if array.shape else array.name
 
 
 def python_kernel(kernel: Kernel, orbit: str | None) -> str:
-    """Source of one function."""
+    """Python source of one kernel."""
     body = body_of(kernel)
     name = python_function(kernel.name, orbit)
     arguments = ", ".join(a.name for a in kernel.arguments)

@@ -21,15 +21,10 @@ __all__ = ["Body", "Constant", "Line", "body_of", "hoisted", "needed", "split"]
 
 
 class Constant(sp.AtomicExpr):
-    """An irrational number of a kernel, as one number.
+    """An irrational number of a kernel as one number without parts.
 
-    Attributes
-    ----------
-    number : expression
-    text : str
-        The same, as a user gives values.
-    double : float
-        The nearest one.
+    `number` is the SymPy expression, `text` the same in the grammar of parameter values,
+    and `double` the nearest double.
     """
 
     is_real = True
@@ -38,7 +33,7 @@ class Constant(sp.AtomicExpr):
     double: float
 
     def __new__(cls, number: sp.Expr) -> Constant:
-        """Write a closed number down."""
+        """Make the constant of a closed number."""
         made: Constant = super().__new__(cls)
         made.number = number
         made.text, made.double = number_text(number), nearest_double(number)
@@ -52,7 +47,7 @@ class Constant(sp.AtomicExpr):
 
 
 def _prepared(expression: sp.Expr) -> sp.Expr:
-    """An expression with its irrational numbers as constants, as `sp.cse` takes it."""
+    """An expression, ready for `sp.cse`, in which irrational numbers are constants."""
     found: sp.Expr = _distributed(map_numbers(expression, Constant))
     return found
 
@@ -71,7 +66,7 @@ def _distributed(expression: sp.Expr) -> sp.Expr:
 
 @dataclass(frozen=True)
 class Line:
-    """One assignment, with the stage's title where a new stage begins."""
+    """One assignment; the first one of a stage has the stage's title."""
 
     symbol: sp.Symbol
     expression: sp.Expr
@@ -80,7 +75,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Body:
-    """Lines in order of evaluation, output expressions, and how much work they are."""
+    """The lines of a kernel in order of evaluation, and the expressions of its outputs."""
 
     lines: tuple[Line, ...]
     outputs: tuple[tuple[sp.Expr, ...], ...]
@@ -108,7 +103,7 @@ def _operations(expression: sp.Expr) -> int:
 
 @lru_cache(maxsize=256)  # Python and C are printed from one body
 def body_of(kernel: Kernel) -> Body:
-    """Eliminate the common subexpressions of a kernel.
+    """The body of a kernel, its common subexpressions eliminated.
 
     The symbols of the stages stay; each common term is assigned right before its first use.
     """
@@ -165,7 +160,11 @@ def body_of(kernel: Kernel) -> Body:
 
 
 def _checked_names(kernel: Kernel, expressions: Sequence[sp.Expr]) -> set[str]:
-    """Names of the symbols of a kernel, each of which must be defined and mean one thing."""
+    """Names of the symbols of a kernel.
+
+    DerivationError refuses a symbol without a value, a name with two meanings, and a number
+    that no kernel can hold.
+    """
     given = [s for argument in kernel.arguments for s in argument.symbols]
     defined = {*given, *(s for stage in kernel.stages for s, _ in stage.assignments)}
     # an argument without a shape may bear the name of its symbol
@@ -188,7 +187,7 @@ def _checked_names(kernel: Kernel, expressions: Sequence[sp.Expr]) -> set[str]:
 
 @lru_cache(maxsize=1 << 14)
 def _not_held(expression: sp.Expr) -> frozenset[sp.Expr]:
-    """Constants of which no kernel has the value."""
+    """Symbolic constants in an expression that no kernel can evaluate, such as infinity."""
     symbolic = expression.atoms(sp.NumberSymbol, sp.core.numbers.ImaginaryUnit)
     return frozenset(symbolic | expression.atoms(sp.zoo, sp.nan, sp.oo, -sp.oo))
 
@@ -207,7 +206,7 @@ def split(body: Body, inputs: set[sp.Symbol]) -> tuple[tuple[Line, ...], tuple[L
 
 
 def hoisted(body: Body, inputs: set[sp.Symbol]) -> Body:
-    """The body with every part that depends on the given inputs alone on a line of its own."""
+    """The body with every term that depends on the given inputs alone on a line of its own."""
     fixed, _ = split(body, inputs)
     known = inputs | {line.symbol for line in fixed}
     found: dict[sp.Expr, sp.Symbol] = {}
@@ -246,7 +245,7 @@ def hoisted(body: Body, inputs: set[sp.Symbol]) -> Body:
 
 
 def needed(lines: Sequence[Line], expressions: Iterable[sp.Expr]) -> tuple[Line, ...]:
-    """The lines without those that the expressions do not need."""
+    """Those lines on which the expressions depend, in order."""
     wanted: set[sp.Symbol] = set().union(*(e.free_symbols for e in expressions))
     kept = []
     for line in reversed(lines):

@@ -91,7 +91,11 @@ class _Printer(Ordered, C99CodePrinter):
 def _by_kind(
     factors: Sequence[sp.Tuple],
 ) -> tuple[int, list[sp.Expr], list[tuple[sp.Expr, ...]], list[sp.Tuple]]:
-    """How many factors are s; the constants of other linear ones; quadratic ones; the rest."""
+    """Characteristic factors by kind, for the choice of a C function.
+
+    They are the number of factors s, the constants of other linear ones, the coefficients
+    of quadratic ones, and the remaining factors.
+    """
     linear = [f.args[0] for f in factors if len(f.args) == 1]
     pairs = [f.args for f in factors if len(f.args) == 2]
     rates = [c for c in linear if c != 0]
@@ -99,12 +103,7 @@ def _by_kind(
 
 
 class Scope:
-    """A block of C, in which each set of differences of the exponential is computed once.
-
-    Attributes
-    ----------
-    indent : str
-    """
+    """A block of C that computes each set of derivatives of exponential differences once."""
 
     def __init__(self, indent: str) -> None:
         self.indent = indent
@@ -112,14 +111,14 @@ class Scope:
         self._new: list[str] = []
 
     def named(self, call: str) -> str:
-        """Name of the derivatives that a call gives; the first time it is declared."""
+        """Name of the result of a call; the first time a declaration is prepared."""
         if call not in self._names:
             name = self._names[call] = f"derivatives_{len(self._names)}"
             self._new.append(f"{self.indent}const nonsmooth_derivatives {name} = {call};")
         return self._names[call]
 
     def assigned(self, target: str, expression: sp.Expr) -> list[str]:
-        """Sources of one assignment, and in front what it is the first to need."""
+        """Source lines of one assignment, after the declarations that it is the first to need."""
         plain = not expression.has(ExponentialDifference)
         text = print_c(expression) if plain else _Printer(self)._print(expression)
         declared, self._new = self._new, []
@@ -131,12 +130,12 @@ _PRINTER = _Printer()
 
 @lru_cache(maxsize=1 << 14)  # kernels of one orbit share most of their expressions
 def print_c(expression: sp.Expr) -> str:
-    """An expression as C source."""
+    """C source of an expression."""
     return str(_PRINTER._print(sp.sympify(expression)))
 
 
 def line_sources(lines: Iterable[Line], scope: Scope) -> list[str]:
-    """Assignments of local constants, with the stages' titles as comments."""
+    """Source lines of local constants, with the titles of stages as comments."""
     sources = []
     for line in lines:
         if line.title:
@@ -146,14 +145,14 @@ def line_sources(lines: Iterable[Line], scope: Scope) -> list[str]:
 
 
 def c_prototype(kernel: Kernel, system: str, orbit: str | None) -> str:
-    """Declaration of one function, without the semicolon."""
+    """C declaration of one kernel, without the semicolon."""
     parameters = [_declare(a, constant=True) for a in kernel.arguments]
     parameters += [_declare(o, constant=False) for o in kernel.outputs]
     return f"void {c_function(system, kernel.name, orbit)}(\n    {', '.join(parameters)})"
 
 
 def c_kernel(kernel: Kernel, system: str, orbit: str | None) -> str:
-    """Definition of one function."""
+    """C definition of one kernel."""
     body = body_of(kernel)
     lines = [
         f"/* {kernel.title}",

@@ -42,7 +42,7 @@ MOST_STATES = 12
 
 
 class Use(Enum):
-    """What kernels of orbits are for: it decides which orbits get them."""
+    """The purpose of kernels, which decides which orbits get them."""
 
     ANYTHING = "whatever has closed forms, however long they are"
     MANY_POINTS = "orbits of moderate length, to be compiled and solved at many points"
@@ -51,39 +51,22 @@ class Use(Enum):
 
 @dataclass(frozen=True)
 class Underived:
-    """An orbit without kernels, and why.
-
-    Attributes
-    ----------
-    itinerary : Itinerary
-    reason : str
-    many : bool
-        Whether kernels for many points may be derived of it.
-    """
+    """An orbit without kernels, and the reason."""
 
     itinerary: Itinerary
     reason: str
-    many: bool = False
+    many: bool = False  # whether kernels for many points may be derived of it
 
 
 @dataclass(frozen=True)
 class DerivedSystem:
-    """A system, its orbits and the kernels of both.
-
-    Attributes
-    ----------
-    form : SimulationForm
-    orbits : tuple of EquationSystem or Underived
-        In the order in which they were declared.
-    kernels : tuple of (Kernel, orbit or None)
-    functions : tuple of str
-        The kernels as Python.
-    """
+    """A system, its orbits and the kernels of both."""
 
     form: SimulationForm
-    orbits: tuple[EquationSystem | Underived, ...]
+    orbits: tuple[EquationSystem | Underived, ...]  # in the order in which they were declared
+    # each with the name of its orbit, None for the system's
     kernels: tuple[tuple[Kernel, str | None], ...]
-    functions: tuple[str, ...]
+    functions: tuple[str, ...]  # Python sources of the kernels
 
     @property
     def system(self) -> System:
@@ -108,23 +91,12 @@ def derive_system(
     *,
     use: Use = Use.ANYTHING,
 ) -> DerivedSystem:
-    """Derive a system and its orbits, each as far as it has a closed form.
+    """Kernels of a system and of its orbits, each as far as it has a closed form.
 
-    Parameters
-    ----------
-    system : System
-    orbits : sequence of Itinerary
-    progress : callable
-        Told the name of each step when it begins.
-    use : Use
-        Orbits that have no kernels for it are left to be composed at run time.
-
-    Raises
-    ------
-    DeclarationError
-        For orbits of another system, or two of one name.
-    DerivationError
-        For an orbit that neither has a closed form nor can be composed without one.
+    Orbits that get no kernels for the given use are left to be composed at run time.
+    `progress` gets the name of each step when it begins. DeclarationError refuses orbits of
+    another system and two of one name, DerivationError an orbit that neither has a closed
+    form nor can be composed without one.
     """
     _check_orbits(system, orbits)
     name = system.name
@@ -170,7 +142,7 @@ def derive_system(
 
 
 def _too_long(orbit: Itinerary) -> str | None:
-    """Why an answer comes sooner without kernels of an orbit."""
+    """The reason why an orbit without kernels gives an answer sooner: long formulas, or None."""
     states = len(orbit.phases) * len(orbit.system.states)
     if states <= MOST_STATES or not _composable(orbit):
         return None
@@ -179,7 +151,10 @@ def _too_long(orbit: Itinerary) -> str | None:
 
 
 def _damped_or_forced(form: SimulationForm, orbit: Itinerary) -> str | None:
-    """Why a first answer comes sooner without kernels, which are slow before they are compiled."""
+    """The reason why an orbit is better composed for a first answer, or None.
+
+    Kernels of damped or forced motions are slow before they are compiled.
+    """
     flows = {} if form.flows is None or orbit.vanishing else form.flows
     for name in dict.fromkeys(phase.configuration for phase in orbit.phases):
         if name in flows and frequencies_of(flows[name]) is None:
@@ -188,13 +163,13 @@ def _damped_or_forced(form: SimulationForm, orbit: Itinerary) -> str | None:
 
 
 def _composable(orbit: Itinerary) -> bool:
-    """Whether its phases alone say which orbit it is, in the system's own coordinates."""
+    """Whether the phases alone identify the orbit in the system's own coordinates."""
     special = orbit.presentation or orbit.vanishing or orbit.solved_for or orbit.period
     return not special
 
 
 def _form_of(system: System) -> SimulationForm:
-    """The system with its flows, without those that have no closed form."""
+    """The system in the form for simulation, with flows if all have a closed form."""
     try:
         spectrum, flows = derive_flows(system)
     except DerivationError:
@@ -203,7 +178,7 @@ def _form_of(system: System) -> SimulationForm:
 
 
 def _obstacle(form: SimulationForm, orbit: Itinerary) -> str | None:
-    """Why the equations of an orbit are not derived, as far as its declaration tells."""
+    """The reason why an orbit's equations are not derived, as its declaration shows, or None."""
     if form.flows is None:
         try:
             derive_flows(form.system)
@@ -237,7 +212,7 @@ def _orbit(
 
 
 def reduced_names(equations: EquationSystem) -> list[str]:
-    """Names of the reduced unknowns; a coordinate of the start bears the start's name."""
+    """Names of the reduced unknowns; a coordinate of the start has the start's name."""
     reduction = equations.reduction
     own = [u for u in reduction.unknowns if u not in equations.unknowns]
     started = reduction.start is not None and reduction.rotation == 0
@@ -247,9 +222,9 @@ def reduced_names(equations: EquationSystem) -> list[str]:
 
 
 def _check_reference(equations: EquationSystem) -> None:
-    """A reference gives parameters that exist, and a guess of every unknown.
+    """Refuse a reference with unknown parameters, or without a guess of some unknown.
 
-    Coordinates of the start may be absent: dwell times tell them.
+    Coordinates of the start may be missing, as they follow from the dwell times.
     """
     itinerary = equations.itinerary
     if itinerary.reference is None:

@@ -120,7 +120,7 @@ $trace
 
 
 def directions_prototype(orbit: EquationSystem) -> str:
-    """Declaration of the compiled derivatives, without the semicolon."""
+    """C declaration of the derivatives of an orbit, without the semicolon."""
     name = c_function(orbit.system.name, "directions", orbit.itinerary.name)
     return (
         f"void {name}(\n    ptrdiff_t count, const double *parameters, const double *unknowns,"
@@ -129,13 +129,10 @@ def directions_prototype(orbit: EquationSystem) -> str:
 
 
 def directions_source(orbit: EquationSystem) -> str:
-    """Definition of the compiled derivatives of an orbit.
+    """C definition of the derivatives of an orbit by its parameters.
 
-    Raises
-    ------
-    DerivationError
-        For a border collision, whose derivatives are one-sided, and if a symbol has a name of
-        the function's own.
+    DerivationError refuses a border collision, whose derivatives are one-sided, and a
+    symbol with a name that the function itself uses.
     """
     name = orbit.itinerary.name
     if orbit.itinerary.vanishing:
@@ -187,7 +184,7 @@ def _lines(
     results: Mapping[str, sp.Expr],
     arrays: Mapping[str, Sequence[sp.Symbol]],
 ) -> str:
-    """What a lane does: loads, assignments, results."""
+    """C statements for one lane: loads of the arrays, assignments, results."""
     scope = Scope(" " * 12)
     wanted = inputs_of(lines, results.values())
     loads = [

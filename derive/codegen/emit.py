@@ -49,26 +49,14 @@ _MOST_ENTRIES = 4096  # of one point, so that a block of points fits on the stac
 
 @dataclass(frozen=True)
 class EmittedSystem:
-    """The files of one system, and what the extension module needs to know of it.
-
-    Attributes
-    ----------
-    name, source : str
-        Name of the system and module that declares it.
-    derivation : str
-        Hash of all tables and kernels as emitted; equal derivations give equal files.
-    files : dict of file name to text
-    wrapped : tuple of Wrapped
-    underived : dict of orbit to reason
-        Orbits without kernels, to be composed at run time.
-    """
+    """The files of one system, and what the extension module needs to know of it."""
 
     name: str
-    source: str
-    derivation: str
-    files: dict[str, str]
+    source: str  # module that declares the system
+    derivation: str  # hash of all tables and kernels as emitted; equal ones give equal files
+    files: dict[str, str]  # text by file name
     wrapped: tuple[Wrapped, ...]
-    underived: dict[str, str]
+    underived: dict[str, str]  # by orbit that is composed at run time: why it has no kernels
 
 
 @dataclass(frozen=True)
@@ -81,35 +69,25 @@ class _Function:
 
 
 def emit_library(system: System, orbits: Sequence[Itinerary], source: str) -> dict[str, str]:
-    """Give what compiles to the kernels of `emit_python`, of the same derivation.
+    """Sources, by file name, of an extension with the kernels of `emit_python`.
 
-    Parameters
-    ----------
-    system : System
-    orbits : sequence of Itinerary
-    source : str
-        What declares them, for the stamp.
+    `source` says in the stamp what declares the system. The derivation is the same as that
+    of `emit_python`.
     """
     return _emit_compiled(derive_system(system, orbits, use=Use.FIRST_ANSWER), source)
 
 
 def emit_many_points(system: System, orbits: Sequence[Itinerary], source: str) -> dict[str, str]:
-    """Give what compiles to kernels that solve orbits at many points, and the same as Python.
+    """Sources, by file name, of an extension whose kernels solve orbits at many points.
 
-    Orbits among them that have none say so in the tables.
-
-    Parameters
-    ----------
-    system : System
-    orbits : sequence of Itinerary
-    source : str
-        What declares them, for the stamp.
+    The same kernels in Python are among the files. Orbits that have none say so in the
+    tables. `source` says in the stamp what declares the system.
     """
     return _emit_compiled(derive_system(system, orbits, use=Use.MANY_POINTS), source)
 
 
 def _emit_compiled(derived: DerivedSystem, source: str) -> dict[str, str]:
-    """The files of an extension with the Python that it compiles; no documents."""
+    """The files of an extension and of the Python that it compiles, without documents."""
     name, tables = derived.system.name, system_tables(derived)
     functions = _c_functions(derived)
     derivation = text_hash(tables, *derived.functions)
@@ -129,20 +107,11 @@ def emit_system(
     progress: Callable[[str], None] = lambda step: None,
     command: str = COMMAND,
 ) -> EmittedSystem:
-    """Derive a system and its orbits and emit its files.
+    """Derive a system and its orbits; gives all its files.
 
     What C cannot hold, such as an orbit with too many reduced unknowns, is left to Python.
-
-    Parameters
-    ----------
-    system : System
-    orbits : sequence of Itinerary
-    source : str
-        Name of the module that declares them, for the stamps.
-    progress : callable
-        Told the name of each step when it begins.
-    command : str
-        What makes the files again, for the stamps.
+    `source` names the module that declares the system and `command` says how the files are
+    made again, both for the stamps; `progress` gets the name of each step when it begins.
     """
     name = system.name
     derived = derive_system(system, orbits, progress)
@@ -170,7 +139,7 @@ def emit_system(
 
 
 def _c_functions(derived: DerivedSystem) -> list[_Function]:
-    """All that C can hold: kernels, then solvers, admissibility tests and derivatives."""
+    """All functions that C can hold: kernels, solvers, admissibility tests and derivatives."""
     name = derived.system.name
     found = []
     for kernel, orbit in derived.kernels:
@@ -193,7 +162,10 @@ def _c_functions(derived: DerivedSystem) -> list[_Function]:
 
 
 def _wrapped(functions: Sequence[_Function]) -> tuple[Wrapped, ...]:
-    """Wrappers of those that NumPy takes: of entries on both sides, not too many of them."""
+    """Wrappers of those functions that NumPy can take.
+
+    Such a function has entries on both sides, and not too many of them.
+    """
 
     def taken(wrapped: Wrapped) -> bool:
         arrays, results = wrapped.arrays, wrapped.outputs
@@ -204,10 +176,10 @@ def _wrapped(functions: Sequence[_Function]) -> tuple[Wrapped, ...]:
 
 
 def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> dict[str, str]:
-    """All files of a folder: of the systems, and those that they share.
+    """Texts by file name of a whole folder: the files of the systems, and those they share.
 
-    Shared are the extension module, the headers and PROVENANCE.json, which records
-    what made each file: `command`.
+    Shared are the extension module, the headers and PROVENANCE.json, which records that
+    `command` makes the files.
     """
     package = "nonsmooth.derive.codegen"
     headers = {name: files(package).joinpath(name).read_text(encoding="utf-8") for name in HEADERS}
@@ -246,7 +218,7 @@ def emit_package(systems: Sequence[EmittedSystem], command: str = COMMAND) -> di
 
 
 def _c_files(stamp: Stamp, name: str, functions: Sequence[_Function]) -> dict[str, str]:
-    """Header and source of a system."""
+    """Header and source of a system in C, by file name."""
     return {
         module_file(name, ".h"): _header_file(stamp, name, [f.prototype for f in functions]),
         module_file(name, ".c"): _c_file(stamp, name, [f.definition for f in functions]),
@@ -278,7 +250,7 @@ def _markdown_file(stamp: Stamp, derived: DerivedSystem) -> str:
 
 
 def _documents(derived: DerivedSystem) -> list[str]:
-    """Documents of the system and of its orbits."""
+    """Markdown documents of the system and of its orbits."""
     found = [to_markdown(describe_system(derived.system))]
     for orbit in derived.orbits:
         if isinstance(orbit, EquationSystem):

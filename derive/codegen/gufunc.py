@@ -39,10 +39,9 @@ class Array:
 class Wrapped:
     """A C function to wrap; one call takes one point, or `many` with their count first.
 
-    An input without entries is none of the wrapper, for NumPy takes none: C gets NULL.
-
-    A `long` one may take as long for a point as others for thousands: it gets one at a time.
-    Others of `many` take and give columns.
+    An input without entries is left out of the wrapper, since NumPy takes none: C gets
+    NULL. A function is `long` if one point may take as much time as thousands of others: it
+    gets one point at a time. Other functions of `many` points take and give columns.
     """
 
     name: str
@@ -53,7 +52,7 @@ class Wrapped:
 
     @property
     def arrays(self) -> tuple[Array, ...]:
-        """Inputs with entries, and outputs."""
+        """Inputs that have entries, then outputs."""
         return (*(a for a in self.inputs if a.size), *self.outputs)
 
     @property

@@ -32,7 +32,7 @@ __all__ = [
 
 
 def spectrum_kernel(spectrum: Spectrum) -> Kernel:
-    """Spectrum of a system and its derivatives by the parameters it depends on."""
+    """Kernel of a system's spectrum and its derivatives by the parameters it depends on."""
     parameters = spectrum.parameters
     stage = Stage("spectrum", spectrum.entries)
     seeds = {str(p): {p: sp.Integer(1)} for p in parameters}
@@ -58,7 +58,10 @@ def flow_kernels(
     flows: Mapping[str, Flow],
     parameters: tuple[sp.Symbol, ...] | None = None,
 ) -> tuple[Kernel, ...]:
-    """Flow of each configuration in the system's coordinates, over all its parameters or some."""
+    """Kernels of the flow of each configuration, in the system's coordinates.
+
+    They take all parameters of the system, or those given.
+    """
     arguments = (
         _vector("parameters", parameters or tuple(p.symbol for p in system.parameters)),
         _vector("spectrum", spectrum.symbols),
@@ -220,7 +223,7 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
 
 
 def start_kernel(orbit: EquationSystem) -> Kernel:
-    """Where an orbit starts, with what the section fixes."""
+    """Kernel of the state at an orbit's start, including what the section fixes."""
     point = (
         _vector("parameters", orbit.parameters),
         _vector("spectrum", orbit.spectrum.symbols),
@@ -234,7 +237,10 @@ def start_kernel(orbit: EquationSystem) -> Kernel:
 def _reduced_kernels(
     orbit: EquationSystem, parameters: Argument, spectrum: Argument
 ) -> tuple[Kernel, ...]:
-    """Kernels on the reduced unknowns; of the first there is none where all is explicit."""
+    """Kernels of the reduced equations and of all unknowns from the reduced ones.
+
+    The first is missing where all unknowns are explicit.
+    """
     reduction = orbit.reduction
     values = [reduction.values[u] for u in orbit.unknowns]
     explicit = [_flat("unknowns", values)]
@@ -267,15 +273,15 @@ def _reduced_kernels(
 
 
 def _determinants(reduction: Reduction) -> Output:
-    """Determinants in units of their bounds."""
+    """Output of the determinants, each divided by its bound."""
     return _flat("determinants", [value / bound for value, bound in reduction.determinants])
 
 
 def reduced_equations(orbit: EquationSystem) -> Kernel:
-    """All that a solver on the reduced unknowns computes, in one kernel.
+    """One kernel with all that a solver on the reduced unknowns computes.
 
-    Outputs are the reduced residual and its Jacobian (for the steps), then all unknowns, the
-    trace and the determinants (for the result).
+    Outputs are the reduced residual and its Jacobian (for the steps), then all unknowns,
+    the trace and the determinants (for the result).
     """
     reduction = orbit.reduction
     stages, jacobian = reduction.jacobian()
@@ -304,10 +310,11 @@ def reduced_equations(orbit: EquationSystem) -> Kernel:
 
 
 def direction_kernels(orbit: EquationSystem) -> tuple[Kernel, Kernel, Kernel]:
-    """All that the derivatives of an orbit by its parameters need.
+    """Three kernels for the derivatives of an orbit by its parameters.
 
-    The spectrum with its derivatives; those of the equations, by the unknowns and by the
-    parameters; and those of the trace, whose stages may mean other functions of the unknowns.
+    They give the spectrum with its derivatives, the derivatives of the equations by the
+    unknowns and by the parameters, and those of the trace, whose stages may assign other
+    functions of the unknowns to the same symbols.
     """
     jacobian_stages, jacobian = orbit.jacobian
     moved_stages, parameter_jacobian = orbit.parameter_jacobian

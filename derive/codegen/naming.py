@@ -32,25 +32,28 @@ C_TAKEN_BEGINNINGS = ("DBL_", "FLT_", "FP_", "LDBL_", "MATH_", "M_", "NONSMOOTH_
 
 
 def identifier(name: str) -> str:
-    """A declared name (with hyphens) as an identifier."""
+    """A declared name as an identifier, hyphens replaced by underscores."""
     return name.replace("-", "_")
 
 
 def python_function(kernel: str, orbit: str | None) -> str:
-    """Function of a generated Python module: of the system, or of one of its orbits."""
+    """Name of a kernel's function in a generated Python module.
+
+    Kernels of an orbit have the orbit's name in it.
+    """
     return identifier(kernel if orbit is None else f"{orbit}_{kernel}")
 
 
 def c_function(system: str, kernel: str, orbit: str | None) -> str:
-    """Function of a generated C file; the system's name keeps several files apart."""
+    """Name of a kernel's function in C; the system's name distinguishes several systems."""
     return f"{identifier(system)}_{python_function(kernel, orbit)}"
 
 
 def module_file(system: str, suffix: str) -> str:
-    """File of a system with the given suffix."""
+    """Name of a system's file with the given suffix."""
     return f"{identifier(system)}{suffix}"
 
 
 def constant(system: str, name: str) -> str:
-    """Macro of a generated C header."""
+    """Name of a macro in a system's generated C header."""
     return f"{identifier(system)}_{name}".upper()

@@ -39,17 +39,12 @@ def emit_piece(
     led: Sequence[str],
     conditions: Sequence[_Conditions],
 ) -> str:
-    """Derive a piece of a system and give its Python file.
+    """Source of the Python file of one configuration of a large system.
 
-    Parameters
-    ----------
-    system : System
-        With the one configuration that is visited.
-    others : mapping of configuration to dynamics
-        Along which conditions are judged.
-    led : names of further configurations that transitions lead to
-    conditions : for each part a mapping of regime to two rows of functions
-        Those that are not positive in it, and those that vanish.
+    `system` has only the configuration that is visited. `others` are the dynamics of those
+    configurations along which conditions are judged, and `led` names further ones that
+    transitions lead to. For each part and regime `conditions` has the functions that are
+    not positive in the regime, and those that vanish in it.
     """
     told = [f for part in conditions for both in part.values() for group in both for f in group]
     form = SimulationForm(system, beside=(*told, sp.S.One))
@@ -105,7 +100,7 @@ def emit_piece(
 
 
 def table_of_composed(orbit: Itinerary, reason: str) -> dict[str, Any]:
-    """Give the table of an orbit that is composed at run time, and says why."""
+    """The table of an orbit that is composed at run time, with the reason for that."""
     return composed_table(Underived(orbit, reason))
 
 

@@ -19,17 +19,10 @@ GENERATE = "nonsmooth generate FILE.py"  # what makes the files of a declaration
 
 
 def emit_python(system: System, orbits: Sequence[Itinerary], source: str) -> str:
-    """Derive a system and give its Python file alone, for a first result at once.
+    """Python file of a system alone, for a first result at once.
 
-    Orbits that can be composed at run time are left to that where their formulas are long, or
-    slow before they are compiled.
-
-    Parameters
-    ----------
-    system : System
-    orbits : sequence of Itinerary
-    source : str
-        What declares them, for the stamp.
+    Orbits that can be composed at run time get no kernels if their formulas are long, or
+    slow before they are compiled. `source` says in the stamp what declares the system.
     """
     derived = derive_system(system, orbits, use=Use.FIRST_ANSWER)
     tables = system_tables(derived)
@@ -39,25 +32,15 @@ def emit_python(system: System, orbits: Sequence[Itinerary], source: str) -> str
 
 @dataclass(frozen=True)
 class Stamp:
-    """What made a file, as the comment that heads it.
+    """The comment at the head of a generated file, which says how it was made."""
 
-    Attributes
-    ----------
-    source : str
-        What declares the system.
-    derivation : str
-        Hash of what was derived.
-    command : str
-        What makes the file again.
-    """
-
-    source: str
-    derivation: str
-    command: str
+    source: str  # what declares the system
+    derivation: str  # hash of what was derived
+    command: str  # how to make the file again
 
     @property
     def lines(self) -> list[str]:
-        """Its lines, without the signs of a comment."""
+        """The lines of the comment, without its signs."""
         return [
             "Generated; do not edit.",
             f"Source: {self.source}",
@@ -66,16 +49,16 @@ class Stamp:
         ]
 
     def c(self) -> str:
-        """Write it as a comment of C."""
+        """The stamp as a comment of C."""
         return "/* " + "\n * ".join(self.lines) + " */"
 
     def python(self) -> str:
-        """Write it as a comment of Python."""
+        """The stamp as a comment of Python."""
         return "\n".join(f"# {line}" for line in self.lines)
 
 
 def text_hash(*parts: str) -> str:
-    """Hash of texts: 16 hexadecimal digits."""
+    """Hash of the texts as 16 hexadecimal digits."""
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
 
 

@@ -19,7 +19,7 @@ __all__ = ["Check", "check", "differences", "emit_systems", "find_generated", "o
 
 @dataclass(frozen=True)
 class Check:
-    """What differs between the files that exist and those the derivation gives."""
+    """The differences between existing files and those that the derivation gives."""
 
     differences: tuple[str, ...]
 
@@ -30,17 +30,10 @@ class Check:
 
 
 def find_generated(*, writing: bool = True) -> Path:
-    """Folder of the generated files beside this code.
+    """The folder `generated` beside this code.
 
-    Parameters
-    ----------
-    writing : bool
-        Whether it has to be that of a checkout; an installed package is only read.
-
-    Raises
-    ------
-    DerivationError
-        If it has to be, but is not.
+    With `writing` it has to be that of a checkout, else DerivationError is raised; that of
+    an installed package is only read.
     """
     # in an editable install this file is a link into the checkout
     root = Path(__file__).resolve().parents[2]
@@ -55,12 +48,9 @@ def find_generated(*, writing: bool = True) -> Path:
 def emit_systems(
     names: Sequence[str], progress: Callable[[str], None] = lambda step: None
 ) -> list[EmittedSystem]:
-    """Derive and emit the built-in systems of those names.
+    """The built-in systems of those names, derived and emitted.
 
-    Raises
-    ------
-    DerivationError
-        For an orbit that has no closed form: of these each has one.
+    DerivationError refuses an orbit without a closed form, which each built-in orbit has.
     """
     emitted = []
     for name in names:
@@ -76,17 +66,11 @@ def outdated(
     system: str | None = None,
     progress: Callable[[str], None] = lambda step: None,
 ) -> dict[str, str]:
-    """Derive the files again and give the texts of those that are missing or differ.
+    """Texts by file name of those files that are missing or differ from the derivation.
 
-    Parameters
-    ----------
-    folder : Path, optional
-        Where they are; generated/ of the checkout when omitted.
-    system : str, optional
-        Only this system. Into another folder it goes alone; in the checkout its files and
-        the shared ones are meant.
-    progress : callable
-        Told the name of each step when it begins.
+    The folder is `generated` of the checkout if none is given. With `system` another folder
+    gets that system alone, while in the checkout its own files and the shared ones are
+    compared. `progress` gets the name of each step when it begins.
     """
     target = find_generated() if folder is None else folder
     return {
@@ -101,12 +85,10 @@ def check(
     system: str | None = None,
     progress: Callable[[str], None] = lambda step: None,
 ) -> Check:
-    """Compare the files with what the derivation gives now; nothing is written.
+    """Compare the files with what the derivation gives now, and write nothing.
 
-    Raises
-    ------
-    DerivationError
-        If the files were made under another SymPy, whose output may differ for no fault.
+    DerivationError refuses files that another version of SymPy made, whose output may
+    differ without a fault.
     """
     target = find_generated(writing=False) if folder is None else folder
     made_with = _sympy_of(target / PROVENANCE)
@@ -119,7 +101,7 @@ def check(
 
 
 def differences(folder: Path, wanted: Mapping[str, str]) -> tuple[str, ...]:
-    """Differences between the files of a folder and the texts that are wanted there."""
+    """Differences between the files of a folder and the wanted texts, one for each file."""
     found = []
     for name, text in wanted.items():
         path = folder / name

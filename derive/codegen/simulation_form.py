@@ -38,10 +38,10 @@ __all__ = [
 
 @dataclass(frozen=True)
 class SimulationForm:
-    """A system, its spectrum and its flows, seen as rows and tables.
+    """A system, its spectrum and its flows in the form of rows and tables.
 
-    Without flows, where no closed form is known, the runtime finds the modes from the fields.
-    What is `beside` are functions that have rows although nothing else names them.
+    Without flows, where no closed form is known, the runtime computes the modes from the
+    fields. The functions in `beside` get rows although nothing else contains them.
     """
 
     system: System
@@ -51,7 +51,7 @@ class SimulationForm:
 
     @cached_property
     def rows(self) -> tuple[sp.Expr, ...]:
-        """Every affine function of the state that the declaration names, once each."""
+        """Every affine function of the state that the declaration contains, once each."""
         system = self.system
         named: list[sp.Expr] = [
             boundary.function for c in system.configurations for boundary in c.boundaries
@@ -82,7 +82,7 @@ class SimulationForm:
 
     @cached_property
     def modes(self) -> dict[str, tuple[Mode, ...]] | None:
-        """Modes of each configuration; None where one has no closed form of that kind."""
+        """Modes by configuration; None if one of them has no closed form of that kind."""
         if self.flows is None:
             return None
         found = {name: modes_of(flow) for name, flow in self.flows.items()}
@@ -142,7 +142,7 @@ class SimulationForm:
         return tuple(kernels)
 
     def table(self) -> dict[str, Any]:
-        """What does not depend on parameters, by names and by indices of rows and resets."""
+        """All that does not depend on parameters, by names and by indices of rows and resets."""
         system = self.system
         modes = self.modes
         configurations = [c.name for c in system.configurations]
@@ -191,7 +191,7 @@ class SimulationForm:
         }
 
     def _coordinates(self) -> list[tuple[sp.Symbol, sp.Symbol]]:
-        """Positions and their velocities: x' = v, in some configurations perhaps x' = 0."""
+        """Pairs of a position and its velocity: x' = v, in some configurations perhaps x' = 0."""
         states = self.system.states
         forced = {state for pair in self.system.forcing for state in pair}
         velocities = [_rates(*c.dynamics.field(states), states) for c in self.system.configurations]
@@ -204,7 +204,7 @@ class SimulationForm:
         return found
 
     def _law(self, law: ContactLaw) -> dict[str, Any]:
-        """A contact law, its functions and resets by their indices."""
+        """The table of a contact law; functions and resets are given by their indices."""
         columns = ("relative", "gap", "static", "kinetic", "slipping", "overshooting")
         return {
             "contacts": [
@@ -231,7 +231,7 @@ class SimulationForm:
         return sp.ImmutableMatrix([sp.expand(reset.get(s, s)) for s in self.system.states])
 
     def row(self, function: sp.Expr) -> int:
-        """Place of a function among the rows."""
+        """Index of a function among the rows."""
         return self._places[sp.expand(function)]
 
     @cached_property
@@ -244,7 +244,7 @@ class SimulationForm:
         return [str(self.system.states[i]) for i in sorted(dynamics.held_at(self.system.states))]
 
     def _constraints(self, configuration: Configuration) -> list[sp.Expr]:
-        """Functions that vanish in a configuration; first the held velocities less their values."""
+        """Functions that vanish in a configuration; differences of held velocities come first."""
         dynamics, states = configuration.dynamics, self.system.states
         found: list[sp.Expr] = []
         if isinstance(dynamics, SecondOrder):
@@ -270,7 +270,7 @@ class SimulationForm:
 
 
 def _rates(matrix: sp.Matrix, offset: sp.Matrix, states: Sequence[sp.Symbol]) -> list[sp.Expr]:
-    """Rates of the states in a vector field."""
+    """Derivative of each state by time in the vector field ``matrix y + offset``."""
     terms: list[list[sp.Expr]] = [[entry] for entry in offset]
     for (i, j), entry in matrix.todok().items():
         terms[i].append(entry * states[j])

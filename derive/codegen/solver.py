@@ -97,7 +97,7 @@ $step
 
 
 def solve_prototype(orbit: EquationSystem) -> str:
-    """Declaration of the compiled solver, without the semicolon."""
+    """C declaration of the solver of an orbit, without the semicolon."""
     name = c_function(orbit.system.name, "solve", orbit.itinerary.name)
     guess = " const double *guess," if orbit.reduction.unknowns else ""
     return (
@@ -108,13 +108,10 @@ def solve_prototype(orbit: EquationSystem) -> str:
 
 
 def solve_source(orbit: EquationSystem) -> str:
-    """Definition of the compiled solver of an orbit.
+    """C definition of the solver of an orbit.
 
-    Raises
-    ------
-    DerivationError
-        If the reduction leaves more than `MOST_REDUCED` unknowns, or a symbol has a name of the
-        solver's own.
+    DerivationError refuses a reduction that leaves more than `MOST_REDUCED` unknowns, and a
+    symbol with a name that the solver itself uses.
     """
     count = len(orbit.reduction.unknowns)
     if count > MOST_REDUCED:
@@ -202,7 +199,7 @@ def solve_source(orbit: EquationSystem) -> str:
 
 
 def _status(orbit: EquationSystem, determinants: Sequence[sp.Expr], indent: str) -> list[str]:
-    """The status of a lane, without branches."""
+    """C statements that set the status of a lane, without branches."""
     # x - x is 0 or NaN, and so is a sum of such
     values = ("slope[lane]", *(f"result[{i}][lane]" for i in range(len(orbit.unknowns))))
     finite = " + ".join(f"({value} - {value})" for value in values)
@@ -224,7 +221,7 @@ def _status(orbit: EquationSystem, determinants: Sequence[sp.Expr], indent: str)
 
 
 def inputs_of(lines: Sequence[Line], results: Iterable[sp.Expr]) -> set[sp.Symbol]:
-    """Symbols that lines and results use without assigning them."""
+    """Symbols that lines and results use but the lines do not assign."""
     used: set[sp.Symbol] = set().union(
         *(e.free_symbols for e in results), *(line.expression.free_symbols for line in lines)
     )
@@ -232,7 +229,7 @@ def inputs_of(lines: Sequence[Line], results: Iterable[sp.Expr]) -> set[sp.Symbo
 
 
 def lane_sources(lines: Sequence[Line], scope: Scope) -> list[str]:
-    """Assignments with sines and cosines from the support header, which vectorise."""
+    """C assignments with sines and cosines of the support header, which vectorise."""
     sources: list[str] = []
     pairs: dict[sp.Expr, int] = {}
     for line in lines:
@@ -254,7 +251,10 @@ def lane_sources(lines: Sequence[Line], scope: Scope) -> list[str]:
 def _newton(
     orbit: EquationSystem, residual: Sequence[sp.Expr], jacobian: Sequence[sp.Expr], scope: Scope
 ) -> list[str]:
-    """One damped step of a lane, by Cramer's rule; a closed lane keeps its values."""
+    """C statements of one damped Newton step of a lane, by Cramer's rule.
+
+    A lane that has converged keeps its values.
+    """
     unknowns = orbit.reduction.unknowns
     size = len(unknowns)
     r = sp.symbols(f"residual_0:{size}", real=True)

@@ -21,7 +21,8 @@ __all__ = ["composed_table", "orbit_table", "system_table", "system_tables"]
 def system_tables(derived: DerivedSystem) -> str:
     """Python source of the tables SYSTEM, ORBITS and KERNELS (core shapes in and out).
 
-    MANY_POINTS names the orbits of which kernels for many points may be derived, if any.
+    MANY_POINTS is added if kernels for many points may be derived of some orbits; it has
+    their names.
     """
     shapes = {
         python_function(k.name, orbit): (
@@ -46,7 +47,7 @@ def system_tables(derived: DerivedSystem) -> str:
 
 
 def system_table(form: SimulationForm) -> dict[str, Any]:
-    """Configurations, transitions, parameters with domains, spectrum."""
+    """Table of a system: configurations, transitions, parameters with domains, spectrum."""
     system, spectrum = form.system, form.spectrum
     return {
         "name": system.name,
@@ -65,7 +66,7 @@ def system_table(form: SimulationForm) -> dict[str, Any]:
 
 
 def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
-    """Everything that a runtime has to know of an orbit beside its kernels."""
+    """Table of all that the runtime has to know of an orbit beside its kernels."""
     itinerary, reduction = orbit.itinerary, orbit.reduction
     by_name = {p.name: p for p in orbit.system.parameters}
     presentation = itinerary.presentation
@@ -107,7 +108,7 @@ def orbit_table(orbit: EquationSystem) -> dict[str, Any]:
 
 
 def composed_table(orbit: Underived) -> dict[str, Any]:
-    """What a runtime needs to compose an orbit that has no kernels.
+    """Table from which the runtime composes an orbit that has no kernels.
 
     A reference in other coordinates or parameters than the system's is left out.
     """
@@ -136,7 +137,10 @@ def _reference(itinerary: Itinerary) -> dict[str, dict[str, str]] | None:
 
 
 def _levels(orbit: EquationSystem) -> dict[str, str]:
-    """States with a value at which a boundary lies: a stop's place, a belt's velocity."""
+    """Value at which a boundary lies, by the state that alone occurs in it.
+
+    It is a stop's place, or the velocity of a belt.
+    """
     found = {}
     for phase in orbit.itinerary.phases:
         for boundary in orbit.system.configuration(phase.configuration).boundaries:
@@ -151,10 +155,10 @@ def _levels(orbit: EquationSystem) -> dict[str, str]:
 
 
 def _others(orbit: EquationSystem) -> list[Parameter]:
-    """Parameters of the system that neither the equations nor admissibility depend on.
+    """Parameters of the system on which neither the equations nor admissibility depend.
 
-    Those that are solved for or required to have a value are among them, and those that
-    the presentation replaces.
+    Among them are those that are solved for, that the orbit requires to have a value, or
+    that the presentation replaces.
     """
     declared = (*orbit.itinerary.system.parameters, *orbit.system.parameters)
     used = {str(s) for s in (*orbit.parameters, *orbit.open_parameters)}
@@ -173,7 +177,7 @@ def _parameter(parameter: Parameter) -> dict[str, Any]:
 
 
 def _combined(presentation: Presentation) -> dict[str, dict[str, int]]:
-    """New parameters as sums of multiples of the system's: e = ur - us."""
+    """New parameters as sums of multiples of the system's parameters, as in e = ur - us."""
     symbols = [p.symbol for p in presentation.parameters]
     rules = [
         sp.Eq(old, new)
@@ -185,7 +189,10 @@ def _combined(presentation: Presentation) -> dict[str, dict[str, int]]:
 
 
 def _products(expression: sp.Expr) -> dict[str, int]:
-    """Products of parameters with factors, whose sum has the sign of a rational function."""
+    """Integer factors by products of parameters; the sum has the sign of the expression.
+
+    The expression is a rational function of the parameters.
+    """
     numerator, denominator = sp.fraction(sp.together(expression))
     terms = sp.expand(numerator * denominator).as_coefficients_dict()
     scale = sp.ilcm(*(factor.q for factor in terms.values()))

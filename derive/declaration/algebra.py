@@ -34,10 +34,10 @@ def factor(expression: sp.Expr) -> sp.Expr:
 def affine_terms(
     function: sp.Expr, states: Set[sp.Symbol]
 ) -> tuple[dict[sp.Symbol, sp.Expr], sp.Expr]:
-    """Coefficients of the states that occur, and the rest, of an affine function of them.
+    """Coefficients of the states that occur in an affine function, and its constant.
 
-    Terms are read off, so that functions of many states cost what they have of terms. Where the
-    function is not affine a coefficient depends on a state.
+    The coefficients are read off term by term, so the cost grows with the number of terms,
+    not of states. If the function is not affine a coefficient depends on a state.
     """
     found: dict[sp.Symbol, list[sp.Expr]] = {}
     rest = []
@@ -59,12 +59,12 @@ def affine_terms(
 
 
 def frozen(matrix: sp.Matrix) -> sp.ImmutableMatrix:
-    """The matrix itself if it cannot change, or else a copy that cannot."""
+    """The matrix itself if it is immutable, else an immutable copy."""
     return matrix if isinstance(matrix, sp.ImmutableMatrix) else matrix.as_immutable()
 
 
 def inverse(matrix: sp.Matrix) -> sp.Matrix:
-    """Inverse of a square matrix, its entries cancelled; that of rational numbers by fractions."""
+    """Inverse of a square matrix with its entries cancelled; exact for rational numbers."""
     if not _is_rational(matrix):
         return matrix.as_mutable().inv().applyfunc(cancel)
     if matrix.is_diagonal():
@@ -75,10 +75,11 @@ def inverse(matrix: sp.Matrix) -> sp.Matrix:
 
 @lru_cache(maxsize=64)
 def is_surely_positive_definite(matrix: sp.ImmutableMatrix) -> bool:
-    """Whether a matrix of rational numbers is shown to be positive definite in double precision.
+    """Whether a matrix of rational numbers is shown to be positive definite by doubles.
 
-    Cholesky's factor of the matrix less a bound of all rounding errors exists (Rump 2006). False
-    means "not shown": the matrix may be singular nearly, or hold symbols.
+    The proof is that Cholesky's factorisation succeeds for the matrix less a bound of all
+    rounding errors (Rump 2006). False means "not shown": the matrix may be nearly singular,
+    or contain symbols.
     """
     if not _is_rational(matrix) or matrix != matrix.T:
         return False
@@ -99,7 +100,7 @@ def is_surely_positive_definite(matrix: sp.ImmutableMatrix) -> bool:
 
 
 def symbols_of(matrix: sp.Matrix) -> set[sp.Symbol]:
-    """Symbols of a matrix, of its entries that are not zero."""
+    """Symbols that occur in a matrix."""
     return set().union(*(entry.free_symbols for entry in matrix.todok().values()))
 
 

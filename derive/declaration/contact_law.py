@@ -23,35 +23,21 @@ __all__ = ["ContactLaw", "LawContact"]
 
 @dataclass(frozen=True)
 class LawContact:
-    """A contact of a law: friction, or a rigid stop.
-
-    Attributes
-    ----------
-    name : str
-    friction : bool
-        A stop pushes only; it has no limits.
-    relative : expression
-        Velocity along its direction, relative to the belt.
-    gap : expression
-        Position along the direction of a stop, less that of the stop; zero of friction.
-    static, kinetic : expressions
-        The most that friction holds, and what it holds once it has slipped.
-    slipping, overshooting : expressions
-        Kinetic forces on the oscillator along the direction.
-    """
+    """A contact on which a law decides: friction, or a rigid stop."""
 
     name: str
-    friction: bool
-    relative: sp.Expr
+    friction: bool  # False for a stop, which only pushes and has no limits
+    relative: sp.Expr  # velocity along its direction, relative to the belt
+    # position along a stop's direction, less that of the stop; zero of friction
     gap: sp.Expr = sp.S.Zero
-    static: sp.Expr = sp.S.Zero
-    kinetic: sp.Expr = sp.S.Zero
-    slipping: sp.Expr = sp.S.Zero
-    overshooting: sp.Expr = sp.S.Zero
+    static: sp.Expr = sp.S.Zero  # largest force that friction holds
+    kinetic: sp.Expr = sp.S.Zero  # force of friction once it has slipped
+    slipping: sp.Expr = sp.S.Zero  # kinetic force on the oscillator along the direction
+    overshooting: sp.Expr = sp.S.Zero  # kinetic force in the other sense of sliding
 
     @property
     def functions(self) -> tuple[sp.Expr, ...]:
-        """The affine functions, in their order."""
+        """The affine functions of the contact in the order of the fields."""
         return (
             self.relative, self.gap, self.static, self.kinetic, self.slipping, self.overshooting,
         )  # fmt: skip
@@ -59,42 +45,28 @@ class LawContact:
 
 @dataclass(frozen=True)
 class ContactLaw:
-    """The contacts of a system that the mass matrix couples, and what is known of them.
+    """The contacts of a system that the mass matrix couples, with the data of their law.
 
-    Attributes
-    ----------
-    contacts : tuple of LawContact
-    coupling : m x m matrix
-        Accelerations along the directions by unit forces along them.
-    regimes : mapping of configuration to a regime of each contact
-        `slip`, `stick` and `overshoot` of friction, `free` and `contact` of stops; another
-        regime exerts no force and is not decided here.
-    others : mapping of configuration to str
-        The regimes of all other parts, joined.
-    free : mapping of the others' regimes to m expressions
-        Accelerations along the directions, less those of the contacts' forces.
-    arrivals : mapping of boundary to contact
-        Boundaries at which a contact comes to rest, or a stop would have to pull.
-    limits : mapping of boundary to contact
-        Those at which a contact has reached the limit of its force.
-    switches : mapping of the others' regimes to mapping of boundaries to others' regimes
-        What other parts do at boundaries of theirs, joined by "+", that are reached together
-        with contacts'.
-    idle : mapping of configuration to contacts
-        Those that slide in name only: others that hold keep them at rest.
-    resets : mapping of target to mapping of the others' boundaries to resets
-        What begins to hold is put exactly in its place; the target "" is where nothing does.
+    Regimes are `slip`, `stick` and `overshoot` of friction, `free` and `contact` of stops;
+    in another regime a contact exerts no force, and the law does not decide on it. The
+    regimes of all other parts are joined to one text.
     """
 
     contacts: tuple[LawContact, ...]
+    # m x m: accelerations along the directions by unit forces along them
     coupling: sp.ImmutableMatrix
-    regimes: Mapping[str, tuple[str, ...]]
-    others: Mapping[str, str]
+    regimes: Mapping[str, tuple[str, ...]]  # by configuration: a regime of each contact
+    others: Mapping[str, str]  # by configuration: regimes of the other parts
+    # by the others' regimes: accelerations along the directions without the contacts' forces
     free: Mapping[str, tuple[sp.Expr, ...]]
+    # contact by boundary at which it comes to rest, or a stop would have to pull
     arrivals: dict[str, int]
-    limits: dict[str, int]
+    limits: dict[str, int]  # contact by boundary at which it has reached the limit of its force
+    # by the others' regimes and boundaries of theirs, joined by "+": the others' next regimes
     switches: Mapping[str, Mapping[str, str]]
+    # by configuration: contacts whose sliding is nominal, as other parts hold them at rest
     idle: Mapping[str, tuple[int, ...]]
+    # by target and the others' boundaries: what begins to hold is set; target "" if nothing does
     resets: Mapping[str, Mapping[str, Mapping[sp.Symbol, sp.Expr]]]
 
     def __post_init__(self) -> None:
@@ -103,13 +75,13 @@ class ContactLaw:
         object.__setattr__(self, "free", free)
 
     def decides(self, boundaries: frozenset[str]) -> bool:
-        """Whether one of these boundaries, reached together, is a contact's."""
+        """Whether one of the boundaries, which are reached together, belongs to a contact."""
         return any(b in self.arrivals or b in self.limits for b in boundaries)
 
     def reset(
         self, source: str, boundaries: frozenset[str], target: str
     ) -> Mapping[sp.Symbol, sp.Expr] | None:
-        """Reset on the way to a target; None where the boundaries do not lead there."""
+        """Reset on the way to a target; None if the boundaries do not lead there."""
         own = "+".join(sorted(b for b in boundaries if b not in self.arrivals | self.limits))
         others = self.switches[self.others[source]].get(own) if own else self.others[source]
         moved = {(self.arrivals | self.limits)[b] for b in boundaries - set(own.split("+"))}

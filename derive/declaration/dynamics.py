@@ -231,7 +231,7 @@ def _square(matrix: Any, what: str, size: int | None = None) -> sp.Matrix:
 
 
 def _column(values: Any, size: int, what: str) -> sp.Matrix:
-    """Column of the values; zeros where none are given."""
+    """Column (size x 1) of the values; zeros if there are none."""
     return _matrix(list(values), what) if len(values) else sp.zeros(size, 1)
 
 

@@ -19,26 +19,15 @@ __all__ = ["fingerprint"]
 def fingerprint(*declarations: Any) -> str:
     """Hash of declarations, of SymPy's version and of the code that derives from them.
 
-    Parameters
-    ----------
-    declarations : System, Itinerary or sequences of them
-
-    Returns
-    -------
-    str
-        16 hexadecimal digits.
-
-    Raises
-    ------
-    DeclarationError
-        For an object that declares nothing.
+    It has 16 hexadecimal digits. Declarations are systems, itineraries or sequences of
+    them; DeclarationError refuses an object that declares nothing.
     """
     parts = [sp.__version__, _code(), *map(_text, declarations)]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
 
 
 def _text(value: Any) -> str:
-    """Text that tells a value from every other, all parts of it included."""
+    """A text that differs for different values, with all their parts."""
     if is_dataclass(value) and not isinstance(value, type):
         value = getattr(value, "identity", value)  # of a system that is not listed
         inside = ", ".join(f"{f.name}={_text(getattr(value, f.name))}" for f in fields(value))
@@ -63,7 +52,7 @@ def _text(value: Any) -> str:
 
 @cache
 def _code() -> str:
-    """Hash of this package's sources: another release derives anew."""
+    """Hash of this package's sources, which makes another release derive anew."""
     digest = hashlib.sha256()
     root = Path(__file__).parents[1]
     for path in sorted(root.rglob("*.py")) + sorted(root.rglob("*.h")):

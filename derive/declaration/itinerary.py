@@ -329,5 +329,5 @@ class Itinerary:
 
 
 def dwell_symbol(name: str) -> sp.Symbol:
-    """Symbol of a dwell time."""
+    """The symbol of a dwell time."""
     return sp.Symbol(name, positive=True)

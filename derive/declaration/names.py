@@ -9,12 +9,10 @@ __all__ = ["check_name", "check_unique"]
 
 
 def check_name(name: str, what: str) -> None:
-    """Refuse a name that no file and no function can have.
+    """Refuse a name that cannot be that of a file and a function.
 
-    Raises
-    ------
-    DeclarationError
-        Unless it consists of letters, digits, hyphens and underscores, a letter first.
+    A name has letters, digits, hyphens and underscores, and begins with a letter;
+    DeclarationError refuses another one.
     """
     plain = isinstance(name, str) and name.replace("-", "_")
     if not plain or not plain.isidentifier() or iskeyword(plain) or plain.startswith("_"):
@@ -24,13 +22,7 @@ def check_name(name: str, what: str) -> None:
 
 
 def check_unique(names: Sequence[str], what: str) -> None:
-    """Refuse a name that is given twice.
-
-    Raises
-    ------
-    DeclarationError
-        For the first that is.
-    """
+    """Refuse, by DeclarationError, a name that occurs twice."""
     for name in names:
         if names.count(name) > 1:
             raise DeclarationError(f"{what} {name!r} is declared twice")

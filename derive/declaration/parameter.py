@@ -18,7 +18,7 @@ __all__ = ["Parameter", "check_finite", "exact", "is_positive", "is_rational"]
 def exact(expression: Any) -> Any:
     """A SymPy expression in which each float is the shortest decimal that it prints as.
 
-    Its irrational numbers are as `settled` leaves them.
+    Its irrational numbers are as `settled` gives them.
     """
     expression = sp.sympify(expression)
     floats = expression.atoms(sp.Float)
@@ -26,12 +26,9 @@ def exact(expression: Any) -> Any:
 
 
 def check_finite(expression: sp.Expr, where: str) -> None:
-    """Refuse what holds NaN, an infinity or the imaginary unit.
+    """Refuse an expression with NaN, an infinity or the imaginary unit.
 
-    Raises
-    ------
-    DeclarationError
-        Names `where` and what it holds.
+    The DeclarationError names `where` and what the expression contains.
     """
     for strange in (sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I):
         if expression.has(strange):
@@ -121,11 +118,12 @@ class Parameter:
 
 
 def is_positive(expression: sp.Expr, parameters: Iterable[Parameter]) -> bool:
-    """Decide whether an expression is positive on the whole domain of the parameters.
+    """Whether an expression is shown to be positive on the whole domain of the parameters.
 
     True is a proof; False means "not shown". Each parameter is replaced by a map of a
-    positive symbol onto its domain; then either SymPy's assumptions decide, or all
-    coefficients of numerator and denominator have one sign.
+    positive symbol onto its domain, of a nonnegative one if the domain is closed; then
+    either SymPy's assumptions decide, or all coefficients of numerator and denominator have
+    one sign.
     """
     expression = sp.sympify(expression)
     if expression.is_positive:

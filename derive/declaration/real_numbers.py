@@ -35,13 +35,13 @@ _X = sp.Dummy("x")
 
 
 def is_irrational(expression: Any) -> bool:
-    """Whether an expression is a closed number that is not written as a fraction."""
+    """Whether an expression is a closed number that texts can express, but not as a fraction."""
     return bool(expression.is_Rational is False) and _is_written(expression)
 
 
 @lru_cache(maxsize=4096)
 def _is_written(expression: Any) -> bool:
-    """Whether texts have all that a number is made of."""
+    """Whether the grammar of values has all operations and functions of a number."""
     if isinstance(expression, sp.CRootOf):
         return True
     return isinstance(expression, _WRITTEN) and all(map(_is_written, expression.args))
@@ -50,15 +50,10 @@ def _is_written(expression: Any) -> bool:
 def map_numbers(
     expression: Any, change: Callable[[Any], Any], takes: Callable[[Any], bool] = is_irrational
 ) -> Any:
-    """Replace each closed irrational number in an expression, the largest ones.
+    """Replace each closed irrational number in an expression, the largest ones as a whole.
 
-    Parameters
-    ----------
-    expression : sympy expression
-    change : callable
-        From a number, such as ``sqrt(2)*pi``, to what takes its place.
-    takes : callable, optional
-        Whether an expression is such a number.
+    `change` maps a number, such as ``sqrt(2)*pi``, to what takes its place; `takes` decides
+    whether an expression is such a number.
     """
     if takes(expression):
         return change(expression)
@@ -73,12 +68,10 @@ def map_numbers(
 
 
 def settled(expression: Any) -> Any:
-    """An expression whose closed numbers are real, and rational ones written as fractions.
+    """The expression with its closed numbers real, and the rational ones written as fractions.
 
-    Raises
-    ------
-    DeclarationError
-        For a number that is not real, or not known to be, or has no text; one line.
+    DeclarationError refuses in one line a number that is not real, or not known to be, and
+    one that has no text.
     """
     if expression.is_Atom and not expression.is_number:
         return expression
@@ -112,13 +105,7 @@ def _settled(number: Any) -> Any:
 
 
 def nearest_double(number: Any) -> float:
-    """The double nearest to a number.
-
-    Raises
-    ------
-    DeclarationError
-        If it is too large for one.
-    """
+    """The double nearest to a number; DeclarationError refuses one that is too large."""
     try:
         return float(Fraction(str(sp.N(number, _DIGITS))))
     except OverflowError:
@@ -126,19 +113,19 @@ def nearest_double(number: Any) -> float:
 
 
 def _rewritten(number: Any) -> Any:
-    """A function of a number by those that texts have."""
+    """A function of a number in terms of functions that texts have."""
     return number.rewrite(_REWRITTEN[number.func])
 
 
 def _is_zero(number: Any) -> bool:
-    """Whether a number is zero, for a reason."""
+    """Whether a number is proved to be zero."""
     if sp.simplify(number) == 0:
         return True
     return bool(_minimal(number) == _X)
 
 
 def _minimal(number: Any) -> Any:
-    """The polynomial of lowest degree with that root; None where none is found."""
+    """The minimal polynomial of a number; None if SymPy cannot give it."""
     try:
         return sp.minimal_polynomial(number, _X)
     except (NotImplementedError, NotAlgebraic):  # SymPy's words for a number that it cannot take
@@ -146,7 +133,11 @@ def _minimal(number: Any) -> Any:
 
 
 def _as_root(number: Any, found: Any, value: Any) -> tuple[Any, Any]:
-    """A real number that is written with others, as a root of its minimal polynomial."""
+    """A number that is real though not written so, as a real root, and its value.
+
+    The root is that of its minimal polynomial. DeclarationError refuses a number for which
+    this does not prove that it is real.
+    """
     real, imaginary = value.as_real_imag()
     noise = _NOISE * (1 + abs(real))
     polynomial = None
@@ -188,10 +179,7 @@ class _Printer(StrPrinter):
 def number_text(number: Any) -> str:
     """A number in the grammar of parameter values.
 
-    Raises
-    ------
-    DeclarationError
-        If it has functions that values have not.
+    DeclarationError refuses a number with functions that values do not have.
     """
     if not _is_written(number):
         raise DeclarationError(

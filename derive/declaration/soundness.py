@@ -29,12 +29,9 @@ __all__ = ["check_soundness"]
 def check_soundness(system: System) -> None:
     """Refuse a system that cannot move as it is declared.
 
-    Raises
-    ------
-    DeclarationError
-        For a name that nothing can have, a mass that is not symmetric and positive definite,
-        a boundary without a transition, a transition that never applies, or a reset that
-        lands where its target is left already.
+    DeclarationError refuses an unusable name, a mass that is not symmetric and positive
+    definite, a boundary without a transition, a transition that never applies, and a reset
+    that lands where its target is left already.
     """
     check_name(system.name, "system")
     seen: dict[str, str] = {}
@@ -66,7 +63,7 @@ def _check_mass(configuration: Configuration, parameters: tuple[Parameter, ...])
 
 @lru_cache(maxsize=256)
 def _fault(mass: sp.ImmutableMatrix, parameters: tuple[Parameter, ...]) -> str:
-    """What a mass matrix lacks: symmetry, or a positive leading minor; else nothing."""
+    """Why a mass matrix is not symmetric and positive definite; empty if that is not shown."""
     if is_surely_positive_definite(mass):
         return ""
     for i in range(mass.rows):
@@ -81,7 +78,7 @@ def _fault(mass: sp.ImmutableMatrix, parameters: tuple[Parameter, ...]) -> str:
 
 
 def _check_exits(system: System) -> None:
-    """Every boundary needs a transition, or a motion would end there."""
+    """Refuse a boundary without a transition, at which a motion would end."""
     left = {(t.source, name) for t in system.transitions for name in t.boundaries}
     for configuration in system.configurations:
         for boundary in configuration.boundaries:
@@ -94,7 +91,7 @@ def _check_exits(system: System) -> None:
 
 
 def _check_order(transitions: Sequence[Transition]) -> None:
-    """Of several transitions for one set of boundaries each must have its chance."""
+    """Refuse a transition that an earlier one for the same boundaries always precedes."""
     before: dict[tuple[str, frozenset[str]], list[Transition]] = {}
     for transition in transitions:
         group = before.setdefault((transition.source, transition.boundaries), [])
@@ -110,10 +107,11 @@ def _check_order(transitions: Sequence[Transition]) -> None:
 
 
 def _check_landing(system: System, transition: Transition) -> None:
-    """Behind the reset the target must not be left already, nor its constraints broken.
+    """Refuse a reset behind which the target is left already, or its constraints are broken.
 
-    What depends on forces is not judged: a transition with conditions, or out of a contact, may
-    be one that these numbers never take, and a contact may be left as soon as it is entered.
+    What depends on forces is not judged: a transition with conditions, or out of a contact,
+    may be one that these numbers never take, and a contact may be left as soon as it is
+    entered.
     """
     source, target = map(system.configuration, (transition.source, transition.target))
     if transition.conditions or len(transition.boundaries) > 1 or _held(source):
@@ -152,7 +150,10 @@ _positive = lru_cache(maxsize=1024)(is_positive)
 
 
 def _value_on(system: System, function: sp.Expr, surfaces: Iterable[sp.Expr]) -> sp.Expr | None:
-    """Value of an affine function on one of the surfaces if it is constant there, else None."""
+    """Value of an affine function on a surface on which it is constant.
+
+    The first such surface counts; None if there is none.
+    """
     row, constant = system.gradient(function)
     places = _support(row)
     if not places:
@@ -168,5 +169,5 @@ def _value_on(system: System, function: sp.Expr, surfaces: Iterable[sp.Expr]) ->
 
 
 def _support(row: sp.Matrix) -> list[int]:
-    """Where a row has entries."""
+    """Indices of the nonzero entries of a row."""
     return sorted(place for _, place in row.reshape(1, len(row)).todok())

@@ -152,7 +152,7 @@ class System:
         return fingerprint(self, ())
 
     def __getstate__(self) -> dict[str, Any]:
-        """What is declared, without what was made of it."""
+        """The declaration alone, without what was derived from it."""
         return {name: value for name, value in vars(self).items() if not name.startswith("_")}
 
     def source(self, orbits: Sequence[Any] = ()) -> str:
@@ -320,7 +320,7 @@ class System:
             self._check_affine(expression, f"{where}, reset of {symbol}")
 
     def _check_forcing(self, cosine: sp.Symbol, sine: sp.Symbol) -> None:
-        """Check that all configurations turn the pair alike, and no reset changes it."""
+        """Refuse a pair that turns differently in some configuration, or that a reset changes."""
         where = f"forcing {cosine}, {sine}"
         for symbol in (cosine, sine):
             if symbol not in self.states:

@@ -11,17 +11,21 @@ __all__ = ["moves_freely", "translations"]
 
 
 def translations(system: System) -> sp.Matrix:
-    """Directions along which nothing changes, as columns; none is the rule. See `moves_freely`."""
+    """Directions of the state along which nothing changes, as columns (N x k).
+
+    Most systems have none. See `moves_freely`.
+    """
     size = len(system.states)
     columns = _dependences(system).nullspace(simplify=True) if moves_freely(system) else []
     return sp.ImmutableMatrix.hstack(sp.zeros(size, 0), *columns)
 
 
 def moves_freely(system: System) -> bool:
-    """Whether y + s d is a motion when y is, for some direction d, whatever the parameters.
+    """Whether y + s d is a motion when y is, for some direction d and all parameters.
 
-    No field, boundary, constraint or condition depends on s, and resets carry it along. It is
-    decided at one point of the parameters, with numbers that fulfil no relation by accident.
+    No field, boundary, constraint or condition depends on s, and resets carry it along. It
+    is decided at one point of the parameters, with numbers that fulfil no relation by
+    accident.
     """
     matrix = _dependences(system)
     symbols = sorted(matrix.free_symbols, key=str)
@@ -31,7 +35,7 @@ def moves_freely(system: System) -> bool:
 
 
 def _dependences(system: System) -> sp.Matrix:
-    """Rows that vanish on a direction where nothing depends on the state along it, once each."""
+    """Rows (k, N) orthogonal to every direction along which nothing depends on the state."""
     functions = [b.function for c in system.configurations for b in c.boundaries]
     functions += [row for c in system.configurations for row in c.constraints]
     functions += [c.function for t in system.transitions for c in t.conditions]

@@ -18,13 +18,11 @@ _LARGEST_ORDER = 64
 
 
 def unfolded(itinerary: Itinerary) -> Itinerary:
-    """The same orbit by all of its phases; dwell times of the k-th image end in ``_k``.
+    """The same orbit declared by all of its phases, without a symmetry.
 
-    Raises
-    ------
-    DeclarationError
-        If the states' permutation maps a configuration that the orbit passes to none, or if
-        its powers never are the identity.
+    The dwell times of the k-th image end in ``_k``. DeclarationError says that the states'
+    permutation maps a configuration of the orbit to none, or that none of its powers is the
+    identity.
     """
     if not itinerary.symmetry:
         return itinerary
@@ -50,7 +48,7 @@ def _order(images: Mapping[sp.Symbol, sp.Expr]) -> int:
 
 
 def _image(system: System, images: Mapping[sp.Symbol, sp.Expr], phase: Phase) -> Phase:
-    """The image of a phase: the configuration and the boundary that the symmetry makes of it."""
+    """The image of a phase, with the configuration and the boundary of the symmetric motion."""
     source = system.configuration(phase.configuration)
     wanted = _moved(source, system, images)
     for target in system.configurations:
@@ -78,7 +76,7 @@ def _moved(
 
 
 def _through(function: sp.Expr, images: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """A function of the state as one of its image: of the inverse permutation."""
+    """A function of the state as a function of the state's image."""
     inverse = {}
     for state, image in images.items():
         (source,) = image.free_symbols

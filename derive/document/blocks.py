@@ -17,7 +17,7 @@ __all__ = ["Block", "Document", "Formula", "Heading", "Line", "Paragraph", "Tabl
 
 @dataclass(frozen=True)
 class Heading:
-    """Title of a section (level 1) or of a part of one (level 2)."""
+    """Title of a section (level 1) or of a part of a section (level 2)."""
 
     text: str
     level: int = 1
@@ -32,28 +32,15 @@ class Paragraph:
 
 @dataclass(frozen=True)
 class Line:
-    """One relation of a formula.
+    """One relation of a formula, in LaTeX."""
 
-    Attributes
-    ----------
-    left, relation : str
-        LaTeX of the left-hand side and of the sign behind it.
-    pieces : tuple of str
-        LaTeX of the right-hand side, cut where a line may break.
-    subject : expression, or None
-        What the left-hand side stands for, where that is one symbol.
-    shows : expression or matrix, or None
-        The derivation's own object of which the right-hand side is the LaTeX.
-    parts : tuple of Line
-        Where several relations stand side by side: those.
-    """
-
-    left: str
-    relation: str
-    pieces: tuple[str, ...]
-    subject: sp.Basic | None = None
+    left: str  # left-hand side
+    relation: str  # sign behind it
+    pieces: tuple[str, ...]  # right-hand side, cut where a line may break
+    subject: sp.Basic | None = None  # what the left-hand side stands for, if that is one symbol
+    # expression or matrix of the derivation that the right-hand side shows
     shows: sp.Basic | None = None
-    parts: tuple[Line, ...] = ()
+    parts: tuple[Line, ...] = ()  # the relations, if several stand side by side
 
     @property
     def latex(self) -> str:
@@ -63,24 +50,15 @@ class Line:
 
 @dataclass(frozen=True)
 class Formula:
-    """Displayed relations, aligned at their signs.
-
-    Attributes
-    ----------
-    lines : tuple of Line
-    label : str, or None
-        Number of the equation.
-    note : str, or None
-        What it means, as text.
-    """
+    """Displayed relations, aligned at their signs."""
 
     lines: tuple[Line, ...]
-    label: str | None = None
-    note: str | None = None
+    label: str | None = None  # number of the equation
+    note: str | None = None  # meaning of the equation, as text
 
     @property
     def relations(self) -> tuple[Line, ...]:
-        """The relations, also those that stand side by side."""
+        """All relations, also those that stand side by side on one line."""
         return tuple(part for line in self.lines for part in (line.parts or (line,)))
 
     @property
@@ -92,7 +70,7 @@ class Formula:
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of text below a header; the column `wrapped` takes the width that is left."""
+    """Rows of text below a header; the column `wrapped` takes the remaining width."""
 
     header: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
@@ -104,14 +82,14 @@ Block = Heading | Paragraph | Formula | Table
 
 @dataclass(frozen=True)
 class Document:
-    """A title and what follows it."""
+    """A title and the blocks that follow it."""
 
     title: str
     blocks: tuple[Block, ...]
 
     @property
     def groups(self) -> tuple[tuple[Block, ...], ...]:
-        """The blocks, numbered formulas in a row together."""
+        """The blocks in groups: consecutive numbered formulas together, every other block alone."""
         found: list[tuple[Block, ...]] = []
         for numbered, run in groupby(
             self.blocks, lambda b: isinstance(b, Formula) and b.label is not None
@@ -126,7 +104,7 @@ class Document:
         return tuple(b for b in self.blocks if isinstance(b, Formula))
 
     def section(self, title: str) -> tuple[Block, ...]:
-        """Give the blocks between a section's heading and the next section."""
+        """The blocks between a section's heading and the next section."""
         found: list[Block] = []
         inside = False
         for block in self.blocks:

@@ -72,9 +72,9 @@ __all__ = [
 
 
 def describe_system(system: System) -> Document:
-    """Describe a system with all its configurations, flows and transitions.
+    """The document of a system, with all its configurations, flows and transitions.
 
-    Flows without a closed form in the parameters are described by what is computed instead.
+    For flows without a closed form in the parameters it says how they are computed.
     """
     names = [c.name for c in system.configurations]
     spectrum, flows = closed_flows(system, names)
@@ -104,9 +104,9 @@ def describe_system(system: System) -> Document:
 
 
 def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
-    """Describe the whole derivation of a periodic orbit, from the declaration to the trace.
+    """The document of a periodic orbit's whole derivation, from the declaration to the trace.
 
-    An itinerary alone, of which no equations are derived, is described by `describe_itinerary`.
+    An itinerary for which no equations are derived is described by `describe_itinerary`.
     """
     if isinstance(orbit, Itinerary):
         return describe_itinerary(orbit)
@@ -152,17 +152,13 @@ def describe_orbit(orbit: EquationSystem | Itinerary) -> Document:
 
 
 def describe_itinerary(itinerary: Itinerary) -> Document:
-    """Describe how the periodic orbit of an itinerary is found where no equations are derived.
+    """The document of an orbit for which no equations are derived.
 
-    The equations are a chain of flows and resets, which hold for any flow; what depends on the
-    declaration alone (boundaries, vector fields, resets, saltation matrices) is written out.
-    Equal transitions are described once. An orbit that is declared by a part and a symmetry is
-    described whole.
-
-    Raises
-    ------
-    DerivationError
-        If no state satisfies what the end of the last phase enforces.
+    The equations are a chain of flows and resets, which hold for any flow; what depends on
+    the declaration alone (boundaries, vector fields, resets, saltation matrices) is written
+    out. Equal transitions are described once. An orbit that is declared by a part and a
+    symmetry is described whole. DerivationError says that no state satisfies what the end
+    of the last phase enforces.
     """
     itinerary = unfolded(itinerary)
     names = list(dict.fromkeys(p.configuration for p in itinerary.phases))
@@ -196,7 +192,7 @@ def describe_itinerary(itinerary: Itinerary) -> Document:
 def naming_of(
     itinerary: Itinerary, spectrum: Spectrum, flows: Mapping[str, Flow]
 ) -> tuple[Naming, Centres]:
-    """Notation of an itinerary's document, and the centres that have a letter there."""
+    """Notation of an itinerary's document, and the centres that have a letter in it."""
     system = itinerary.presented_system
     parameters = [p.symbol for p in (*system.parameters, *itinerary.system.parameters)]
     constants = (*dict.fromkeys(parameters), *spectrum.symbols)

@@ -14,20 +14,20 @@ __all__ = ["equation_html", "equation_latex", "equation_lines"]
 
 
 def equation_lines(orbit: EquationSystem) -> list[tuple[str, str]]:
-    """Give the LaTeX and the meaning of each equation, as the document has them."""
+    """LaTeX and meaning of each equation, as the orbit's document has them."""
     blocks = describe_orbit(orbit).section("The equations")
     return [(b.lines[0].latex, b.note or "") for b in blocks if isinstance(b, Formula)]
 
 
 def equation_latex(lines: Sequence[tuple[str, str]]) -> str:
-    """Write equations, their signs aligned, each with its meaning beside it."""
+    """LaTeX of equations, aligned at their signs, each with its meaning beside it."""
     rows = [f"& {latex} && \\text{{{note.replace('*', '')}}}" for latex, note in lines]
     body = " \\\\\n".join(rows)
     return f"$$\\begin{{aligned}}\n{body}\n\\end{{aligned}}$$"
 
 
 def equation_html(lines: Sequence[tuple[str, str]], name: str) -> str | None:
-    """Write equations as a numbered table with MathML; None where no converter is installed."""
+    """HTML table of numbered equations in MathML; None if no converter is installed."""
     try:
         from latex2mathml.converter import convert
     except ImportError:

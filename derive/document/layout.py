@@ -44,14 +44,14 @@ class _Formula(Protocol):
 
 
 def notes_beside(formulas: Sequence[_Formula]) -> bool:
-    """Whether the notes of formulas that are aligned have room beside them."""
+    """Whether the notes of aligned formulas have room beside them."""
     widest = [width(left) + width(right) for f in formulas for left, right in rows(f.lines)]
     notes = [text_width(f.note) for f in formulas if f.note]
     return max(widest, default=0.0) + max(notes, default=0.0) + _AROUND_NOTE <= LINE_WIDTH
 
 
 def text_width(text: str) -> float:
-    """Approximate width of text with its marks in em."""
+    """Approximate width in em of text with formulas and emphasis."""
     total = 0.0
     for part in _MARKS.split(text):
         total += width(part[1:-1]) if part.startswith("$") else 0.52 * len(part.strip("*"))
@@ -65,7 +65,7 @@ def width(latex: str) -> float:
 
 
 def _sequence(tokens: Iterator[str]) -> float:
-    """Width up to the end or the brace that closes the group."""
+    """Width of the tokens up to the end, or to the brace that closes the group."""
     total, scripts = 0.0, 0.0
     for token in tokens:
         if token in "_^":
@@ -96,7 +96,7 @@ def _argument(tokens: Iterator[str]) -> float:
 
 
 def _matrix(tokens: Iterator[str]) -> float:
-    """Width of a matrix: of its widest entries, with the gaps between the columns."""
+    """Width of a matrix: the sum of its columns' widths, with the gaps between them."""
     columns, column, depth, entry = [0.0], 0, 0, ""
     for token in tokens:
         if token.startswith(r"\end"):
@@ -129,7 +129,7 @@ def _single(token: str) -> float:
 
 
 def rows(lines: Sequence[_Line], limit: float = LINE_WIDTH) -> list[tuple[str, str]]:
-    """Left column and right column of every row, lines broken so that none is too wide."""
+    """Left and right part of every row, with lines broken so that no row is too wide."""
     indent = max((width(line.left) for line in lines), default=0.0)
     found = []
     for line in lines:

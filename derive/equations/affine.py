@@ -18,9 +18,10 @@ _Equation = tuple[str, sp.Expr]
 def affine_conditions(
     itinerary: Itinerary, system: System, chain: Chain
 ) -> tuple[list[Stage], list[_Equation]]:
-    """Switching conditions and closures, affine in the coordinates of the start.
+    """Stages, and the switching conditions and closures as equations (meaning, expression).
 
-    Their coefficients are functions of the dwell times; the closure of a forcing is left out.
+    They are affine in the coordinates of the start, with coefficients that are functions of
+    the dwell times. The closure of a forcing is left out.
     """
     start, forced = chain.start, chain.forcing.states if chain.forcing else ()
     stages: list[Stage] = []

@@ -36,42 +36,23 @@ PHASE = "phase"  # of the forcing, as a coordinate of the Poincare map
 
 @dataclass(frozen=True)
 class Link:
-    """One phase of the chain, with its transition.
-
-    Attributes
-    ----------
-    flow : Flow
-    dwell : symbol
-        Its dwell time.
-    duration : expression
-        The dwell time in terms of the unknowns and parameters: the symbol itself, zero, or
-        what the others leave of a given period.
-    functions : tuple of expressions
-        Values of the flow's basis functions at the end of the phase.
-    before, after, following : N x 1 matrices
-        State at the start, at the end, and behind the transition.
-    normal : 1 x N matrix
-        Gradient of the exit boundary.
-    exit : expression
-        Exit boundary's function at the end: the switching condition is that it vanishes.
-    reset : N x N matrix
-        Linear part of the transition's reset.
-    """
+    """One phase of the chain, with the transition that ends it."""
 
     flow: Flow
-    dwell: sp.Symbol
+    dwell: sp.Symbol  # symbol of the dwell time
+    # the dwell time in unknowns and parameters: itself, zero, or the rest of a given period
     duration: sp.Expr
-    functions: tuple[sp.Expr, ...]
-    before: sp.Matrix
-    after: sp.Matrix
-    following: sp.Matrix
-    normal: sp.Matrix
-    exit: sp.Expr
-    reset: sp.Matrix
+    functions: tuple[sp.Expr, ...]  # values of the flow's basis functions at the end of the phase
+    before: sp.Matrix  # N x 1: state at the start
+    after: sp.Matrix  # N x 1: state at the end
+    following: sp.Matrix  # N x 1: state behind the transition
+    normal: sp.Matrix  # 1 x N: gradient of the exit boundary
+    exit: sp.Expr  # exit boundary's function at the end, which the switching condition makes zero
+    reset: sp.Matrix  # N x N: linear part of the transition's reset
 
     @property
     def transfer(self) -> sp.Matrix:
-        """Phi of the whole phase."""
+        """Matrix Phi (N x N) of the flow over the whole phase."""
         return self.flow.matrix(self.functions)
 
     @property
@@ -82,11 +63,11 @@ class Link:
 
 @dataclass(frozen=True)
 class Chain:
-    """The start, links and the stages that compute their states.
+    """The states of an orbit along all its phases, and the stages that compute them.
 
-    `section` is the set on which the end of the last phase lands, `start` the one in whose
-    coordinates the start is sought; they differ only where an itinerary names more states.
-    Of a forcing only the phase is a coordinate of the Poincare map.
+    `section` is the set on which the end of the last phase lands; `start` is the set in
+    whose coordinates the start is sought. They differ only if an itinerary names more
+    states. Of a forcing only the phase is a coordinate of the Poincare map.
     """
 
     section: Section
@@ -108,13 +89,13 @@ class Chain:
 
     @property
     def _unforced(self) -> list[int]:
-        """Which coordinates of the section belong to no forcing."""
+        """Indices of the section's coordinates that belong to no forcing."""
         forced = self.forcing.states if self.forcing else ()
         return [i for i, place in enumerate(self.section.places) if place not in forced]
 
     @property
     def directions(self) -> sp.Matrix:
-        """Derivatives of the start by the coordinates of the Poincare map."""
+        """Derivatives (N x d) of the start by the coordinates of the Poincare map."""
         embedding = self.section.embedding
         found = embedding[:, self._unforced]
         if self.forcing is None:
@@ -123,7 +104,7 @@ class Chain:
         return found.row_join(embedding * rates.extract(list(self.section.places), [0]))
 
     def returning(self, moved: sp.Matrix) -> sp.Matrix:
-        """Changes of those coordinates that changes of the state at the end mean."""
+        """Changes (d x k) of the Poincare map's coordinates for changes (N x k) of the end."""
         places = [self.section.places[i] for i in self._unforced]
         found = moved.extract(places, list(range(moved.cols)))
         if self.forcing is None:
@@ -139,7 +120,7 @@ def follow(
     start: Section,
     forcing: Forcing | None = None,
 ) -> Chain:
-    """Follow an itinerary from its start through all phases and transitions."""
+    """The chain of an itinerary, from its start through all phases and transitions."""
     states = system.states
     begin, values = assign("start on the section", [f"{s}_0" for s in states], start.state)
     stages, state, links = [begin], sp.Matrix(values), []
@@ -185,10 +166,10 @@ def follow(
 def sensitivities(
     chain: Chain, states: Sequence[sp.Symbol], unknowns: Sequence[sp.Symbol]
 ) -> tuple[tuple[Stage, ...], list[sp.Matrix]]:
-    """Derivatives of the state at each phase's end, and behind the last transition.
+    """Stages and derivatives (N x n) of the states at all ends of phases and behind the last.
 
-    Columns follow `unknowns` (coordinates of the start, then dwell times). By the chain rule
-    S' = Phi S + f e^T, with f the vector field at the end and e the derivatives of the
+    Columns follow `unknowns` (coordinates of the start, then dwell times). By the chain
+    rule S' = Phi S + f e^T, with f the vector field at the end and e the derivatives of the
     phase's dwell time.
     """
     columns = len(unknowns)
@@ -211,10 +192,10 @@ def sensitivities(
 def poincare_jacobian(
     chain: Chain, states: Sequence[sp.Symbol]
 ) -> tuple[tuple[Stage, ...], sp.Matrix]:
-    """Jacobian of the Poincare map on the section, as a product of local maps (Sec. 4).
+    """Stages and Jacobian (d x d) of the Poincare map, a product of local maps (Sec. 4).
 
-    Each phase carries a perturbation by Phi and projects it along the vector field onto
-    its exit boundary, (I - f n/(n f)) Phi; the transition's reset follows.
+    Each phase carries a perturbation by Phi and projects it along the vector field onto its
+    exit boundary, (I - f n/(n f)) Phi; the transition's reset follows.
     """
     matrix, stages, columns = chain.directions, [], chain.coordinates
     for index, link in enumerate(chain.links):
@@ -244,7 +225,7 @@ def poincare_jacobian(
 
 
 def derived_time(dwell: sp.Symbol, duration: sp.Expr) -> Stage:
-    """Stage that assigns a dwell time which is not an unknown; empty for one that is."""
+    """Stage that assigns a dwell time which is no unknown; it is empty for an unknown."""
     derived = duration not in (dwell, 0)
     return Stage(f"{dwell} completes the period", ((dwell, duration),) if derived else ())
 
@@ -252,9 +233,9 @@ def derived_time(dwell: sp.Symbol, duration: sp.Expr) -> Stage:
 def name_functions(
     flow: Flow, dwell: sp.Symbol, time: sp.Expr | None = None
 ) -> tuple[Stage, list[sp.Expr]]:
-    """Name the values at the end of a phase of the functions of time in its flow.
+    """Stage and names of the values of a flow's functions of time at the end of a phase.
 
-    The names are those of the dwell time; `time`, if given, is when the values are taken.
+    The names contain the dwell time; `time`, if given, is when the values are taken.
     """
     names: list[str] = []
     for position, function in enumerate(flow.basis):

@@ -150,7 +150,7 @@ def derive_equations(itinerary: Itinerary) -> EquationSystem:
 
 
 def _required(itinerary: Itinerary) -> dict[sp.Symbol, sp.Expr]:
-    """Values of parameters that a reversible orbit needs."""
+    """Values by parameter without which a reversible orbit does not exist."""
     if not itinerary.reversor:
         return {}
     system = itinerary.presented_system
@@ -159,7 +159,10 @@ def _required(itinerary: Itinerary) -> dict[sp.Symbol, sp.Expr]:
 
 
 def _full_turn(itinerary: Itinerary, chain: Chain) -> tuple[tuple[str, sp.Expr], ...]:
-    """One exit condition a phase, and the closure of the start's coordinates."""
+    """One exit condition for each phase, and the closure of the start's coordinates.
+
+    A forcing has, in place of closure, conditions on its amplitude and on the period.
+    """
     equations = [
         (f"{phase.boundary} ends {phase.configuration}", sp.expand(link.exit))
         for phase, link in zip(itinerary.phases, chain.links, strict=True)
@@ -176,7 +179,7 @@ def _full_turn(itinerary: Itinerary, chain: Chain) -> tuple[tuple[str, sp.Expr],
 
 
 def _forcing(itinerary: Itinerary, system: System, section: Section) -> Forcing | None:
-    """The forcing of an orbit, free on the section."""
+    """The forcing of an orbit, if any; refused if the section fixes one of its states."""
     forcing = forcing_of(itinerary, system)
     if forcing is not None and not {*forcing.states} <= {*section.places}:
         raise DerivationError(f"itinerary {itinerary.name!r}: its section ties the forcing")
@@ -184,7 +187,7 @@ def _forcing(itinerary: Itinerary, system: System, section: Section) -> Forcing 
 
 
 def _check_length(itinerary: Itinerary, chain: Chain) -> None:
-    """Refuse an orbit whose formulas nobody would read, and whose derivation takes minutes."""
+    """Refuse an orbit with formulas too long to be read, whose derivation takes minutes."""
     terms = (e for stage in chain.stages for _, e in stage.assignments)
     length = sum(int(sp.count_ops(e)) for e in terms)
     if length > MOST_OPERATIONS:
@@ -201,10 +204,10 @@ def _without_one(
     equations: tuple[tuple[str, sp.Expr], ...],
     known: Mapping[sp.Symbol, sp.Expr],
 ) -> tuple[tuple[str, sp.Expr], ...]:
-    """The equations without one closure, which the first integral E makes redundant.
+    """The equations without the closure that the first integral E makes redundant.
 
-    It is that of the coordinate q with the largest |dE/dq| at the known point: the others
-    would leave q undetermined to first order.
+    It is the closure of the coordinate q with the largest |dE/dq| at the known point: the
+    others would leave q undetermined to first order.
     """
     first = system.configuration(itinerary.phases[0].configuration)
     energy = energy_of(first.dynamics, system.states)

@@ -42,34 +42,17 @@ def eliminate_coordinates(
     polynomials: Sequence[_Equation] = (),
     known: Sequence[Elimination] = (),
 ) -> Reduction:
-    """Reduce equations that are affine in the coordinates to the dwell times.
+    """The reduction to the dwell times of equations that are affine in the start.
 
-    Parameters
-    ----------
-    stages : sequence of Stage
-        Functions of the dwell times, over parameters and spectrum.
-    equations : sequence of (meaning, expression)
-        With the polynomials as many as coordinates and dwell times together.
-    coordinates : sequence of symbols
-        As many of them as there are polynomials stay unknowns: the first ones, if the others
-        are well determined.
-    dwell_times : sequence of symbols
-    constants : set of symbols
-        Parameters and spectrum.
-    choose : mapping of symbol to number
-        A known point: of the square parts of the equations that with the best determinant
-        there is solved. Where it is not known whole, the first is.
-    rank : int
-        No more multipliers differ from zero.
-    polynomials : sequence of (meaning, expression)
-        Equations in the coordinates of any degree.
-    known : sequence of Elimination
-        What the stages make explicit already.
-
-    Raises
-    ------
-    DerivationError
-        If the equations do not determine the coordinates.
+    `equations` and `polynomials` are (meaning, expression) and together as many as the
+    coordinates and dwell times. The former are affine in the coordinates; the latter may
+    have any degree, and for each of them one coordinate stays unknown: the first ones, if
+    the others are well determined. `stages` compute functions of the dwell times over the
+    `constants`, which are parameters and spectrum, and `known` lists what they make
+    explicit already. `choose` has numbers of a known point: there the square part of the
+    equations with the best determinant is solved, or the first part if the point is not
+    known whole. `rank` bounds the number of multipliers that differ from zero.
+    DerivationError says that the equations do not determine the coordinates.
     """
     left, open_ones = list(equations), list(coordinates)
     solved: list[Stage] = []
@@ -127,7 +110,7 @@ def eliminate_coordinates(
 def reference_values(
     reference: Reference | None, spectrum: Spectrum, parameters: Sequence[sp.Symbol]
 ) -> dict[sp.Symbol, sp.Expr]:
-    """Numbers of parameters, spectrum and unknowns at a known point of an orbit."""
+    """Numbers of parameters, spectrum and unknowns at the reference point of an orbit."""
     if reference is None:
         return {}
     texts = reference.parameters
@@ -148,7 +131,7 @@ def _constant_pivot(
     constants: set[sp.Symbol],
     kept: int,
 ) -> tuple[_Equation, sp.Symbol] | None:
-    """An equation and a coordinate whose coefficient there is a nonzero constant.
+    """An equation and a coordinate that has a nonzero constant coefficient in it, if any.
 
     The first `kept` coordinates are left alone.
     """
@@ -167,7 +150,7 @@ def _part(
     stages: Sequence[Stage],
     choose: Mapping[sp.Symbol, sp.Expr],
 ) -> tuple[tuple[int, ...], tuple[sp.Symbol, ...]]:
-    """Which of the equations are solved, and the coordinates that are kept as unknowns."""
+    """Indices of the equations to be solved, and the coordinates that stay unknown."""
     table = sp.Matrix([[sp.diff(e, q) for q in coordinates] for _, e in equations])
     flat = evaluate(stages, table, choose, digits=30)
     numbers = sp.Matrix(*table.shape, flat)
@@ -195,10 +178,10 @@ def _part(
 def _cleared(
     equation: _Equation, solutions: Mapping[sp.Symbol, sp.Expr], block: _Block
 ) -> _Equation:
-    """The only equation left, times a power of the determinant, which would be a pole of it.
+    """The only remaining equation, cleared of its pole.
 
-    Of an equation that is affine it is the determinant of all the equations, and entire in the
-    dwell time.
+    It is multiplied by a power of the determinant of the solved equations. If it is affine,
+    it then is the determinant of all equations, and an entire function of the dwell time.
     """
     meaning, condition = equation
     for coordinate, solution in solutions.items():
@@ -220,7 +203,7 @@ def _cleared(
 
 
 def _roots(equation: _Equation, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
-    """Both roots of a quadratic equation in the only unknown."""
+    """Both roots of a quadratic equation for the only unknown; none for another equation."""
     if len(unknowns) != 1:
         return ()
     (unknown,) = unknowns
@@ -234,7 +217,7 @@ def _roots(equation: _Equation, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr,
 
 
 def _squared_sizes(stages: Sequence[Stage]) -> dict[sp.Symbol, sp.Expr]:
-    """Squares of what the functions of time are at most: the sine of a small angle is small."""
+    """Bounds of the squared functions of time; that of a sine is small for a small angle."""
     found: dict[sp.Symbol, sp.Expr] = {}
     for symbol, expression in (a for stage in stages for a in stage.assignments):
         if isinstance(expression, sp.cos):
@@ -248,9 +231,9 @@ def _squared_sizes(stages: Sequence[Stage]) -> dict[sp.Symbol, sp.Expr]:
 
 
 def _squared_bound(coefficient: sp.Expr, sizes: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """Sum of the squares of what the terms of a coefficient are at most.
+    """Sum of the squared bounds of the terms of a coefficient.
 
-    Its own size says nothing: where all its terms vanish together only rounding is left.
+    The coefficient's own value is no scale: where its terms cancel only rounding is left.
     """
     terms = sp.collect(sp.expand(coefficient), list(sizes), evaluate=False)
     return sp.Add(*(sp.factor(c) ** 2 * sizes.get(f, f**2) for f, c in terms.items()))
@@ -258,22 +241,12 @@ def _squared_bound(coefficient: sp.Expr, sizes: Mapping[sp.Symbol, sp.Expr]) -> 
 
 @dataclass(frozen=True)
 class _Block:
-    """Linear equations, solved in terms of the unknowns that are kept.
-
-    Attributes
-    ----------
-    stages : tuple of Stage
-    numerators : mapping of symbol to expression
-        Of each coordinate, affine in what is kept.
-    determinant : expression
-        What they are divided by.
-    determinants : tuple of (determinant, bound)
-    """
+    """Linear equations, solved in terms of the unknowns that are kept."""
 
     stages: tuple[Stage, ...]
-    numerators: Mapping[sp.Symbol, sp.Expr]
-    determinant: sp.Expr
-    determinants: tuple[tuple[sp.Expr, sp.Expr], ...]
+    numerators: Mapping[sp.Symbol, sp.Expr]  # of each coordinate, affine in what is kept
+    determinant: sp.Expr  # what the numerators are divided by
+    determinants: tuple[tuple[sp.Expr, sp.Expr], ...]  # (determinant, bound)
 
 
 def _bound(
@@ -286,14 +259,18 @@ def _bound(
 
 
 def _entry(row: int, column: int, size: int) -> str:
-    """Name of an entry of the matrix, its two places apart where they have more digits."""
+    """Name of a matrix entry; its indices are set apart if they have several digits."""
     return f"coefficient{row + 1}{'_' if size > 9 else ''}{column + 1}"
 
 
 def _tables(
     equations: Sequence[_Equation], coordinates: Sequence[sp.Symbol], kept: Sequence[sp.Symbol]
 ) -> tuple[list[Stage], sp.Matrix, list[sp.Matrix]]:
-    """Named matrix and right-hand sides: that of the constants, then of each unknown kept."""
+    """Stages, matrix and right-hand sides of linear equations, their entries named.
+
+    The first right-hand side is that of the constants, then there is one for each unknown
+    that is kept.
+    """
     size = len(coordinates)
     zero = dict.fromkeys((*coordinates, *kept), 0)
     naming, values = assign(
@@ -355,7 +332,7 @@ def _successively(
     stages: Sequence[Stage],
     choose: Mapping[sp.Symbol, sp.Expr],
 ) -> _Block:
-    """Linear equations solved one after the other, in the order that is best at a known point."""
+    """Linear equations solved by elimination, with the pivots that are best at a known point."""
     naming, matrix, columns = _tables(equations, coordinates, kept)
     size, width = len(coordinates), len(coordinates) + len(columns)
     table = sp.Matrix.hstack(matrix, *columns)

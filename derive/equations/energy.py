@@ -13,7 +13,7 @@ __all__ = ["energy_of", "is_conservative"]
 
 
 def energy_of(dynamics: Dynamics, states: tuple[sp.Symbol, ...]) -> sp.Expr | None:
-    """Energy of an undamped motion with symmetric matrices, up to a constant; else None."""
+    """Energy, up to a constant, of an undamped motion with symmetric matrices; else None."""
     if not isinstance(dynamics, SecondOrder) or dynamics.held:
         return None
     if (
@@ -34,8 +34,8 @@ def _symmetric(matrix: sp.Matrix) -> bool:
 def is_conservative(itinerary: Itinerary, system: System) -> bool:
     """Whether energy is a first integral along the phases and transitions of an itinerary.
 
-    At a transition the energies before and behind may differ by a constant: each is defined
-    up to one.
+    At a transition the energies before and behind may differ by a constant, as each is
+    defined up to one.
     """
     states = system.states
     energies = [

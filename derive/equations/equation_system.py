@@ -30,31 +30,20 @@ __all__ = [
 class BoundaryFunction:
     """One boundary along one phase: an affine function of the state that the flow carries on.
 
-    Attributes
-    ----------
-    phase : int
-    boundary : str
-    normal : 1 x N matrix, constant : expression
-        The function of the state y is ``normal y + constant``, without the open parameter.
-    coefficients : tuple of expressions
-        Constant, slope, cosine and sine amplitudes of its values in time, for the frequencies
-        of the phase; empty where the flow is no trigonometric sum. Then the state at the start
-        of the phase and its vector field, which its link of the chain has, tell the values.
-    open_parameter : symbol or None
-        A parameter that the equations leave open, entering as ``open_coefficient * it``.
-    open_coefficient : number
-    begins : bool
-        Whether the phase begins on the boundary, so that the sum is zero there.
+    It is ``normal y + constant``, to which ``open_coefficient * open_parameter`` is added.
+    If the flow is no trigonometric sum, there are no coefficients: the state at the start
+    of the phase and its vector field, which the link has, determine the values in time.
     """
 
     phase: int
     boundary: str
-    normal: sp.Matrix
+    normal: sp.Matrix  # 1 x N
     constant: sp.Expr
+    # constant, slope, cosine and sine amplitudes in time, at the phase's frequencies
     coefficients: tuple[sp.Expr, ...]
-    open_parameter: sp.Symbol | None
+    open_parameter: sp.Symbol | None  # a parameter that the equations leave open
     open_coefficient: sp.Expr
-    begins: bool
+    begins: bool  # whether the phase begins on the boundary, so that the sum is zero there
 
 
 @dataclass(frozen=True)
@@ -274,13 +263,13 @@ class EquationSystem:
 
 
 def _vanishes_on(section: Section, row: sp.Matrix, constant: sp.Expr) -> bool:
-    """Whether an affine function of the state is zero on all of a section."""
+    """Whether an affine function of the state is zero on a whole section."""
     values = [*(row * section.embedding), (row * section.constant)[0] + constant]
     return all(cancel(sp.expand(value)) == 0 for value in values)
 
 
 def frequencies_of(flow: Flow) -> tuple[sp.Expr, ...] | None:
-    """Frequencies of a sum of a line, sines and cosines; None for another flow."""
+    """Frequencies of a flow in 1, t, sines and cosines; None for a flow with other functions."""
     found: dict[sp.Expr, None] = {}
     for function in flow.basis:
         if isinstance(function, sp.cos | sp.sin):

@@ -30,7 +30,11 @@ LINEAR, RETURN = "linear in time", "first return"
 
 @dataclass(frozen=True)
 class ExplicitTime:
-    """A dwell time in closed form: the rule, its stages, the functions it fixes, the time."""
+    """A dwell time in closed form, by one of the rules `LINEAR` and `RETURN`.
+
+    `stages` compute what `time` contains, and `functions` are the values of cosine and sine
+    that the rule fixes. `identities` between the rule's symbols shorten expressions.
+    """
 
     rule: str
     stages: tuple[Stage, ...]
@@ -39,7 +43,7 @@ class ExplicitTime:
     identities: tuple[Mapping[sp.Expr, sp.Expr], ...] = ()
 
     def shorten(self, expression: sp.Expr) -> sp.Expr:
-        """Apply what the rule knows about its own symbols."""
+        """The expression after the identities of the rule are applied."""
         for identity in self.identities:
             expression = sp.expand(expression.subs(identity, simultaneous=True))
         return expression
@@ -48,21 +52,16 @@ class ExplicitTime:
 def explicit_time(
     coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, constants: set[sp.Symbol]
 ) -> ExplicitTime | None:
-    """Closed form of the dwell time after which an exit condition is first met, if it has one.
+    """Closed form of the dwell time after which an exit condition is first met; else None.
 
-    Parameters
-    ----------
-    coefficients : mapping
-        The boundary's function of time: coefficient of each basis function.
-    dwell : symbol
-    constants : set of symbols
-        Parameters and spectrum: what does not belong to the state.
+    `coefficients` are those of each basis function in the boundary's function of time, and
+    `constants` are parameters and spectrum, which do not belong to the state.
     """
     return _linear_time(coefficients) or _first_return(coefficients, dwell, constants)
 
 
 def _linear_time(coefficients: Mapping[sp.Expr, sp.Expr]) -> ExplicitTime | None:
-    """Dwell time of an exit condition ``c + s t = 0``."""
+    """Dwell time of an exit condition ``c + s t = 0``; None for another condition."""
     present = {f: c for f, c in coefficients.items() if sp.expand(c) != 0}
     if TIME not in present or set(present) - {sp.Integer(1), TIME}:
         return None
@@ -73,10 +72,11 @@ def _linear_time(coefficients: Mapping[sp.Expr, sp.Expr]) -> ExplicitTime | None
 def _first_return(
     coefficients: Mapping[sp.Expr, sp.Expr], dwell: sp.Symbol, constants: set[sp.Symbol]
 ) -> ExplicitTime | None:
-    """Dwell time of an exit condition ``a cos(w t) + b sin(w t) + c = 0``, rising.
+    """Dwell time of an exit condition ``a cos(w t) + b sin(w t) + c = 0`` that is met rising.
 
-    Rising through zero the derivative is w s with s = sqrt(a^2 + b^2 - c^2), which fixes
-    cosine and sine; the angle in (0, 2 pi) is the first return.
+    None for another condition. Rising through zero the derivative is w s with
+    s = sqrt(a^2 + b^2 - c^2), which fixes cosine and sine; the angle in (0, 2 pi) is the
+    first return.
     """
     present = {f: sp.expand(c) for f, c in coefficients.items()}
     present = {f: c for f, c in present.items() if c != 0}
@@ -114,7 +114,7 @@ def _first_return(
 def _amplitude_identities(
     parts: Sequence[tuple[sp.Expr, sp.Symbol]], r: sp.Expr, constants: set[sp.Symbol]
 ) -> tuple[dict[sp.Expr, sp.Expr], dict[sp.Expr, sp.Expr]]:
-    """State symbols in terms of a and b, and a^2 = r^2 - b^2: the state shrinks to r."""
+    """State symbols in terms of a and b, and a^2 = r^2 - b^2: the state reduces to r."""
     states = sorted(set().union(*(e.free_symbols for e, _ in parts)) - constants, key=str)
     solution = _linear_solution([e - s for e, s in parts], states)
     solved = {x: v for x, v in zip(states, solution, strict=True) if x != v}
@@ -125,7 +125,7 @@ def _amplitude_identities(
 def _linear_solution(
     equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
 ) -> Sequence[sp.Expr]:
-    """Solution of linear equations; the unknowns themselves where there is none."""
+    """Solution of linear equations; the unknowns themselves if there is none."""
     if any(sp.diff(e, x, y) != 0 for e in equations for x in unknowns for y in unknowns):
         return unknowns
     return next(iter(sp.linsolve(equations, unknowns)), unknowns)

@@ -33,7 +33,7 @@ def reduce_forced(
     known: Mapping[sp.Symbol, sp.Expr],
     spectrum: Spectrum,
 ) -> Reduction:
-    """Derive the reduced system of a forced orbit; see the module's description."""
+    """The reduction of a forced orbit; see the module's description."""
     forcing, start = chain.forcing, chain.start
     assert forcing is not None
     *others, last = (link.dwell for link in chain.links)
@@ -55,7 +55,7 @@ def reduce_forced(
 
 
 def _preference(system: System, chain: Chain) -> Callable[[sp.Symbol], int]:
-    """Order of the coordinates: velocities, then what belongs to no forcing."""
+    """Key by which coordinates are sorted: velocities, other states, those of a forcing last."""
     matrix, offset = chain.links[0].flow.field
     rates = matrix * sp.Matrix(system.states) + offset
     forced: Sequence[int] = chain.forcing.states if chain.forcing else ()

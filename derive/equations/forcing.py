@@ -29,24 +29,13 @@ PERIODS = "the orbit takes whole periods of the forcing"
 
 @dataclass(frozen=True)
 class Forcing:
-    """Forcings of an orbit, all of them harmonics of one frequency.
+    """The forcings of an orbit, all of them harmonics of one frequency."""
 
-    Attributes
-    ----------
-    frequency : expression
-        The greatest of which the frequency of each forcing is a whole multiple.
-    multiples : tuple of int
-        Those multiples.
-    places : tuple of (int, int)
-        Which states are cosine and sine of each forcing.
-    turns : int
-        Periods of `frequency` to one of the orbit.
-    """
-
-    frequency: sp.Expr
-    multiples: tuple[int, ...]
+    frequency: sp.Expr  # the greatest of which every forcing's frequency is a whole multiple
+    multiples: tuple[int, ...]  # those multiples
+    # indices of the cosine and the sine of each forcing among the states
     places: tuple[tuple[int, int], ...]
-    turns: int
+    turns: int  # periods of `frequency` in one period of the orbit
 
     @property
     def period(self) -> sp.Expr:
@@ -55,16 +44,13 @@ class Forcing:
 
     @property
     def states(self) -> tuple[int, ...]:
-        """Places of all cosines and sines."""
+        """Indices of all cosines and sines."""
         return tuple(place for pair in self.places for place in pair)
 
     def conditions(self, start: sp.Matrix) -> tuple[tuple[str, sp.Expr], ...]:
-        """Give the equations of the start: amplitudes, then phases with respect to the first.
+        """Equations (meaning, expression) of a start (N x 1) on the circles of the forcings.
 
-        Parameters
-        ----------
-        start : N x 1 matrix
-            State at the start of the orbit.
+        They are the amplitudes, then the phases with respect to the first forcing.
         """
         found = []
         (c, s), *_ = pairs = [(start[i], start[j]) for i, j in self.places]
@@ -87,39 +73,24 @@ class Forcing:
         return tuple(found)
 
     def along_phase(self, start: sp.Matrix) -> sp.Matrix:
-        """Give the derivative of the forcings by their common phase.
-
-        Parameters
-        ----------
-        start : N x 1 matrix
-        """
+        """Derivative (N x 1) of a state by the common phase of the forcings."""
         moved = sp.zeros(start.rows, 1)
         for multiple, (c, s) in zip(self.multiples, self.places, strict=True):
             moved[c], moved[s] = -multiple * start[s], multiple * start[c]
         return moved
 
     def phase_of(self, end: sp.Matrix, moved: sp.Matrix) -> sp.Matrix:
-        """Give the change of the common phase that changes of the state at the end mean.
-
-        Parameters
-        ----------
-        end : N x 1 matrix
-        moved : N x d matrix
-            Changes of it.
-        """
+        """Changes (1 x d) of the common phase for changes (N x d) of the end state (N x 1)."""
         c, s = self.places[0]
         return (end[c] * moved[s, :] - end[s] * moved[c, :]) / self.multiples[0]
 
 
 def forcing_of(itinerary: Itinerary, system: System) -> Forcing | None:
-    """Find the forcings of an orbit and how many of their periods it takes; None without any.
+    """The forcings of an orbit and how many of their periods it takes; None without any.
 
     That number is the nearest to the dwell times of the itinerary's reference.
-
-    Raises
-    ------
-    DerivationError
-        If the forcings have no common period, or the reference does not tell the number.
+    DerivationError says that the forcings have no common period, or that no reference gives
+    the number.
     """
     if not system.forcing:
         return None
@@ -143,7 +114,7 @@ def forcing_of(itinerary: Itinerary, system: System) -> Forcing | None:
 
 
 def _turns(itinerary: Itinerary, system: System, frequency: sp.Expr) -> int:
-    """Periods of a frequency in the reference's dwell times; 0 where that is not known."""
+    """Number of periods of a frequency in the reference's dwell times; 0 if it is not known."""
     reference = itinerary.reference
     if reference is None:
         return 0

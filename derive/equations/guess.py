@@ -28,16 +28,10 @@ _DIGITS = 6
 def with_guess(
     itinerary: Itinerary, system: System, chain: Chain, known: Mapping[sp.Symbol, sp.Expr]
 ) -> Itinerary:
-    """Complete the guess of an itinerary's reference; as it is where its data do not suffice.
+    """The itinerary, its reference completed by a guess of the start's coordinates.
 
-    Parameters
-    ----------
-    itinerary : Itinerary
-    system : System
-        As the itinerary presents it.
-    chain : Chain
-    known : mapping of symbol to number
-        Parameters, spectrum and dwell times of the reference.
+    It is returned unchanged if the reference's data do not suffice. `known` has numbers of
+    parameters, spectrum and dwell times at the reference.
     """
     reference, coordinates = itinerary.reference, chain.start.coordinates
     if reference is None or all(str(q) in reference.guess for q in coordinates):
@@ -61,7 +55,11 @@ def with_guess(
 
 
 def _starts(chain: Chain, table: mpmath.matrix) -> list[list[float]]:
-    """Starts that fit the linear equations best, the best first; of a forcing, at some phases."""
+    """Starts that fit the linear equations best, the best first.
+
+    Of a forced orbit there is one for each phase of the forcing at which the misfit has a
+    local minimum.
+    """
     size = table.cols - 1
     forcing, places = chain.forcing, chain.start.places
     if forcing is None:
@@ -97,7 +95,7 @@ def _starts(chain: Chain, table: mpmath.matrix) -> list[list[float]]:
 def _projection(
     matrix: mpmath.matrix,
 ) -> tuple[list[list[float]], list[list[float]]] | None:
-    """Rows that give the least squares' solution, and rows that give what is missed."""
+    """Matrices that give the least-squares solution and the residual; None if it is singular."""
     identity = mpmath.eye(matrix.rows)
     if not matrix.cols:
         return [], _floats(identity)
@@ -120,7 +118,7 @@ def _least(matrix: mpmath.matrix, right: mpmath.matrix) -> list[float] | None:
 
 
 def _leaving(chain: Chain, known: Mapping[sp.Symbol, sp.Expr], start: Sequence[float]) -> int:
-    """How many boundaries are crossed from outside."""
+    """Number of boundaries that an orbit from the start crosses from outside."""
     values = {**known, **dict(zip(chain.start.coordinates, map(sp.Float, start), strict=True))}
     rates = [(link.normal * link.velocity)[0] for link in chain.links]
     return sum(bool(rate < 0) for rate in evaluate(chain.stages, rates, values, digits=15))

@@ -27,7 +27,7 @@ __all__ = [
 
 @dataclass(frozen=True)
 class Stage:
-    """Assignments made together, and what they mean."""
+    """Assignments that are made together, under a title."""
 
     title: str
     assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
@@ -53,7 +53,7 @@ class Output:
 
 @dataclass(frozen=True)
 class Kernel:
-    """One function to emit: arrays in, arrays out, and the stages between them."""
+    """One function to emit: input arrays, output arrays, and the stages between them."""
 
     name: str
     title: str
@@ -65,7 +65,7 @@ class Kernel:
 def assign(
     title: str, names: Iterable[str], expressions: Iterable[sp.Expr]
 ) -> tuple[Stage, list[sp.Expr]]:
-    """A stage that names expressions, and the values to go on with.
+    """A stage that names expressions, and the symbols in their place.
 
     A number or a symbol needs no name and is passed on as it is.
     """
@@ -88,20 +88,11 @@ def differentiate(
 ) -> tuple[tuple[Stage, ...], dict[str, dict[sp.Symbol, sp.Expr]]]:
     """Total derivatives of every assigned symbol.
 
-    Parameters
-    ----------
-    stages : sequence of Stage
-    seeds : mapping
-        For each direction the derivatives of the inputs that move with it.
-    rates : mapping of (symbol, direction) to expression, optional
-        Derivatives known in a shorter form, such as a vector field.
-
-    Returns
-    -------
-    stages : tuple of Stage
-        Assignments of the derivatives; to be placed after the stages themselves.
-    derivatives : dict of dict
-        For each direction the derivative (a number or a symbol) of each symbol that moves.
+    `seeds` has, for each direction, the derivatives of the inputs that move with it.
+    `rates` has derivatives, by symbol and direction, that are known in a shorter form, such
+    as a vector field. The first result are stages that assign the derivatives, to be placed
+    after the given ones; the second has, for each direction, the derivative (a number or a
+    symbol) of each symbol that moves.
     """
     derivatives = {direction: dict(moving) for direction, moving in seeds.items()}
     assigned = {str(symbol): symbol for stage in stages for symbol, _ in stage.assignments}
@@ -134,7 +125,7 @@ def differentiate(
 
 
 def derivative_of(expression: sp.Expr, moving: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """Chain rule: the derivative of an expression whose symbols move as given."""
+    """Derivative of an expression whose symbols have the given derivatives."""
     return sp.Add(
         *(
             partial_derivative(expression, symbol) * moving[symbol]
@@ -171,7 +162,7 @@ def partial_derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
 
 
 def prune(stages: Sequence[Stage], wanted: Iterable[sp.Expr]) -> tuple[Stage, ...]:
-    """The stages without the assignments that the wanted expressions do not need."""
+    """The stages, without assignments that the wanted expressions do not need."""
     needed: set[sp.Symbol] = set().union(*(sp.sympify(e).free_symbols for e in wanted))
     kept = []
     for stage in reversed(stages):
@@ -202,9 +193,9 @@ def evaluate(
     values: Mapping[sp.Symbol, sp.Expr],
     digits: int | None = None,
 ) -> list[sp.Expr]:
-    """Expressions with every stage written out; for reading and for tests, not for speed.
+    """Expressions with every stage inserted, for reading and tests, as it is not fast.
 
-    With `digits` every stage becomes numbers of so many digits, where its inputs are known.
+    With `digits` every stage whose inputs are known becomes numbers of so many digits.
     """
     known = dict(values)
 

@@ -43,7 +43,7 @@ __all__ = ["Elimination", "Reduction", "affine_in", "reduce_itinerary", "unreduc
 
 @dataclass(frozen=True)
 class Elimination:
-    """One unknown that the reduction made explicit, and by which rule."""
+    """An unknown that the reduction makes explicit, and the rule by which it does."""
 
     unknown: sp.Symbol
     rule: str
@@ -51,51 +51,28 @@ class Elimination:
 
 @dataclass(frozen=True)
 class Reduction:
-    """The reduced system of an itinerary and the way back to all its unknowns.
+    """The reduced equations of an orbit, and the way back to all its unknowns."""
 
-    Attributes
-    ----------
-    rotation : int
-        The reduction starts at this phase.
-    rank : int
-        Dimension of the section there, the smallest: no more multipliers differ from zero.
-    unknowns : tuple of symbols
-        What Newton's method works on.
-    equations : tuple of (meaning, expression)
-        As many, each zero at an orbit, in terms of the stages.
-    stages : tuple of Stage
-    values : mapping of symbol to expression
-        Every unknown of the full system, in terms of the stages.
-    eliminations : tuple of Elimination
-    rates : mapping of (symbol, dwell time) to expression
-        Derivative of a phase's last state by its dwell time: the vector field.
-    start : expression, or None
-        The single section coordinate q at the start, where the section has dimension one.
-    image : expression, or None
-        The same coordinate after one turn.
-    determinants : tuple of (determinant, bound)
-        Of linear equations that were solved: where one is far below its bound, the orbit is
-        not determined.
-    roots : tuple of expressions
-        Both values of the only unknown where its equation is quadratic, with coefficients that
-        depend on parameters alone; the orbit is explicit.
-    """
-
-    rotation: int
-    rank: int
-    unknowns: tuple[sp.Symbol, ...]
+    rotation: int  # the phase at which the reduction starts
+    rank: int  # least dimension of a section, which bounds the number of nonzero multipliers
+    unknowns: tuple[sp.Symbol, ...]  # those on which Newton's method works
+    # as many (meaning, expression), zero at an orbit, in terms of the stages
     equations: tuple[tuple[str, sp.Expr], ...]
     stages: tuple[Stage, ...]
+    # every unknown of the full equations, in terms of the stages
     values: Mapping[sp.Symbol, sp.Expr]
     eliminations: tuple[Elimination, ...]
+    # vector field: derivative of a phase's last state by its dwell time, by (symbol, dwell time)
     rates: Mapping[tuple[sp.Symbol, str], sp.Expr]
-    start: sp.Expr | None
-    image: sp.Expr | None
+    start: sp.Expr | None  # the section's only coordinate q at the start, None if there are several
+    image: sp.Expr | None  # the same coordinate after one turn
+    # (determinant, bound) of solved linear equations: far below it the orbit is undetermined
     determinants: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
+    # both values of the only unknown of a quadratic equation over parameters: an explicit orbit
     roots: tuple[sp.Expr, ...] = ()
 
     def jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
-        """Stages and entries of the derivatives of the equations by the unknowns."""
+        """Stages and Jacobian of the reduced equations by their unknowns."""
         seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns}
         stages, moving = differentiate(
             self.needed([e for _, e in self.equations]), seeds, self.rates
@@ -107,11 +84,11 @@ class Reduction:
         return stages, sp.Matrix(entries)
 
     def slope(self) -> tuple[tuple[Stage, ...], sp.Expr]:
-        """Slope of the map in one variable, by the implicit function theorem.
+        """Stages and slope of the map in one variable, by the implicit function theorem.
 
-        The unknowns x follow the coordinate q(x) at the start along all equations but the
-        last, which is the closure q(image) = q(start); in general q depends on the first
-        unknown alone.
+        The unknowns x follow the coordinate q(x) at the start along all equations but the last,
+        which is the closure q(image) = q(start); in general q depends on the first unknown
+        alone.
         """
         if self.start is None or self.image is None:
             raise ValueError("the reduction has no map in one variable")
@@ -144,13 +121,13 @@ class Reduction:
         return merged(stages, more), numerator / start_rate
 
     def needed(self, expressions: Sequence[sp.Expr]) -> tuple[Stage, ...]:
-        """The stages that the expressions need."""
+        """The stages on which the expressions depend."""
         return prune(self.stages, expressions)
 
 
 @dataclass
 class _Draft:
-    """What one turn along the itinerary has collected so far."""
+    """The reduction as far as it is made along the itinerary."""
 
     constants: set[sp.Symbol]
     unsolved: list[sp.Symbol]
@@ -164,14 +141,14 @@ class _Draft:
     solved: list[Stage] = field(default_factory=list)
 
     def settle(self) -> None:
-        """Assign the solved coordinates, the last one first: the others contain it."""
+        """Assign the solved coordinates, the last one first, as the others contain it."""
         self.stages += reversed(self.solved)
         self.solved = []
 
 
 @dataclass(frozen=True)
 class _Exit:
-    """A phase, its flow, its dwell time and the boundary that ends it."""
+    """A phase with its flow, its dwell time and the boundary that ends it."""
 
     phase: Phase
     flow: Flow
@@ -180,11 +157,11 @@ class _Exit:
 
     @property
     def meaning(self) -> str:
-        """What its exit condition says."""
+        """The exit condition in words."""
         return f"{self.phase.boundary} ends {self.phase.configuration}"
 
     def condition(self, state: sp.Matrix) -> sp.Expr:
-        """Boundary's function at a state."""
+        """Value of the boundary's function at a state."""
         row, constant = self.gradient
         return sp.expand((row * state)[0] + constant)
 
@@ -192,9 +169,9 @@ class _Exit:
 def reduce_itinerary(
     itinerary: Itinerary, system: System, flows: Mapping[str, Flow], spectrum: Spectrum
 ) -> Reduction:
-    """Derive the reduced system of an itinerary; see the module's description.
+    """The reduction of an itinerary; see the module's description.
 
-    With parameters to solve for there is no map in one variable: they stay along it.
+    With parameters to solve for there is no map in one variable, as they stay unknown.
     """
     count = len(itinerary.phases)
     rotation, section = smallest_section(itinerary, system)
@@ -252,7 +229,7 @@ def unreduced(
     stages: Sequence[Stage],
     rank: int,
 ) -> Reduction:
-    """Equations as they are, where nothing is eliminated."""
+    """The reduction in which nothing is eliminated."""
     values = {u: u for u in unknowns}
     return Reduction(
         0, rank, tuple(unknowns), tuple(equations), tuple(stages), values, (), {}, None, None
@@ -260,7 +237,7 @@ def unreduced(
 
 
 def _through(draft: _Draft, leaving: _Exit, state: sp.Matrix, names: list[str]) -> sp.Matrix:
-    """Follow one phase, use its exit condition as far as it goes, and give the state at its end."""
+    """State (N x 1) at the end of a phase, once its exit condition is used as far as possible."""
     flow, dwell = leaving.flow, leaving.dwell
     draft.values[dwell] = dwell
     coefficients = dict(zip(flow.basis, flow.along(*leaving.gradient, state), strict=True))
@@ -291,7 +268,7 @@ def _through(draft: _Draft, leaving: _Exit, state: sp.Matrix, names: list[str]) 
 
 
 def _at_once(draft: _Draft, leaving: _Exit, state: sp.Matrix, names: list[str]) -> sp.Matrix:
-    """A phase that takes no time: its exit condition is one on the state at its start."""
+    """State of a phase of no duration, whose exit condition is one on the state at its start."""
     if draft.unsolved:
         return _use_for_coordinate(draft, leaving, state)
     step, values = assign(f"{leaving.phase.configuration} for no time", names, state)
@@ -307,7 +284,7 @@ def _at_explicit_time(
     coefficients: Mapping[sp.Expr, sp.Expr],
     state: sp.Matrix,
 ) -> sp.Matrix:
-    """End of a phase whose dwell time is explicit."""
+    """State at the end of a phase whose dwell time is explicit."""
     flow, dwell = leaving.flow, leaving.dwell
     # the dwell time depends on these coordinates: no later condition is linear in them
     entering = set().union(*(sp.expand(c).free_symbols for c in coefficients.values()))
@@ -324,7 +301,10 @@ def _at_explicit_time(
 
 
 def _use_for_coordinate(draft: _Draft, leaving: _Exit, after: sp.Matrix) -> sp.Matrix:
-    """Solve an exit condition for a section coordinate; without one it stays an equation."""
+    """The state at the end, once the exit condition is solved for a section coordinate.
+
+    Without an unsolved coordinate in it the condition stays an equation.
+    """
     condition = leaving.condition(after)
     chosen = next((q for q in draft.unsolved if sp.diff(condition, q) != 0), None)
     if chosen is None:
@@ -351,9 +331,10 @@ def _use_for_coordinate(draft: _Draft, leaving: _Exit, after: sp.Matrix) -> sp.M
 def _named_solution(
     others: Sequence[sp.Symbol], chosen: sp.Symbol, right: sp.Expr, slope: sp.Expr
 ) -> tuple[Stage, sp.Expr]:
-    """Solve ``slope * chosen = right``, affine in other coordinates, with names for its parts.
+    """Stage and solution of ``slope * chosen = right``, affine in other coordinates.
 
-    The slope moves with the dwell times; inserted as it is, it would stand below every term.
+    Its parts have names, as the slope moves with the dwell times and would else stand below
+    every term.
     """
     below = sp.Symbol(f"{chosen}_slope", real=True)
     named = ((below, sp.factor_terms(slope)),)
@@ -369,7 +350,7 @@ def _named_solution(
 def affine_in(
     coordinates: Sequence[sp.Symbol], state: sp.Matrix, dwell: sp.Symbol
 ) -> tuple[Stage, sp.Matrix]:
-    """Name the coefficients of a state that is affine in some section coordinates."""
+    """Stage and state, with names for the coefficients of section coordinates in the state."""
     zero = dict.fromkeys(coordinates, 0)
     parts = [(1, [e.subs(zero) for e in state])]
     parts += [(q, [sp.diff(e, q) for e in state]) for q in coordinates]
@@ -383,7 +364,7 @@ def affine_in(
 
 
 def _canonical(expression: sp.Expr, constants: set[sp.Symbol]) -> sp.Expr:
-    """Polynomial in the stages' symbols with factored coefficients, so that what cancels goes."""
+    """Polynomial in the stages' symbols with factored coefficients, which cancels terms."""
     collected: dict[sp.Expr, sp.Expr] = {}
     for term in sp.Add.make_args(sp.expand(expression)):
         coefficient, monomial = term.as_independent(*(term.free_symbols - constants), as_Add=False)

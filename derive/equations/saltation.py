@@ -25,16 +25,11 @@ __all__ = ["monodromy", "saltation_matrices", "saltation_matrix"]
 def saltation_matrix(
     reset: sp.Matrix, normal: sp.Matrix, before: sp.Matrix, behind: sp.Matrix
 ) -> sp.Matrix:
-    """Saltation matrix of one transition.
+    """Saltation matrix (N x N) of one transition.
 
-    Parameters
-    ----------
-    reset : N x N matrix
-        Linear part of the reset.
-    normal : 1 x N matrix
-        Gradient of the boundary.
-    before, behind : N x 1 matrices
-        Vector fields in front of the transition and behind it.
+    It is R + (behind - R before) normal/(normal before), with the linear part R (N x N) of
+    the reset, the gradient (1 x N) of the boundary and the vector fields (N x 1) in front
+    of the transition and behind it.
     """
     return reset + (behind - reset * before) * normal / (normal * before)[0]
 
@@ -42,7 +37,7 @@ def saltation_matrix(
 def saltation_matrices(
     chain: Chain, states: Sequence[sp.Symbol]
 ) -> tuple[tuple[Stage, ...], list[sp.Matrix]]:
-    """Stages and entries of the saltation matrix of each transition along an orbit."""
+    """Stages and saltation matrix (N x N) of each transition along an orbit."""
     stages, matrices = [], []
     fields = [link.flow for link in chain.links]
     for index, link in enumerate(chain.links):
@@ -57,7 +52,7 @@ def saltation_matrices(
 
 
 def monodromy(chain: Chain, states: Sequence[sp.Symbol]) -> tuple[tuple[Stage, ...], sp.Matrix]:
-    """Stages and entries of the monodromy matrix: the product of S Phi over all phases."""
+    """Stages and monodromy matrix (N x N): the product of S Phi over all phases."""
     size = len(states)
     found, matrices = saltation_matrices(chain, states)
     stages, product = list(found), sp.eye(size)

@@ -20,20 +20,13 @@ __all__ = ["Section", "reset_matrix", "section_of", "smallest_section", "start_o
 class Section:
     """The affine set on which an orbit starts, in coordinates of its own.
 
-    Attributes
-    ----------
-    coordinates : tuple of symbols
-        Values of some of the states at the start.
-    places : tuple of int
-        Which states those are.
-    embedding : N x d matrix, constant : N x 1 matrix
-        The start is ``embedding q + constant``.
+    The start is ``embedding q + constant`` with the coordinates q.
     """
 
-    coordinates: tuple[sp.Symbol, ...]
-    places: tuple[int, ...]
-    embedding: sp.Matrix
-    constant: sp.Matrix
+    coordinates: tuple[sp.Symbol, ...]  # values of some of the states at the start
+    places: tuple[int, ...]  # indices of these states
+    embedding: sp.Matrix  # N x d
+    constant: sp.Matrix  # N x 1
 
     @property
     def dimension(self) -> int:
@@ -42,11 +35,11 @@ class Section:
 
     @property
     def state(self) -> sp.Matrix:
-        """State at the start in terms of the coordinates."""
+        """State (N x 1) at the start in terms of the coordinates."""
         return self.embedding * sp.Matrix(self.dimension, 1, self.coordinates) + self.constant
 
     def without(self, coordinates: Iterable[sp.Symbol]) -> Section:
-        """The part of the set on which some coordinates are zero."""
+        """The subset on which some coordinates are zero."""
         dropped = set(coordinates)
         kept = [i for i, q in enumerate(self.coordinates) if q not in dropped]
         return Section(
@@ -61,10 +54,10 @@ def section_of(itinerary: Itinerary, system: System) -> Section:
     """The section at the start of the first phase.
 
     It collects what the end of the last phase enforces: the velocities held through that
-    phase, its constraints and its exit boundary, carried through the reset, and what the reset
-    assigns.
-    Closing the section's own coordinates then closes the orbit, with no equation twice.
-    States without a name of their own in the itinerary are eliminated first.
+    phase, its constraints and its exit boundary, carried through the reset, and what the
+    reset assigns. Closing the section's own coordinates then closes the orbit, with no
+    equation twice. States without a name of their own in the itinerary are eliminated
+    first.
     """
     states = system.states
     last = itinerary.phases[-1]
@@ -112,14 +105,17 @@ def section_of(itinerary: Itinerary, system: System) -> Section:
 
 
 def smallest_section(itinerary: Itinerary, system: System) -> tuple[int, Section]:
-    """The phase whose section has the least dimension, the first of several, and the section."""
+    """Index of the first phase whose section has the least dimension, and that section."""
     sections = [section_of(itinerary.rotated(k), system) for k in range(len(itinerary.phases))]
     rotation = min(range(len(sections)), key=lambda k: (sections[k].dimension, k))
     return rotation, sections[rotation]
 
 
 def start_of(itinerary: Itinerary, system: System, section: Section) -> Section:
-    """The set on which the start is sought: the section, larger where more states are named."""
+    """The set on which the start is sought.
+
+    It is the section, or a larger set if the itinerary names more states.
+    """
     states = system.states
     named = {i for i, s in enumerate(states) if str(s) in itinerary.start}
     places = tuple(sorted(named | set(section.places)))
@@ -141,7 +137,7 @@ def start_of(itinerary: Itinerary, system: System, section: Section) -> Section:
 def _coordinates(
     itinerary: Itinerary, states: Sequence[sp.Symbol], places: Iterable[int]
 ) -> tuple[sp.Symbol, ...]:
-    """Symbols of states at the start."""
+    """Symbols of some states at the start."""
     names = (str(states[i]) for i in places)
     return tuple(sp.Symbol(itinerary.start.get(n, f"{n}0"), real=True) for n in names)
 
@@ -149,7 +145,7 @@ def _coordinates(
 def reset_matrix(
     reset: Iterable[tuple[sp.Symbol, sp.Expr]], states: Sequence[sp.Symbol]
 ) -> tuple[sp.Matrix, sp.Matrix]:
-    """Matrix R and shift r of an affine reset ``y -> R y + r``."""
+    """Matrix R (N x N) and shift r (N x 1) of an affine reset ``y -> R y + r``."""
     matrix, shift = sp.eye(len(states)), sp.zeros(len(states), 1)
     for symbol, expression in reset:
         row = list(states).index(symbol)
@@ -162,7 +158,10 @@ def reset_matrix(
 def _image(
     rows: sp.Matrix, constants: sp.Matrix, jump: sp.Matrix, shift: sp.Matrix
 ) -> list[tuple[sp.Matrix, sp.Expr]]:
-    """Equations of the image of ``rows y + constants = 0`` under ``y -> jump y + shift``."""
+    """Equations (row, constant) of the image of a plane under ``y -> jump y + shift``.
+
+    The plane is ``rows y + constants = 0``.
+    """
     size = jump.rows
     solved = [sp.Symbol(f"before{i}") for i in range(size)]
     (point,) = sp.linsolve((rows, -constants), *solved) or [None]

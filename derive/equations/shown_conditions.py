@@ -23,13 +23,9 @@ __all__ = ["transition_unshown"]
 
 
 def transition_unshown(itinerary: Itinerary, system: System) -> str | None:
-    """Boundary behind which the phases of an orbit do not show where it leads; None of none.
+    """The first boundary behind which an orbit's phases do not show where it leads, or None.
 
-    Parameters
-    ----------
-    itinerary : Itinerary
-    system : System
-        In whose states and parameters it is written.
+    `system` is the one in whose states and parameters the itinerary is written.
     """
     for place, phase in enumerate(itinerary.phases):
         taken = itinerary.transition_after(system, place)
@@ -51,12 +47,12 @@ def _shown(
     taken: Transition,
     listed: Sequence[Transition],
 ) -> bool:
-    """Whether the conditions of the one that is taken hold, and those before it fail."""
+    """Whether the conditions of the taken transition hold, and those of earlier ones fail."""
     positive = list(_positive(itinerary, system, place, taken))
     section = section_of(itinerary.rotated(place + 1), system)
 
     def signs(condition: Condition) -> Iterator[bool]:
-        """What is known of whether it is met, from one thing or another."""
+        """Verdicts on whether a condition is met, one for each function that decides it."""
         row = _row(system, condition.function)
         for known, along in positive:
             if along is not None and along != condition.along:
@@ -82,7 +78,8 @@ def _positive(
 ) -> Iterator[tuple[sp.Matrix, str | None]]:
     """Rows [n, c] of functions that are positive at a transition, in general.
 
-    With each the one configuration along whose flow it is so, where the function itself is zero.
+    With a row comes a configuration if the function itself is zero there, and positive
+    along that configuration's flow.
     """
     source = system.configuration(taken.source)
     boundary = source.boundary(itinerary.phases[place].boundary)
@@ -106,13 +103,13 @@ def _row(system: System, function: sp.Expr) -> sp.Matrix:
 
 
 def _rate(system: System, configuration: str, row: sp.Matrix) -> sp.Matrix:
-    """Derivative of a function along a configuration's flow."""
+    """Derivative, as a row, of an affine function along a configuration's flow."""
     field = system.configuration(configuration).dynamics.field(system.states)
     return row[:, :-1] * sp.Matrix.hstack(*field)
 
 
 def _on(section: Section, row: sp.Matrix) -> sp.Matrix:
-    """The function in the coordinates of a section."""
+    """An affine function as a row in the coordinates of a section."""
     place = sp.Matrix.vstack(sp.Matrix(section.constant), sp.Matrix([[1]]))
     return sp.Matrix.hstack(row[:, :-1] * section.embedding, row * place).applyfunc(
         lambda e: cancel(sp.expand(e))
@@ -120,7 +117,7 @@ def _on(section: Section, row: sp.Matrix) -> sp.Matrix:
 
 
 def _positive_factor(one: sp.Matrix, other: sp.Matrix, system: System) -> bool:
-    """Whether one function is a positive multiple of another."""
+    """Whether one function is shown to be a positive multiple of another."""
     ratio = next((cancel(a / b) for a, b in zip(one, other, strict=True) if b != 0), None)
     if ratio is None or not _not_negative(ratio, system):
         return False
@@ -128,7 +125,10 @@ def _positive_factor(one: sp.Matrix, other: sp.Matrix, system: System) -> bool:
 
 
 def _opposed(one: sp.Matrix, other: sp.Matrix, system: System) -> bool:
-    """Whether the sum with a positive multiple of another does not change, and is not positive."""
+    """Whether one function is shown not to be positive where another is positive.
+
+    Its sum with a positive multiple of the other one is then a constant and not positive.
+    """
     pairs = list(zip(one, other, strict=True))
     ratio = next((cancel(-a / b) for a, b in pairs[:-1] if b != 0), None)
     if ratio is None or not _not_negative(ratio, system):
@@ -138,7 +138,7 @@ def _opposed(one: sp.Matrix, other: sp.Matrix, system: System) -> bool:
 
 
 def _not_negative(expression: sp.Expr, system: System) -> bool:
-    """Whether a quotient of sums of products is not negative, for nothing in it is."""
+    """Whether a rational function is shown not to be negative by the signs of all its terms."""
     allowed = {p.symbol for p in system.parameters if p.lower >= 0}
     terms = [t for part in sp.fraction(expression) for t in sp.expand(part).as_ordered_terms()]
     return expression != 0 and all(

@@ -40,29 +40,19 @@ __all__ = [
 
 @dataclass(frozen=True)
 class HalfPhases:
-    """Equations of an orbit that its reversor maps to itself.
+    """Equations of an orbit that its reversor maps to itself."""
 
-    Attributes
-    ----------
-    stages : tuple of Stage
-        Values of the flows' functions halfway through the phases.
-    equations : tuple of (meaning, expression)
-        Affine in the coordinates of the start.
-    """
-
-    stages: tuple[Stage, ...]
+    stages: tuple[Stage, ...]  # values of the flows' functions halfway through the phases
+    # (meaning, expression), affine in the coordinates of the start
     equations: tuple[tuple[str, sp.Expr], ...]
 
 
 def half_phases(
     itinerary: Itinerary, system: System, flows: Mapping[str, Flow], start: Section
 ) -> HalfPhases:
-    """Conditions halfway through each phase, and those that the ends of the phases leave.
+    """Conditions halfway through each phase, and those that remain at the ends of phases.
 
-    Raises
-    ------
-    DerivationError
-        If the map is no reversor of a configuration.
+    DerivationError refuses a map that does not reverse some configuration.
     """
     jump, shift = reversor_of(itinerary, system)
     fixed, _ = sp.Matrix.hstack(jump - sp.eye(jump.rows), shift).rref()
@@ -97,7 +87,7 @@ def half_phases(
 def required_values(
     itinerary: Itinerary, system: System, start: Section
 ) -> dict[sp.Symbol, sp.Expr]:
-    """Values of parameters without which no orbit is its own reversal."""
+    """Values by parameter without which no orbit is its own reversal."""
     found: dict[sp.Symbol, sp.Expr] = {}
     for _, condition in end_conditions(itinerary, system, start):
         coordinate, factor = _multiple(condition, start.coordinates)
@@ -134,7 +124,7 @@ def _by_function(expression: sp.Expr, functions: Sequence[sp.Expr]) -> sp.Expr:
 
 
 def phase_starts(itinerary: Itinerary, system: System, start: Section) -> list[sp.Matrix]:
-    """State at the start of each phase, each end being the image of its start."""
+    """State (N x 1) at the start of each phase, whose end is the image of its start."""
     jump, shift = reversor_of(itinerary, system)
     states = [sp.Matrix(start.state)]
     for index in range(len(itinerary.phases) - 1):
@@ -165,7 +155,10 @@ def end_conditions(
 def _multiple(
     condition: sp.Expr, coordinates: Sequence[sp.Symbol]
 ) -> tuple[sp.Symbol | None, sp.Expr]:
-    """The coordinate of which a condition is a multiple, and the factor."""
+    """The coordinate of which a condition is a multiple, and the factor.
+
+    If there is none, None and the condition itself.
+    """
     for coordinate in coordinates:
         factor = sp.diff(condition, coordinate)
         if factor != 0 and sp.expand(condition - factor * coordinate) == 0:
@@ -176,10 +169,7 @@ def _multiple(
 def reversor_of(itinerary: Itinerary, system: System) -> tuple[sp.Matrix, sp.Matrix]:
     """Matrix and shift of an itinerary's reversor ``y -> R y + r``.
 
-    Raises
-    ------
-    DerivationError
-        If it is no involution.
+    DerivationError refuses one that is no involution.
     """
     jump, shift = reset_matrix(itinerary.reversor.items(), system.states)
     again = sp.Matrix.hstack(jump * jump - sp.eye(jump.rows), jump * shift + shift)

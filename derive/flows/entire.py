@@ -15,7 +15,7 @@ __all__ = ["ExponentialDifference"]
 def _column(
     t: sp.Float, factors: tuple[tuple[sp.Float, ...], ...], dps: int
 ) -> tuple[mpmath.mpf, ...]:
-    """Solution, with its derivatives, of prod chi (d/dt) y = 0 from (0, ..., 0, 1)."""
+    """Solution and derivatives at t of prod chi(d/dt) y = 0 that starts from (0, ..., 0, 1)."""
     product = [mpmath.mpf(1)]
     for factor in factors:
         polynomial = [*map(mpmath.mpf, factor), mpmath.mpf(1)]
@@ -45,7 +45,11 @@ class ExponentialDifference(sp.Function):
 
     @classmethod
     def eval(cls, k: Any, t: Any, *factors: Any) -> Any:
-        """Order the factors; reduce what is a polynomial, or a derivative of a constant's part."""
+        """The function in normal form, with its factors in order.
+
+        A power of time is written as such, and a derivative by lower ones where that is
+        possible: with a factor s, or from the degree of the product on.
+        """
         zero = sp.Tuple(sp.Integer(0))
         degree = sum(len(factor) for factor in factors)
         if all(factor == zero for factor in factors):
@@ -65,7 +69,7 @@ class ExponentialDifference(sp.Function):
         return None if list(factors) == ordered else cls(k, t, *ordered)
 
     def _eval_evalf(self, prec: int) -> sp.Expr | None:
-        """Number of so many bits, where all arguments are numbers."""
+        """Value with a precision of so many bits; None unless all arguments are numbers."""
         k, t, *factors = self.args
         if self.free_symbols:
             return None
@@ -75,7 +79,7 @@ class ExponentialDifference(sp.Function):
             return sp.Float(_column(t.evalf(dps), coefficients, dps)[int(k)], precision=prec)
 
     def _eval_derivative(self, symbol: sp.Symbol) -> sp.Expr:
-        """Derivative by whatever the time or a coefficient contains."""
+        """Derivative by a symbol that the time or a coefficient contains."""
         k, t, *factors = self.args
         total = sp.diff(t, symbol) * ExponentialDifference(k + 1, t, *factors)
         for factor in factors:

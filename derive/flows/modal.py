@@ -40,14 +40,9 @@ _Term = tuple[sp.Expr, str, str, sp.Matrix]
 
 @dataclass(frozen=True)
 class Spectrum:
-    """Frequencies and projector coefficients: all that needs a root of the parameters.
+    """Frequencies and projector coefficients: all that needs a root of the parameters."""
 
-    Attributes
-    ----------
-    entries : tuple of (symbol, expression)
-        In order of evaluation; an expression may use the symbols before it.
-    """
-
+    # in order of evaluation; an expression may use the symbols before it
     entries: tuple[tuple[sp.Symbol, sp.Expr], ...]
 
     @property
@@ -57,40 +52,27 @@ class Spectrum:
 
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:
-        """Symbols of the parameters that the spectrum depends on, by name."""
+        """Symbols of the parameters on which the spectrum depends, sorted by name."""
         inputs = set().union(*(e.free_symbols for _, e in self.entries))
         return tuple(sorted(inputs - set(self.symbols), key=str))
 
 
 @dataclass(frozen=True)
 class Flow:
-    """Closed-form solution inside one configuration.
-
-    Attributes
-    ----------
-    configuration : str
-    basis : tuple of expressions in `TIME`
-        Functions phi_b.
-    matrices : tuple of N x N matrices
-        B_b, constant in time.
-    offsets : tuple of N x 1 matrices
-        beta_b, constant in time.
-    field : pair (A, b)
-        Vector field y' = A y + b.
-    """
+    """Closed-form solution y(t) = sum_b phi_b(t) (B_b y(0) + beta_b) inside one configuration."""
 
     configuration: str
-    basis: tuple[sp.Expr, ...]
-    matrices: tuple[sp.Matrix, ...]
-    offsets: tuple[sp.Matrix, ...]
-    field: tuple[sp.Matrix, sp.Matrix]
+    basis: tuple[sp.Expr, ...]  # functions phi_b of `TIME`
+    matrices: tuple[sp.Matrix, ...]  # B_b, N x N, constant in time
+    offsets: tuple[sp.Matrix, ...]  # beta_b, N x 1, constant in time
+    field: tuple[sp.Matrix, sp.Matrix]  # (A, b) of the vector field y' = A y + b
 
     def matrix(self, functions: Iterable[sp.Expr] | None = None) -> sp.Matrix:
-        """Phi(t), with the basis functions replaced by `functions` when given."""
+        """Matrix Phi(t) (N x N), with `functions` in place of the basis functions if given."""
         return self._sum(self.matrices, functions)
 
     def offset(self, functions: Iterable[sp.Expr] | None = None) -> sp.Matrix:
-        """Phi(t)-independent part of the solution."""
+        """Part (N x 1) of the solution that does not depend on the start."""
         return self._sum(self.offsets, functions)
 
     def _sum(self, terms: tuple[sp.Matrix, ...], functions: Iterable[sp.Expr] | None) -> sp.Matrix:
@@ -100,12 +82,12 @@ class Flow:
         return total
 
     def velocity(self, state: sp.Matrix) -> sp.Matrix:
-        """Vector field at a state: the derivative of the flow by time."""
+        """Vector field (N x 1) at a state: the derivative of the flow by time."""
         matrix, offset = self.field
         return matrix * state + offset
 
     def along(self, row: sp.Matrix, constant: sp.Expr, state: sp.Matrix) -> tuple[sp.Expr, ...]:
-        """Coefficients, one for each basis function, of ``row y(t) + constant``."""
+        """Coefficient of each basis function in ``row y(t) + constant``, y(0) being `state`."""
         coefficients = [
             (row * (matrix * state + offset))[0]
             for matrix, offset in zip(self.matrices, self.offsets, strict=True)
@@ -123,7 +105,7 @@ class _Names:
         self.resolvents: dict[sp.ImmutableMatrix, Any] = {}  # of blocks of configurations
 
     def symbol(self, stem: str, expression: sp.Expr) -> sp.Expr:
-        """Symbol that stands for the expression; the expression itself if it is a number."""
+        """Symbol in place of an expression; the expression itself if it is a number or a symbol."""
         expression = sp.sympify(expression)
         if expression.is_number or expression.is_Symbol:
             return expression
@@ -133,28 +115,25 @@ class _Names:
         return self.entries[expression]
 
     def coefficient(self, expression: sp.Expr) -> sp.Expr:
-        """A coefficient of a characteristic factor: named where it is long, or may be rewritten.
+        """A coefficient of a characteristic factor, named if it is long or may be rewritten.
 
-        Factors are told apart by their coefficients, which must outlast an expansion of what
-        they stand in: (1 + g)/g would become 1 + 1/g.
+        Factors are identified by their coefficients, which must survive an expansion of the
+        expressions that contain them: (1 + g)/g would become 1 + 1/g.
         """
         simple = expression.count_ops() <= 2 and sp.expand(expression) == expression
         return expression if simple else self.symbol("factor", expression)
 
     def _fresh(self, stem: str) -> str:
-        """A name that nothing bears yet: the stem and a number."""
+        """A name that is not in use yet: the stem and a number."""
         name = next(n for n in (f"{stem}{i}" for i in count(1)) if n not in self.taken)
         self.taken.add(name)
         return name
 
 
 def derive_flows(system: System) -> tuple[Spectrum, dict[str, Flow]]:
-    """Flow of every configuration and the spectrum that they share.
+    """Spectrum of all configurations of a system, and the flow of each by its name.
 
-    Raises
-    ------
-    DerivationError
-        For a configuration of which a block has too many roots and no modes.
+    DerivationError refuses a configuration with a block of too many roots and no modes.
     """
     names = _Names([*map(str, system.states), *(p.name for p in system.parameters)])
     flows = {c.name: _flow(c, system, names) for c in system.configurations}
@@ -220,7 +199,10 @@ def _general_flow(configuration: Configuration, system: System, names: _Names) -
 def _function_of_time(
     k: int, factors: tuple[sp.Tuple, ...], parameters: tuple[Parameter, ...], names: _Names
 ) -> sp.Expr:
-    """Function of one fraction: trigonometric where its only roots are shown to be imaginary."""
+    """Function of time whose Laplace transform is s^k over the product of the factors.
+
+    It is trigonometric where the only roots are shown to be imaginary.
+    """
     if len(factors) == 1 and len(factors[0]) == 2:
         square, damping = factors[0]
         if damping == 0 and is_positive(square, parameters):
@@ -230,7 +212,7 @@ def _function_of_time(
 
 
 def _held_terms(size: int) -> list[_Term]:
-    """Held coordinates move with the velocity that the state carries."""
+    """Terms of the flow of held coordinates, which move with the velocity that the state has."""
     one, identity = sp.Integer(1), sp.eye(size)
     return [
         (one, "xh", "xh", identity),
@@ -274,7 +256,7 @@ def _oscillating_terms(
     load: sp.Matrix,
     modes: list[tuple[sp.Expr, sp.Matrix]],
 ) -> list[_Term]:
-    """Blocks of the flow where L is nonsingular.
+    """Terms of the flow of free coordinates where L is nonsingular.
 
     w = x_f + G x_h - s with G = L^-1 P and s = L^-1 q obeys w'' + L w = 0.
     """
@@ -305,7 +287,7 @@ def _oscillating_terms(
 def _assemble(
     terms: list[_Term], size: int, free: list[int], held: list[int]
 ) -> tuple[dict[sp.Expr, sp.Matrix], dict[sp.Expr, sp.Matrix]]:
-    """Blocks of free and held coordinates, placed in the matrices of the whole state."""
+    """Matrices and offsets of the whole state by function of time, from their blocks."""
     places = {
         "xf": free,
         "xh": held,

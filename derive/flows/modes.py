@@ -13,19 +13,11 @@ __all__ = ["Mode", "modes_of"]
 
 @dataclass(frozen=True)
 class Mode:
-    """Functions of time that share one exponent.
+    """Functions of time that share one exponent."""
 
-    Attributes
-    ----------
-    rate, frequency : expression
-        Real and imaginary part of the exponent; a mode of frequency 0 does not oscillate.
-    terms : tuple of expressions in `TIME`
-        Basis functions of the flow, in the order told above.
-    """
-
-    rate: sp.Expr
-    frequency: sp.Expr
-    terms: tuple[sp.Expr, ...]
+    rate: sp.Expr  # real part of the exponent
+    frequency: sp.Expr  # imaginary part of the exponent; zero if the mode does not oscillate
+    terms: tuple[sp.Expr, ...]  # basis functions of the flow: powers of time, or cosine and sine
 
     @property
     def oscillates(self) -> bool:
@@ -39,7 +31,7 @@ class Mode:
 
 
 def modes_of(flow: Flow) -> tuple[Mode, ...] | None:
-    """Modes of a flow; None where its functions are entire ones of unknown exponents."""
+    """Modes of a flow; None if one of its functions is no power of time, cosine or sine."""
     powers: list[int] = []
     angles: list[sp.Expr] = []
     for function in flow.basis:

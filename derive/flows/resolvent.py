@@ -40,17 +40,11 @@ Naming = Callable[[str, sp.Expr], sp.Expr]
 
 @dataclass(frozen=True)
 class Fraction:
-    """A part of the resolvent: a polynomial matrix divided by characteristic factors.
+    """A part of the resolvent: a polynomial matrix divided by characteristic factors."""
 
-    Attributes
-    ----------
-    factors : tuple of sympy Tuple
-        Monic polynomials in s by their coefficients, from the constant up, without the leading.
-    powers : tuple of N x (N + 1) matrices
-        Coefficients of the numerator, from the constant up; the last column is the offset's.
-    """
-
+    # monic polynomials in s by their coefficients, from the constant up, without the leading
     factors: tuple[sp.Tuple, ...]
+    # N x (N + 1): coefficients of the numerator, from the constant up; last column: offset
     powers: tuple[sp.Matrix, ...]
 
 
@@ -65,23 +59,12 @@ def resolvent(
     naming: Naming,
     known: dict[sp.ImmutableMatrix, _Sum],
 ) -> tuple[Fraction, ...]:
-    """Give the resolvent of ``y' = matrix y + offset`` as a sum of fractions.
+    """The resolvent of ``y' = matrix y + offset`` as a sum of fractions.
 
-    Parameters
-    ----------
-    matrix : N x N matrix
-    offset : N x 1 matrix
-    parameters : sequence of Parameter
-        Their domains decide which eigenvalues are distinct.
-    naming : callable
-        Takes a stem and an expression that needs a root; gives a symbol for it.
-    known : dict
-        Resolvents of blocks, found for other configurations of the system; it grows.
-
-    Raises
-    ------
-    DerivationError
-        If a block has more than `MOST_ROOTS` roots and no modes.
+    The domains of the `parameters` decide which eigenvalues are distinct. `naming` takes a
+    stem and an expression that needs a root, and gives a symbol for it. `known` has
+    resolvents of blocks of the system's other configurations, and grows. DerivationError
+    refuses a block with more than `MOST_ROOTS` roots and no modes.
     """
     size = matrix.rows
     augmented = sp.zeros(size + 1, size + 1)
@@ -120,7 +103,7 @@ def resolvent(
 
 
 def _blocks(matrix: sp.Matrix) -> list[list[int]]:
-    """Strongly connected coordinates, those that drive first."""
+    """Strongly connected sets of coordinates; those that drive others come first."""
     found = sp.Matrix(matrix).strongly_connected_components()
     blocks = [sorted(block) for block in found]
     ordered: list[list[int]] = []
@@ -135,12 +118,12 @@ def _blocks(matrix: sp.Matrix) -> list[list[int]]:
 
 
 def _exact(matrix: sp.Matrix) -> DomainMatrix:
-    """A matrix over a field of rational functions, in which what cancels is gone."""
+    """A matrix over a field of rational functions, where equal terms cancel by themselves."""
     return DomainMatrix.from_Matrix(matrix.applyfunc(_hidden)).to_field().to_sparse()
 
 
 class _Opaque(sp.Symbol):
-    """Stands for what is no rational function: an irrational number, a root of parameters."""
+    """A symbol for what is no rational function: an irrational number, a root of parameters."""
 
     value: sp.Expr
 
@@ -151,7 +134,7 @@ class _Opaque(sp.Symbol):
 
 
 def _hidden(expression: sp.Expr) -> sp.Expr:
-    """The expression with stand-ins for what is no rational function."""
+    """The expression with such symbols for what is no rational function."""
     return expression.replace(_is_opaque, _Opaque)
 
 
@@ -164,7 +147,7 @@ def _is_opaque(expression: sp.Expr) -> bool:
 
 
 def _shown(expression: sp.Expr) -> sp.Expr:
-    """The expression with what they stand for."""
+    """The expression with those symbols replaced by what they stand for."""
     found = expression
     while opaque := found.atoms(_Opaque):  # a root may stand for one of another
         found = found.xreplace({o: o.value for o in opaque})
@@ -172,7 +155,7 @@ def _shown(expression: sp.Expr) -> sp.Expr:
 
 
 def _joined(one: DomainMatrix, other: DomainMatrix) -> tuple[DomainMatrix, DomainMatrix]:
-    """Both over one field."""
+    """Both matrices over one common field."""
     first, second = one.unify(other)
     return first, second
 
@@ -240,7 +223,7 @@ def _factors(coefficients: Sequence[sp.Expr]) -> tuple[sp.Tuple, ...]:
 
 
 def _irreducible(coefficients: Sequence[sp.Expr]) -> list[tuple[list[sp.Expr], int]]:
-    """Irreducible factors of a monic polynomial, and how often each is one.
+    """Irreducible factors of a monic polynomial, each with its multiplicity.
 
     A polynomial is given by its coefficients from the constant up, without the leading one.
     """
@@ -255,7 +238,7 @@ def _irreducible(coefficients: Sequence[sp.Expr]) -> list[tuple[list[sp.Expr], i
 
 
 def _modes(block: sp.Matrix, parameters: Sequence[Parameter], naming: Naming) -> _Sum | None:
-    """Resolvent of x'' + D x' + L x = 0 mode by mode, where D and L commute."""
+    """Resolvent of x'' + D x' + L x = 0 mode by mode; None unless D and L commute."""
     size = block.rows // 2
     places = _positions(block)
     if places is None:
@@ -298,7 +281,7 @@ def _positions(block: sp.Matrix) -> tuple[list[int], list[int]] | None:
 def _projectors(
     matrix: sp.Matrix, parameters: Sequence[Parameter], naming: Naming
 ) -> list[tuple[sp.Expr, sp.Matrix]] | None:
-    """Eigenvalues and projectors of a matrix whose eigenvalues are shown to be real and apart."""
+    """Eigenvalues and projectors of a matrix if its eigenvalues are shown real and distinct."""
     eigenvalues = _eigenvalues(matrix, parameters, naming)
     if eigenvalues is None:
         return None
@@ -338,7 +321,7 @@ def _eigenvalues(
 def _roots(
     coefficients: Sequence[sp.Expr], parameters: Sequence[Parameter], naming: Naming
 ) -> list[sp.Expr] | None:
-    """Real, distinct roots of a monic polynomial of degree one or two."""
+    """Real, distinct roots of a monic polynomial of degree one or two; None if not shown."""
     if len(coefficients) == 1:
         return [-coefficients[0]]
     product, negative_sum = coefficients
@@ -356,7 +339,7 @@ def _roots(
 
 
 def _apart(one: sp.Expr, other: sp.Expr, parameters: Sequence[Parameter]) -> bool:
-    """Whether roots of two factors are shown to differ by enough."""
+    """Whether the roots of two factors are shown to be distinct, numbers by a margin."""
     difference = one - other
     if difference.is_number:
         return bool(difference**2 > _NEAR * (one**2 + other**2))

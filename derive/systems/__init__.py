@@ -13,11 +13,8 @@ SYSTEMS = {
 
 
 def declaration(name: str) -> ModuleType:
-    """Module that declares a system: it has `system` and `orbits`.
+    """Module that declares a built-in system: it has `system` and `orbits`.
 
-    Raises
-    ------
-    KeyError
-        If no system of that name is declared here.
+    KeyError says that no system of that name is built in.
     """
     return import_module(f"nonsmooth.derive.systems.{SYSTEMS[name]}")

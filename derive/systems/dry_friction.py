@@ -57,7 +57,7 @@ REGIMES = ("slip", "stick", "overshoot")
 
 
 def _boundaries(mass: int, regime: str) -> tuple[Boundary, ...]:
-    """Where one mass leaves its regime."""
+    """Boundaries at which one mass leaves its regime."""
     name, relative, force = MASSES[mass], VELOCITIES[mass] - V, FORCES[mass]
     if regime == "stick":
         return (
@@ -69,7 +69,7 @@ def _boundaries(mass: int, regime: str) -> tuple[Boundary, ...]:
 
 
 def _configuration(regimes: tuple[str, str]) -> Configuration:
-    """Equations (6) to (9), and their like with either slip force reversed."""
+    """Configuration of both regimes: equations (6) to (9), or with a slip force reversed."""
     friction = {"slip": 1, "stick": 0, "overshoot": -1}
     u1, u2 = (friction[r] * u for r, u in zip(regimes, SLIPPING, strict=True))
     return Configuration(
@@ -85,7 +85,7 @@ def _configuration(regimes: tuple[str, str]) -> Configuration:
 
 
 def _choices(mass: int, along: str) -> tuple[tuple[str, tuple[Condition, ...]], ...]:
-    """Regimes a mass may take at x' = V, in the order in which they are tried.
+    """Regimes that a mass may take at x' = V, in the order in which they are tried.
 
     It slides when |f| exceeds ur, or equals it and the first nonzero derivative along the
     sticking motion leads beyond; else it sticks.
@@ -100,7 +100,7 @@ def _choices(mass: int, along: str) -> tuple[tuple[str, tuple[Condition, ...]], 
 
 
 def _transitions(regimes: tuple[str, str]) -> tuple[Transition, ...]:
-    """Every set of boundaries that one configuration can reach at one instant."""
+    """Transitions for every set of boundaries that one configuration reaches at one instant."""
     source = "-".join(regimes)
     events = [
         [None, *(b.name for b in _boundaries(mass, regime))] for mass, regime in enumerate(regimes)
@@ -244,17 +244,12 @@ orbits = (symmetric, global_stick, solution_ii)
 
 @dataclass(frozen=True)
 class PhysicalData:
-    """Scales and parameters of a dimensional oscillator.
+    """Scales and nondimensional parameters of a dimensional oscillator.
 
-    Attributes
-    ----------
-    parameters : dict of str to float
-        Nondimensional chi, eta, V, us1, ur1, us2, ur2.
-    length, time, force : float
-        Dimensional value of one nondimensional unit, in the units of the input.
+    A scale is the dimensional value of one nondimensional unit, in the units of the input.
     """
 
-    parameters: dict[str, float]
+    parameters: dict[str, float]  # chi, eta, V, us1, ur1, us2, ur2
     length: float
     time: float
     force: float
@@ -287,28 +282,13 @@ def from_physical(
     static_coefficients: tuple[float, float],
     length: float = 1.0,
 ) -> PhysicalData:
-    """Nondimensional parameters of a dimensional oscillator, and the way back.
+    """Nondimensional parameters of a dimensional oscillator, and the scales for the way back.
 
-    Parameters
-    ----------
-    m1, m2 : float
-        Masses, in any consistent units, say kg.
-    k1, k2 : float
-        Stiffnesses, say N/m; k1 ties the first mass to the ground.
-    belt_velocity : float
-        Velocity of the belt, say m/s.
-    normal_loads : pair of float
-        Normal forces on the two masses, say N.
-    slipping_coefficients, static_coefficients : pairs of float
-        Coefficients of friction, nondimensional.
-    length : float
-        Unit of length, say m: it scales V and the forces together.
-
-    Raises
-    ------
-    DeclarationError
-        For a value that is not positive and finite, or a static coefficient below the
-        slipping one.
+    All arguments are in consistent units, say kg, N/m, m/s and N, except the coefficients
+    of friction, which have none. `k1` ties the first mass to the ground, the normal loads
+    act on the two masses, and `length` is the unit of length, which scales V and the forces
+    together. DeclarationError refuses a value that is not positive and finite, and a static
+    coefficient below the slipping one.
     """
     values = {"m1": m1, "m2": m2, "k1": k1, "k2": k2, "belt_velocity": belt_velocity}
     values |= {"length": length}

@@ -52,10 +52,10 @@ _UsageError: Any = typer.BadParameter.__base__  # Typer has a Click of its own, 
 
 
 class _Door(TyperGroup):
-    """All commands: whatever stops one of them leaves by `fail`."""
+    """The group of all commands; whatever exception stops a command leaves through `fail`."""
 
     def main(self, *arguments: Any, **options: Any) -> NoReturn:
-        """Run the command line and exit; errors that concern no command are told here."""
+        """Run the command line and exit; errors that belong to no command are reported by it."""
         try:
             code = super().main(*arguments, **{**options, "standalone_mode": False})
             sys.stdout.flush()
@@ -73,7 +73,10 @@ class _Door(TyperGroup):
 
 
 def _is_unread(problem: BaseException) -> bool:
-    """Whether nobody reads the answer any more; Rich leaves by a SystemExit then."""
+    """Whether standard output was closed by its reader.
+
+    Rich turns the BrokenPipeError into a SystemExit, whose context is then looked at.
+    """
     left = problem.__context__ if isinstance(problem, SystemExit) else problem
     return isinstance(left, BrokenPipeError)
 
@@ -98,25 +101,10 @@ _DEBUG = inspect.Parameter(
 
 
 def answering(command: Callable[..., int]) -> Callable[..., None]:
-    """Exit with the code that a command returns, or with one line on stderr.
+    """A command that exits with the code it returns, or with one line on stderr for an error.
 
-    The command gets the option `--debug`, which shows the traceback before that line, and why
-    kernels are not compiled.
-
-    Parameters
-    ----------
-    command : callable
-        Gives an exit code.
-
-    Returns
-    -------
-    callable
-        With the signature of the command and `debug`.
-
-    Raises
-    ------
-    typer.Exit
-        Always, with the exit code.
+    It always raises `typer.Exit`. The command gets the option `--debug`, which shows the
+    traceback before that line, and why kernels are not compiled.
     """
 
     @functools.wraps(command)
@@ -145,7 +133,7 @@ def answering(command: Callable[..., int]) -> Callable[..., None]:
 
 @contextmanager
 def _log_shown() -> Iterator[None]:
-    """Show on stderr, for a while, what the package notes of its work beside the answers."""
+    """Show the package's log records on stderr while the context lasts."""
     log = logging.getLogger("nonsmooth")
     handler = logging.StreamHandler()
     handler.setFormatter(logging.Formatter("nonsmooth: %(message)s"))
@@ -160,20 +148,10 @@ def _log_shown() -> Iterator[None]:
 
 
 def fail(problem: BaseException, *, as_json: bool, debug: bool) -> int:
-    """Tell in one line on stderr why there is no answer; gives the exit code.
+    """Say in one line on stderr why there is no answer, and return the exit code.
 
-    Parameters
-    ----------
-    problem : BaseException
-    as_json : bool
-        Tell it on stdout as well, as JSON.
-    debug : bool
-        Show the traceback first.
-
-    Returns
-    -------
-    int
-        The exit code.
+    With `as_json` the reason also goes to stdout as JSON; with `debug` the traceback comes
+    first.
     """
     code, told = _reason(problem)
     if debug:
@@ -186,7 +164,7 @@ def fail(problem: BaseException, *, as_json: bool, debug: bool) -> int:
 
 
 def _reason(problem: BaseException) -> tuple[int, str]:
-    """Exit code and one line for an exception."""
+    """Exit code for an exception, and one line that says what went wrong."""
     from nonsmooth.derive.errors import DeclarationError, DerivationError
 
     match problem:
@@ -232,40 +210,15 @@ def _options(
 
 
 def split(options: Iterable[str] | None) -> list[str]:
-    """Entries of options that hold comma-separated lists.
-
-    Parameters
-    ----------
-    options : iterable of str or None
-        Each with entries between commas.
-
-    Returns
-    -------
-    list of str
-        Without empty ones.
-    """
+    """Nonempty entries of options that each hold a comma-separated list."""
     return [part.strip() for option in options or () for part in option.split(",") if part.strip()]
 
 
 def assignments(kind: str, texts: Iterable[str]) -> dict[str, Value]:
-    """Values by name, each given once.
+    """Values by name, parsed from texts ``NAME=VALUE``, in the order in which they are given.
 
-    Parameters
-    ----------
-    kind : str
-        What is assigned, for the message.
-    texts : iterable of str
-        ``NAME=VALUE``.
-
-    Returns
-    -------
-    dict of str to Value
-        In the order in which they were given.
-
-    Raises
-    ------
-    InputError
-        If a text is no assignment, or a name is given twice.
+    `kind` says in messages what is assigned. InputError refuses a text that is no
+    assignment and a name that is given twice.
     """
     from nonsmooth.runtime.core.values import parse_assignment
 
@@ -281,26 +234,11 @@ def assignments(kind: str, texts: Iterable[str]) -> dict[str, Value]:
 def ranges(
     kind: str, texts: Iterable[str], *, counts: bool = False
 ) -> dict[str, tuple[float, float, int]]:
-    """Ranges ``name=lower:upper`` or, with counts, ``name=lower:upper:count``; count 0 without.
+    """Lower end, upper end and count by name, parsed from ``NAME=A:B`` or ``NAME=A:B:N``.
 
-    Parameters
-    ----------
-    kind : str
-        What the ranges are of, for the message.
-    texts : iterable of str
-        One range each.
-    counts : bool, default False
-        Whether each range has a count.
-
-    Returns
-    -------
-    dict of str to (float, float, int)
-        Lower and upper end in the system's units, and the count.
-
-    Raises
-    ------
-    InputError
-        If a text is no range, or a name is given twice.
+    The ends are in the system's units. Only with `counts` the texts have a count N; it is 0
+    without. `kind` says in messages what the ranges are of. InputError refuses a text that
+    is no range and a name that is given twice.
     """
     from nonsmooth.runtime.core.values import parse
 
@@ -321,19 +259,10 @@ def ranges(
 
 
 def check_drawing(path: Path | None) -> None:
-    """Refuse a picture that could not be drawn, before the work is done.
+    """Refuse a picture that could not be drawn, before any work is done; None is no picture.
 
-    Parameters
-    ----------
-    path : Path or None
-        The picture's file; None for no picture.
-
-    Raises
-    ------
-    InputError
-        If the file has another ending, or cannot be written.
-    MissingExtra
-        If matplotlib is not installed.
+    InputError refuses another ending than a picture's and a file that cannot be written,
+    MissingExtra says that matplotlib is not installed.
     """
     from nonsmooth.runtime.core.files import check_ending, check_target
     from nonsmooth.runtime.present.pictures.drawing import check_matplotlib
@@ -345,11 +274,5 @@ def check_drawing(path: Path | None) -> None:
 
 
 def print_json(found: Mapping[str, Any]) -> None:
-    """Print one JSON document on stdout.
-
-    Parameters
-    ----------
-    found : dict
-        Ready for JSON; a number that is not known is printed as null.
-    """
+    """Print one JSON document on stdout, with null for numbers that are nan."""
     print(json.dumps(nan_as_null(found), indent=2, allow_nan=False))

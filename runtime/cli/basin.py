@@ -128,7 +128,7 @@ def basin(
 
 
 def _bounds(text: str) -> tuple[str, tuple[float, float]]:
-    """A state and its bounds, of STATE=A:B."""
+    """Name of a state and its bounds (low, high), parsed from ``STATE=A:B``."""
     name, _, bounds = text.partition("=")
     low, _, high = bounds.partition(":")
     try:

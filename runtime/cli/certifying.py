@@ -42,7 +42,7 @@ _MORE = 8  # bits beyond those of the digits
 
 
 class Proven(StrEnum):
-    """What can be required."""
+    """The verdict that `--require` can demand of a proof."""
 
     PROVED = "proved"
 
@@ -319,7 +319,10 @@ def _check(
 
 
 def _judged(claims: Mapping[str, str], require: Proven | None, code: int) -> int:
-    """The exit code, or another if claims that are not proved are required to be: told."""
+    """The given exit code, or `NOT_MET` if `--require` is given and a claim is not proved.
+
+    Missed claims are named on stderr. The code of an interrupted command stays.
+    """
     if code == INTERRUPTED:
         return code
     missed = [f"{name} {verdict}" for name, verdict in claims.items() if verdict != "proved"]

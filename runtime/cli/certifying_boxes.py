@@ -19,19 +19,10 @@ _ENOUGH = Fraction(99, 100)  # share of a box that has to be decided for an answ
 
 
 def certify_over(proof: LongProof, tiles: int) -> tuple[Mapping[str, str], int]:
-    """Prove the map, show it, and keep it; gives its claims, and the exit code.
+    """Prove, keep and show the map of a box of parameters; its claims and the exit code.
 
-    Parameters
-    ----------
-    proof : LongProof
-        Which orbit, its files, and how it is shown.
-    tiles : int
-        The most tiles that are tried.
-
-    Returns
-    -------
-    tuple of (dict, int)
-        The map's claims and the exit code.
+    At most `tiles` tiles are tried. The answer counts as complete once 99 % of the box is
+    decided.
     """
     from nonsmooth.runtime.cli.display import shared, steps
     from nonsmooth.runtime.cli.display_certificates import show_box

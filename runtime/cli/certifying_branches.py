@@ -15,30 +15,12 @@ __all__ = ["certify_flips", "certify_whole_branch"]
 def certify_whole_branch(
     proof: LongProof, tiles: int, seconds: float | None, *, beyond: bool
 ) -> tuple[Mapping[str, str], int]:
-    """Follow the orbit over a range, prove all of it, show it and keep it.
+    """Prove, keep and show the branch of an orbit over one range.
 
-    Gives what is claimed, and the exit code.
-
-    Parameters
-    ----------
-    proof : LongProof
-        Which orbit, its files, and how it is shown.
-    tiles : int
-        The most tiles that are proved.
-    seconds : float or None
-        The time after which nothing more is begun.
-    beyond : bool
-        Whether to prove what begins where it meets a border.
-
-    Returns
-    -------
-    tuple of (dict, int)
-        Verdict on "branch", and the exit code.
-
-    Raises
-    ------
-    InputError
-        If there is not exactly one range.
+    It gives the verdict on "branch" and the exit code. At most `tiles` tiles are proved,
+    and after so many seconds nothing more is begun (None for no limit). With `beyond` the
+    itineraries that begin where the branch meets a border are proved too. InputError
+    refuses anything but exactly one range.
     """
     from nonsmooth.runtime.cli.display import shared
     from nonsmooth.runtime.cli.display_certificates import show_branch
@@ -68,30 +50,12 @@ def certify_whole_branch(
 def certify_flips(
     proof: LongProof, doublings: int, tiles: int, seconds: float | None
 ) -> tuple[Mapping[str, str], int]:
-    """Follow the orbit over a range, go beyond its first flip, show it and keep it.
+    """Prove, keep and show the doubled orbits beyond the first flip of an orbit's branch.
 
-    Gives what is claimed, and the exit code.
-
-    Parameters
-    ----------
-    proof : LongProof
-        As for `certify_whole_branch`.
-    doublings : int
-        How many flips are gone beyond.
-    tiles : int
-        The most tiles of each doubled branch.
-    seconds : float or None
-        The time after which nothing more is begun.
-
-    Returns
-    -------
-    tuple of (dict, int)
-        Verdict on "doublings", and the exit code.
-
-    Raises
-    ------
-    InputError
-        If there is not exactly one range.
+    It gives the verdict on "doublings" and the exit code. `doublings` counts the flips that
+    are passed one after the other, `tiles` bounds the tiles of each doubled branch, and
+    after so many seconds nothing more is begun (None for no limit). InputError refuses
+    anything but exactly one range.
     """
     from nonsmooth.runtime.cli.display import shared
     from nonsmooth.runtime.cli.display_certificates import show_cascade

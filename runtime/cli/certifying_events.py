@@ -25,36 +25,12 @@ def certify_events(
     *,
     as_json: bool,
 ) -> tuple[dict[str, str], int]:
-    """Follow the orbit over a range, enclose what happens and keep it.
+    """Enclose, keep and show the events of an orbit's branch over one range.
 
-    Gives what is claimed, and the exit code.
-
-    Parameters
-    ----------
-    name : str
-        ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``.
-    parameters : sequence of str
-        ``NAME=VALUE`` and ``NAME=A:B``.
-    near : dict of str to float or None
-        A guess of the unknowns, in the system's units.
-    bits : int
-        Precision of the enclosures.
-    resume : Path or None
-        The file to go on from.
-    save : Path or None
-        The file to keep the answer in.
-    as_json : bool
-        Whether the answer is JSON.
-
-    Returns
-    -------
-    tuple of (dict, int)
-        Verdict on "events", and the exit code.
-
-    Raises
-    ------
-    InputError
-        If there is not exactly one range.
+    It gives the verdict on "events" and the exit code. Parameters are texts ``NAME=VALUE``
+    and one ``NAME=A:B``, which InputError demands; `near` is a guess of the unknowns in the
+    system's units, `bits` the precision of the enclosures, and `resume` a file whose events
+    are taken over.
     """
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.cli.display_certificates import show_events

@@ -205,7 +205,7 @@ def _check_picture(
     over: str | None,
     follow_event: str | None,
 ) -> None:
-    """Refuse what says how a branch is drawn where none is."""
+    """Refuse options for the picture of a branch where no branch is drawn."""
     for option, given in (("--quantity", quantity), ("--over", over), ("--frequency", frequency)):
         if given and plot is None:
             raise InputError(f"{option} is for the picture of --plot, which is missing")
@@ -214,7 +214,7 @@ def _check_picture(
 
 
 def _check_quantities(orbit: Orbit, parameter: str, names: list[str]) -> None:
-    """Refuse quantities that a branch of an orbit does not have, before it is followed."""
+    """Refuse, before the branch is followed, quantities that its picture could not show."""
     from nonsmooth.runtime.model.structure import structure_of
 
     amplitudes = (f"amplitude_{state}" for state in structure_of(orbit.system).states)
@@ -226,7 +226,10 @@ def _check_quantities(orbit: Orbit, parameter: str, names: list[str]) -> None:
 
 
 def _go_on(stopped: bool) -> None:
-    """Nothing is kept of a branch that only leads to the one that was asked for."""
+    """Heed Ctrl-C again, or end if the branch before was interrupted.
+
+    Nothing is kept of a branch that only leads to the branch that was asked for.
+    """
     if stopped:
         raise KeyboardInterrupt
     heed_interrupts()
@@ -238,7 +241,7 @@ def _branch(
     interval: tuple[float, float],
     options: Mapping[str, Any],
 ) -> tuple[Branch, bool]:
-    """A branch, with progress, and whether it was interrupted."""
+    """The branch of an orbit over an interval, and whether Ctrl-C ended it early."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit
 
@@ -247,24 +250,9 @@ def _branch(
 
 
 def chosen_event(branch: Branch, text: str) -> Event:
-    """The event that ``KIND`` or ``KIND:N`` names, N counted from 1.
+    """The event of a branch that ``KIND`` or ``KIND:N`` names, where N counts from 1.
 
-    Parameters
-    ----------
-    branch : Branch
-        As `continue_orbit` gives it.
-    text : str
-        ``KIND`` or ``KIND:N``.
-
-    Returns
-    -------
-    Event
-        Of the branch.
-
-    Raises
-    ------
-    InputError
-        If the branch has no such event, or several; the message names those it has.
+    InputError refuses an event that is missing or ambiguous, and names those there are.
     """
     kind, _, number = text.partition(":")
     kind = kind.strip().replace(" ", "-")
@@ -293,7 +281,7 @@ def _in_the_plane(
     save: Path | None,
     as_json: bool,
 ) -> int:
-    """Follow an event in the plane of two parameters."""
+    """Follow an event in the plane of two parameters, keep and show it; gives the exit code."""
     from nonsmooth.runtime.cli.display import counted
     from nonsmooth.runtime.cli.display_branches import locus_json, show_locus
     from nonsmooth.runtime.explore.continuation.continue_event import MOST_POINTS, continue_event
@@ -318,7 +306,7 @@ def _in_the_plane(
 
 
 def _beyond(branch: Branch, fixed: Mapping[str, Value]) -> Others:
-    """Itineraries beyond each border collision, by the number of the event."""
+    """Itineraries beyond each border collision, by the index of the event on the branch."""
     from nonsmooth.runtime.cli.display import steps
 
     found: Others = {}

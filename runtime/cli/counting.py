@@ -32,22 +32,10 @@ Every = Annotated[
 def split_bounds(
     arguments: list[str] | None,
 ) -> tuple[list[str], dict[str, str | tuple[str, str]]]:
-    """Arguments NAME=VALUE, and bounds by name from those of the form NAME=A:B or NAME=:B.
+    """Arguments ``NAME=VALUE``, and bounds by name from those ``NAME=A:B`` or ``NAME=:B``.
 
-    Parameters
-    ----------
-    arguments : list of str or None
-        ``NAME=VALUE``, ``NAME=A:B`` and ``NAME=:B``.
-
-    Returns
-    -------
-    tuple of (list of str, dict)
-        The first ones, and the bounds of each name as texts.
-
-    Raises
-    ------
-    InputError
-        For a name that is given twice, or more than two bounds.
+    Bounds are a pair of texts, or the upper one alone. InputError refuses a name that is
+    given twice and more than two bounds.
     """
     values: list[str] = []
     bounds: dict[str, str | tuple[str, str]] = {}
@@ -75,34 +63,11 @@ def count_orbits(
     *,
     as_json: bool,
 ) -> int:
-    """Count orbits and show the census; gives the exit code.
+    """Prove how many orbits there are in a box, keep and show the census; gives the exit code.
 
-    Parameters
-    ----------
-    orbit : str
-        ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``.
-    arguments : list of str or None
-        Parameters ``NAME=VALUE``, and bounds of dwell times ``NAME=A:B``.
-    guess : list of str or None
-        Has to be empty.
-    bits : int
-        Precision of the enclosures.
-    require : object
-        Not None if the count has to be proved.
-    save : Path or None
-        The file to keep the answer in.
-    as_json : bool
-        Whether the answer is JSON.
-
-    Returns
-    -------
-    int
-        The exit code.
-
-    Raises
-    ------
-    InputError
-        If a guess is given, or as `certify_all` says.
+    Arguments are parameters ``NAME=VALUE`` and bounds of dwell times ``NAME=A:B``; `guess`
+    has to be empty, which InputError demands, and `require` is not None if the count has to
+    be proved. InputErrors of `certify_all` pass through.
     """
     from nonsmooth.runtime.cli.display import steps
     from nonsmooth.runtime.cli.display_census import show_census

@@ -26,22 +26,10 @@ __all__ = [
 
 
 def document_maker(name: str) -> Callable[[], Any]:
-    """Check the name of a system or an orbit and give what makes its document.
+    """A function that derives and gives the document of a system or an orbit.
 
-    Parameters
-    ----------
-    name : str
-        ``SYSTEM`` or ``SYSTEM/ORBIT`` of a built-in system, ``FILE.py`` or ``FILE.py:ORBIT``.
-
-    Returns
-    -------
-    callable
-        Gives the document; it derives when it is called.
-
-    Raises
-    ------
-    InputError
-        For an unknown system or orbit, or a file that fails.
+    The name is ``SYSTEM`` or ``SYSTEM/ORBIT`` of a built-in system, ``FILE.py`` or
+    ``FILE.py:ORBIT``; InputError refuses at once an unknown one and a file that fails.
     """
     system, orbits, label = _declaration(name)
     if label is not None and label not in orbits:
@@ -64,7 +52,7 @@ def document_maker(name: str) -> Callable[[], Any]:
 
 
 def _declaration(name: str) -> tuple[Any, dict[str, Any], str | None]:
-    """System, orbits by name, and the name of an orbit if one is meant."""
+    """The system, its orbits by name, and the name of the orbit that is meant, if any."""
     from nonsmooth.derive.systems import SYSTEMS, declaration
 
     system, slash, orbit = name.partition("/")
@@ -87,7 +75,7 @@ def _declaration(name: str) -> tuple[Any, dict[str, Any], str | None]:
 
 
 def _file_and_orbit(name: str) -> tuple[str, str | None]:
-    """Cut ``FILE.py:ORBIT``; a path of a drive has a colon too."""
+    """File and orbit of ``FILE.py:ORBIT``; a file alone may have a colon behind its drive."""
     if name.endswith(".py"):
         return name, None
     place, colon, label = name.rpartition(":")
@@ -96,41 +84,19 @@ def _file_and_orbit(name: str) -> tuple[str, str | None]:
 
 @dataclass(frozen=True)
 class Emission:
-    """What a declaration gives.
-
-    Attributes
-    ----------
-    system : str
-    orbits : dict of orbit to reason
-        Why an orbit has no kernels; None where it has.
-    files : dict of file name to text
-    """
+    """The generated files of a declaration, and which of its orbits have kernels."""
 
     system: str
-    orbits: dict[str, str | None]
-    files: dict[str, str]
+    orbits: dict[str, str | None]  # by orbit: None, or why it has no kernels
+    files: dict[str, str]  # text by file name
 
 
 def emit_file(path: Path, progress: Callable[[str], None] = lambda step: None) -> Emission:
-    """Derive what a file declares and emit all its files.
+    """The generated files of what a Python file declares.
 
-    Parameters
-    ----------
-    path : Path
-    progress : callable
-        Told the name of each step when it begins.
-
-    Returns
-    -------
-    Emission
-        Files by name, and why orbits are not derived.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read, fails, or declares no system.
-    DeclarationError, DerivationError
-        If the declaration is inconsistent, or cannot be derived.
+    `progress` gets the name of each step when it begins. InputError refuses a file that
+    cannot be read, fails, or declares no system; DeclarationError and DerivationError say
+    that a declaration is inconsistent or cannot be derived.
     """
     if not path.is_file():
         raise InputError(f"there is no file {path}")
@@ -149,39 +115,16 @@ def emit_file(path: Path, progress: Callable[[str], None] = lambda step: None) -
 
 
 def file_differences(folder: Path, emission: Emission) -> tuple[str, ...]:
-    """Differences between a folder's files and those of an emission.
-
-    Parameters
-    ----------
-    folder : Path
-        Where the files are.
-    emission : Emission
-        As `emit_file` gives it.
-
-    Returns
-    -------
-    tuple of str
-        Empty if all files are the same.
-    """
+    """Differences between a folder's files and those of an emission; empty if there are none."""
     from nonsmooth.derive.codegen.regenerate import differences
 
     return differences(folder, emission.files)
 
 
 def section_formulas(name: str, section: str) -> tuple[tuple[str, str], ...]:
-    """LaTeX and meaning of the formulas in one section of an orbit's document.
+    """LaTeX and meaning of each formula in one section of an orbit's document.
 
-    Parameters
-    ----------
-    name : str
-        ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``.
-    section : str
-        Title of the section.
-
-    Returns
-    -------
-    tuple of (str, str)
-        LaTeX and meaning of each formula.
+    The name is ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``, the section is given by its title.
     """
     document = _document(name)
     from nonsmooth.derive.document.blocks import Formula
@@ -198,22 +141,7 @@ def _document(name: str) -> Any:
 def written(document: Any, form: str) -> str:
     """Text of a document as "latex", "markdown" or "html"; for "pdf" its LaTeX.
 
-    Parameters
-    ----------
-    document : Document
-        As `document_maker` makes it.
-    form : {"latex", "markdown", "html", "pdf"}
-        The form of the file.
-
-    Returns
-    -------
-    str
-        The text.
-
-    Raises
-    ------
-    MissingExtra
-        For HTML where latex2mathml is not installed.
+    MissingExtra says that latex2mathml is not installed, which HTML needs.
     """
     from nonsmooth.derive.document.writers.hypertext import to_html
     from nonsmooth.derive.document.writers.latex import to_latex
@@ -230,23 +158,10 @@ def written(document: Any, form: str) -> str:
 
 
 def write_document(text: str, form: str, out: Path) -> None:
-    """Write what `written` gave; a PDF is compiled.
+    """Write the text of a document to a file; for the form "pdf" its LaTeX is compiled.
 
-    Parameters
-    ----------
-    text : str
-        As `written` gives it.
-    form : {"latex", "markdown", "html", "pdf"}
-        The form of the file.
-    out : Path
-        The file.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be written, or no LaTeX is installed.
-    NoConvergence
-        If LaTeX fails.
+    InputError says that the file cannot be written or no LaTeX is installed, NoConvergence
+    that LaTeX fails.
     """
     from nonsmooth.derive.document.writers.latex import LatexMissing, compile_pdf
 

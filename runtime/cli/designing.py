@@ -41,7 +41,7 @@ __all__ = ["design"]
 
 
 class Method(StrEnum):
-    """Optimisers of SciPy."""
+    """The optimisers of SciPy that `--method` takes."""
 
     SLSQP = "SLSQP"
     TRUST_CONSTR = "trust-constr"
@@ -180,7 +180,11 @@ def design(
 def _beginning(
     name: str, fixed: Mapping[str, object], over: Mapping[str, tuple[float, float]]
 ) -> Orbit:
-    """The orbit where the design begins: at the reference point, or in the middle of bounds."""
+    """The orbit at which the design begins.
+
+    Parameters have the values of the reference point, or lie in the middle of their bounds
+    where the reference point is outside.
+    """
     from nonsmooth.runtime.orbits.solve import solve
 
     found = solve(name, fixed)
@@ -193,7 +197,7 @@ def _beginning(
 
 
 def _judged(found: Design, require: list[RequiredVerdict]) -> int:
-    """Exit code of a design; says on stderr what is not met."""
+    """Exit code of a design; requirements that are not met are named on stderr."""
     if not found.converged:
         say(found.message)
         return UNANSWERED
@@ -211,7 +215,7 @@ def _judged(found: Design, require: list[RequiredVerdict]) -> int:
 
 
 def _show(found: Design) -> None:
-    """The values where it began and ended, and what acts there."""
+    """Print the values where the design begins and ends, and the conditions that are active."""
     from nonsmooth.runtime.cli.tables import listing, show_table
     from nonsmooth.runtime.model.naming import shown_name
 

@@ -44,19 +44,11 @@ def show_report(
     absent: str,
     trace_first: bool,
 ) -> None:
-    """Show an orbit.
+    """Show an orbit: given parameters, unknowns, stability and admissibility.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    found : mapping
-        The orbit as JSON.
-    assigned : mapping of str to Value
-        Parameters as the user gave them.
-    absent : str
-        Where those are from that the user left out: ``"default"``.
-    trace_first : bool
-        Show the trace criterion before the orbit.
+    `found` is the orbit as JSON, `assigned` has the parameters as the user gave them, and
+    `absent` says where the others come from, such as "default". With `trace_first` the
+    criterion of stability comes before the orbit.
     """
     console = console_as_wide()
     rank_one = orbit.stability.rank == 1 and not any(m["trivial"] for m in found["multipliers"])
@@ -87,7 +79,7 @@ def show_report(
 
 
 def _print_derivatives(console: Console, found: Mapping[str, Mapping[str, str]]) -> None:
-    """What changes with what was given, one row for each quantity."""
+    """Show the derivatives, one row for each quantity and one column for each given number."""
     names = [*next(iter(found.values()))]
     table = listing("d", *(f"by {name}" for name in names))
     for quantity, rates in found.items():
@@ -98,14 +90,9 @@ def _print_derivatives(console: Console, found: Mapping[str, Mapping[str, str]])
 
 
 def show_list(systems: Iterable[Mapping[str, Any]], *, whole: bool) -> None:
-    """Show systems and orbits with their parameters and unknowns.
+    """Show systems, as `systems_json` gives them, and their orbits, parameters and unknowns.
 
-    Parameters
-    ----------
-    systems : iterable of dict
-        As `systems_json` gives them.
-    whole : bool
-        Show the system too: its states, parameters, configurations and transitions.
+    With `whole` the states, parameters, configurations and transitions of the system too.
     """
     console = console_as_wide()
     for system in systems:
@@ -151,15 +138,7 @@ def _show_system(system: Mapping[str, Any], console: Console) -> None:
 
 
 def show_written(paths: Iterable[str], nothing: str) -> None:
-    """Show the files that were written, one a line, or say that there are none.
-
-    Parameters
-    ----------
-    paths : iterable of str
-        The files.
-    nothing : str
-        Said if there are none.
-    """
+    """Print the paths of the files that were written, one a line, or the text `nothing`."""
     for line in list(paths) or [nothing]:
         print(line)
 
@@ -167,10 +146,7 @@ def show_written(paths: Iterable[str], nothing: str) -> None:
 def show_differences(differences: Iterable[str]) -> None:
     """Show differences of files; added and removed lines are coloured on a terminal.
 
-    Parameters
-    ----------
-    differences : iterable of str
-        Each of several lines, as `difflib` writes them.
+    Each is a text of several lines, as `difflib` writes them.
     """
     console = Console(highlight=False, soft_wrap=True)
     for difference in differences:
@@ -181,17 +157,10 @@ def show_differences(differences: Iterable[str]) -> None:
 
 @contextmanager
 def steps(first: str = "") -> Iterator[Callable[[str], None]]:
-    """Give a function that shows the step that begins, on stderr if that is a terminal.
+    """Give a function that takes the name of each step as it begins, and shows it on stderr.
 
-    Parameters
-    ----------
-    first : str, optional
-        The step that begins at once; empty for none.
-
-    Yields
-    ------
-    callable
-        Takes the name of the step that begins.
+    Nothing is shown unless stderr is a terminal. The step `first` begins at once unless
+    empty.
     """
     if not sys.stderr.isatty():
         yield lambda step: None
@@ -217,19 +186,10 @@ def steps(first: str = "") -> Iterator[Callable[[str], None]]:
 
 @contextmanager
 def counted(what: str, total: int | None = None) -> Iterator[Callable[..., None]]:
-    """Give a function that shows how many are done, and of how many, on stderr if a terminal.
+    """Give a function that shows a progress bar on stderr; it takes a count and the total.
 
-    Parameters
-    ----------
-    what : str
-        Said before the bar.
-    total : int, optional
-        How many there are, if that is known.
-
-    Yields
-    ------
-    callable
-        Takes how many are done, and of how many.
+    Nothing is shown unless stderr is a terminal. The text `what` stands before the bar;
+    `total` is None as long as it is unknown.
     """
     if not sys.stderr.isatty():
         yield lambda done, total=None: None
@@ -245,21 +205,11 @@ def counted(what: str, total: int | None = None) -> Iterator[Callable[..., None]
 
 @contextmanager
 def shared(what: str, counts: str = "tiles") -> Iterator[Callable[[float, int], None]]:
-    """Give a function that shows a share that is done and a count, on stderr if a terminal.
+    """Give a function that shows progress on stderr; it takes a share in [0, 1] and a count.
 
-    The time that is left is told from the share and the time that it took.
-
-    Parameters
-    ----------
-    what : str
-        Said before the bar.
-    counts : str, default "tiles"
-        What is counted.
-
-    Yields
-    ------
-    callable
-        Takes the share that is done, from 0 to 1, and a count.
+    Nothing is shown unless stderr is a terminal. The text `what` stands before the bar, and
+    `counts` says what is counted. The remaining time is estimated from the share and the
+    time that it took.
     """
     if not sys.stderr.isatty():
         yield lambda share, count: None
@@ -280,7 +230,7 @@ def shared(what: str, counts: str = "tiles") -> Iterator[Callable[[float, int], 
 
 
 def _unknowns(orbit: Orbit, found: Mapping[str, Any]) -> dict[str, str]:
-    """Unknowns of an orbit, and the phase of each forcing at the start."""
+    """Text of each unknown of an orbit, and of the phase of each forcing at the start."""
     entries = dict(found["unknowns"])
     start = orbit.states[0]
     for number, (cosine, sine) in enumerate(orbit.problem.forcing, 1):
@@ -292,14 +242,14 @@ def _unknowns(orbit: Orbit, found: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _configurations(orbit: Orbit) -> list[str]:
-    """Configuration of each phase."""
+    """Name of the configuration of each phase."""
     return [configuration for configuration, _ in orbit.itinerary]
 
 
 def _sources(
     orbit: Orbit, found: Mapping[str, Any], assigned: Mapping[str, Value], absent: str
 ) -> Iterator[tuple[str, str, str]]:
-    """Give name and text of each given parameter, and where it is from."""
+    """Give name and text of each given parameter, and where its value comes from."""
     for name, value in assigned.items():
         yield name, str(value), ""
     following = orbit.problem.followers(assigned)
@@ -381,7 +331,7 @@ def _print_admissibility(console: Console, found: Mapping[str, Any]) -> None:
 
 
 def _digits(number: str) -> str:
-    """Give a number in one piece, or in lines of groups where it is longer than a line."""
+    """Text of a number, in several lines of groups of digits if it is too long for one."""
     if len(number) <= _LONGEST_NUMBER:
         return number
     mantissa, letter, exponent = number.partition("e")

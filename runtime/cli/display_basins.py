@@ -17,13 +17,7 @@ _DOWN = Context(prec=3, rounding=ROUND_DOWN)  # no more is said than is proved
 
 
 def show_basin(found: BasinCertificate) -> None:
-    """Show what is proved of a basin.
-
-    Parameters
-    ----------
-    found : BasinCertificate
-        As `certify_basin` gives it.
-    """
+    """Show what is proved of a basin."""
     out = console_as_wide()
     out.print(Text(f"{shown_name(found.orbit)}, {found.bits} bits", style="bold"))
     table = listing("claim", "", "")
@@ -34,7 +28,7 @@ def show_basin(found: BasinCertificate) -> None:
 
 
 def basin_lines(found: BasinCertificate) -> list[str]:
-    """What is proved of a basin, in lines."""
+    """What is proved of a basin, in lines of text; none if nothing is."""
     if not found.proved or found.core is None or found.grid is None:
         return []
     if found.phase:

@@ -18,20 +18,7 @@ Others = dict[int, list[dict[str, Any]]]  # itineraries beyond events, by the ev
 
 
 def branch_json(branch: Branch, others: Others) -> dict[str, Any]:
-    """A branch as JSON.
-
-    Parameters
-    ----------
-    branch : Branch
-        As `continue_orbit` gives it.
-    others : dict of int to list of dict
-        Itineraries beyond events, by the events' numbers.
-
-    Returns
-    -------
-    dict
-        Ready for JSON.
-    """
+    """A branch as JSON; `others` holds itineraries beyond events, by the events' indices."""
     return {
         "orbit": branch.name,
         "parameter": branch.parameter,
@@ -60,14 +47,9 @@ def branch_json(branch: Branch, others: Others) -> dict[str, Any]:
 
 
 def show_branch(branch: Branch, others: Others) -> None:
-    """A table of the events, and why the branch ends.
+    """Show the events of a branch, the itineraries beyond them, and why the branch ends.
 
-    Parameters
-    ----------
-    branch : Branch
-        As `continue_orbit` gives it.
-    others : dict of int to list of dict
-        Itineraries beyond events, by the events' numbers.
+    `others` holds those itineraries by the indices of the events.
     """
     low, high = float(branch.parameter_values.min()), float(branch.parameter_values.max())
     allowed = int(branch.admissible.sum())
@@ -95,7 +77,7 @@ def show_branch(branch: Branch, others: Others) -> None:
 
 
 def _ways_on(branch: Branch, others: Others) -> Iterator[str]:
-    """What can be done next with the events of a branch."""
+    """Give a line for each option that goes on from an event of the branch."""
     switches = [event.kind for event in branch.events if event.switches]
     if switches:
         yield f"--switch {_named(switches)} follows the other branch there"
@@ -106,23 +88,12 @@ def _ways_on(branch: Branch, others: Others) -> Iterator[str]:
 
 
 def _named(kinds: Sequence[str]) -> str:
-    """The first of these events, by its kind and its number where there are several."""
+    """The first of some events as an option takes it: its kind, and ``:1`` if there are more."""
     return kinds[0] + ":1" * (kinds.count(kinds[0]) > 1)
 
 
 def locus_json(locus: Locus) -> dict[str, Any]:
-    """A curve of events as JSON.
-
-    Parameters
-    ----------
-    locus : Locus
-        As `continue_event` gives it.
-
-    Returns
-    -------
-    dict
-        Ready for JSON.
-    """
+    """A curve of events as JSON."""
     return {
         "orbit": locus.name,
         "kind": locus.kind,
@@ -138,13 +109,7 @@ def locus_json(locus: Locus) -> dict[str, Any]:
 
 
 def show_locus(locus: Locus) -> None:
-    """Where a curve of events goes, and why it ends.
-
-    Parameters
-    ----------
-    locus : Locus
-        As `continue_event` gives it.
-    """
+    """Show where a curve of events begins and ends in the plane of its parameters, and why."""
     print(f"{locus.title}: {len(locus)} points in the plane of {' and '.join(locus.parameters)}")
     table = listing("", *locus.parameters)
     places = {"begins": 0, "from": locus.start, "ends": len(locus) - 1}

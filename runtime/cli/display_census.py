@@ -14,13 +14,7 @@ _VERDICTS = {True: ("yes", "green"), False: ("no", "red"), None: ("undecided", "
 
 
 def show_census(census: Census) -> None:
-    """Show what is proved, the orbits, and the boxes that are undecided.
-
-    Parameters
-    ----------
-    census : Census
-        As `certify_all` gives it.
-    """
+    """Show what a census proves, its orbits, and the boxes that are undecided."""
     out = console_as_wide()
     out.print(Text(f"{shown_name(census.orbit)}, {census.looked} boxes", style="bold"))
     out.print(Text(" -> ".join([*(c for c, _ in census.itinerary), "..."])))

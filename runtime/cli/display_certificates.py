@@ -74,13 +74,7 @@ def _show_claims(certificate: Certificate) -> None:
 
 
 def show_certificate(certificate: Certificate) -> None:
-    """Show claims, parameters, enclosures, the box, and the margins.
-
-    Parameters
-    ----------
-    certificate : Certificate
-        As `certify` gives it.
-    """
+    """Show claims, parameters, enclosures with their box, derivatives and margins."""
     _show_claims(certificate)
     out = console_as_wide()
     values = {**certificate.parameters}
@@ -113,13 +107,9 @@ def show_certificate(certificate: Certificate) -> None:
 
 
 def show_derivatives(out: Console, certificate: Certificate) -> None:
-    """Show the derivatives that are enclosed, and what moves where that has another name.
+    """Show the enclosed derivatives.
 
-    Parameters
-    ----------
-    out : Console
-    certificate : Certificate
-        As `certify` gives it.
+    Where a name stands for a direction of several parameters, what moves along it is shown.
     """
     if not certificate.derivatives:
         return
@@ -135,13 +125,7 @@ def show_derivatives(out: Console, certificate: Certificate) -> None:
 
 
 def show_box(found: BoxCertificate) -> None:
-    """Show what is proved for a box of parameters, and of how much of it.
-
-    Parameters
-    ----------
-    found : BoxCertificate
-        As `certify_box` gives it.
-    """
+    """Show what is proved for a box of parameters, and for which share of it."""
     out = console_as_wide()
     ends = ", ".join(f"{name} = {low} ... {high}" for name, (low, high) in _decimal(found))
     out.print(Text(f"{shown_name(found.orbit)} for all {ends}", style="bold"))
@@ -162,7 +146,7 @@ def show_box(found: BoxCertificate) -> None:
 
 
 def _show_point(values: Mapping[str, Value], chosen: Sequence[str], out: Console) -> None:
-    """The parameters at which it holds, and which of them were chosen."""
+    """Show the fixed parameters of a proof, and which of them were chosen for it."""
     if values:
         out.print(Text("at " + ", ".join(f"{name} = {value}" for name, value in values.items())))
     if chosen:
@@ -170,18 +154,7 @@ def _show_point(values: Mapping[str, Value], chosen: Sequence[str], out: Console
 
 
 def share_table(found: BoxCertificate) -> Table:
-    """How much of the box has which verdict, on how many tiles.
-
-    Parameters
-    ----------
-    found : BoxCertificate
-        As `certify_box` gives it.
-
-    Returns
-    -------
-    Table
-        One row for each verdict that occurs.
-    """
+    """Share of the box and number of tiles, one row for each verdict that occurs."""
     table = listing("of the box", "", "tiles")
     for verdict, share in found.shares.items():
         tiles = found.verdicts.count(verdict)
@@ -193,18 +166,7 @@ def share_table(found: BoxCertificate) -> Table:
 
 
 def enclosure_table(found: BoxCertificate) -> Table:
-    """Bounds over all of the box.
-
-    Parameters
-    ----------
-    found : BoxCertificate
-        As `certify_box` gives it.
-
-    Returns
-    -------
-    Table
-        One row for each number.
-    """
+    """Bounds over all of the box, one row for each enclosed number."""
     table = listing("enclosure", "from", "to")
     for name, enclosure in found.enclosures.items():
         table.add_row(name, f"{enclosure.lower:.8g}", f"{enclosure.upper:.8g}")
@@ -212,15 +174,7 @@ def enclosure_table(found: BoxCertificate) -> Table:
 
 
 def show_events(told: str, found: Sequence[EventCertificate]) -> None:
-    """Show where events are proved to be, below what they are events of.
-
-    Parameters
-    ----------
-    told : str
-        What they are events of.
-    found : sequence of EventCertificate
-        As `certify_events` gives them.
-    """
+    """Show where events are proved to be, below a title that says what they are events of."""
     out = console_as_wide()
     out.print(Text(told, style="bold"))
     table = listing("event", "where", "", "parameter")
@@ -241,13 +195,7 @@ def show_events(told: str, found: Sequence[EventCertificate]) -> None:
 
 
 def show_branch(found: CertifiedBranch) -> None:
-    """Show of what a branch consists: intervals, and the events between them.
-
-    Parameters
-    ----------
-    found : CertifiedBranch
-        As `certify_branch` gives it.
-    """
+    """Show the intervals of a proved branch and the events between them."""
     out = console_as_wide()
     low, high = map(float, found.interval)
     over = f"{found.parameter} = {low:.6g} ... {high:.6g}"
@@ -264,13 +212,7 @@ def show_branch(found: CertifiedBranch) -> None:
 
 
 def branch_table(found: CertifiedBranch) -> Table:
-    """Intervals and events in the order of the branch.
-
-    Returns
-    -------
-    Table
-        One row for each.
-    """
+    """Intervals and events in the order of the branch, and what is proved beyond events."""
     table = listing("", found.parameter, "", "tiles")
     events = iter(found.events)
     before = UNDECIDED
@@ -297,13 +239,7 @@ def branch_table(found: CertifiedBranch) -> Table:
 
 
 def show_cascade(found: CertifiedCascade) -> None:
-    """Show the flips, and what is proved of the orbits of twice the period beside them.
-
-    Parameters
-    ----------
-    found : CertifiedCascade
-        As `certify_cascade` gives it.
-    """
+    """Show the flips, and what is proved of the orbits of twice the period beside them."""
     out = console_as_wide()
     out.print(Text(f"{shown_name(found.orbit)}, along {found.parameter}", style="bold"))
     show_table(cascade_table(found), out)
@@ -322,10 +258,8 @@ def show_cascade(found: CertifiedCascade) -> None:
 def cascade_table(found: CertifiedCascade) -> Table:
     """Flips and doubled orbits in their order.
 
-    Returns
-    -------
-    Table
-        Two rows for each doubling.
+    Each doubling has a row for the flip, one for the doubled orbits, and one for each
+    interval of their branch.
     """
     table = listing("", found.parameter, "", "phases")
     for number, (event, doubling) in enumerate(zip(found.flips, found.doublings, strict=True)):
@@ -345,13 +279,7 @@ def cascade_table(found: CertifiedCascade) -> Table:
 
 
 def show_chaos(found: ChaosCertificate) -> None:
-    """Show what is proved of chaos, and else what was tried.
-
-    Parameters
-    ----------
-    found : ChaosCertificate
-        As `certify_chaos` gives it.
-    """
+    """Show what is proved of chaos, or, if nothing is, what was tried."""
     out = console_as_wide()
     out.print(Text(f"{shown_name(found.system)}, {found.bits} bits", style="bold"))
     table = listing("claim", "", "")
@@ -366,13 +294,7 @@ def show_chaos(found: ChaosCertificate) -> None:
 
 
 def chaos_lines(found: ChaosCertificate) -> list[str]:
-    """What is proved of chaos, in lines.
-
-    Parameters
-    ----------
-    found : ChaosCertificate
-        A proved one.
-    """
+    """What a proved certificate of chaos says, in lines of text."""
     lines = [
         f"the map P {section_words(found)}",
         f"topological entropy of P at least {found.entropy}",

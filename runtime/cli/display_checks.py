@@ -52,13 +52,7 @@ _OF_A_BOX = {
 
 
 def show_check(found: Check) -> None:
-    """Show what was proved again of a file, and what was not.
-
-    Parameters
-    ----------
-    found : Check
-        As `check_certificate` gives it.
-    """
+    """Show what was proved again of a file, and what the file does not claim."""
     out = console_as_wide()
     match found.certificate:
         case Certificate() as certificate:
@@ -215,7 +209,10 @@ def _show_chaos(out: Console, found: ChaosCertificate) -> None:
 
 
 def _show_point_values(out: Console, certificate: Certificate, *, compared: bool) -> None:
-    """Show parameters to which the declaration is bound, by itself or by comparison."""
+    """Show only those parameters that the checked declaration fixes.
+
+    All of them count if the declaration was compared, or contains parameters itself.
+    """
     bound = compared or certificate.declaration["parameters"]
     values = dict(certificate.parameters) if bound else {}
     if certificate.given_period is not None:
@@ -245,5 +242,5 @@ def _show_claims(
 
 
 def _called(label: str, *, compared: bool) -> str:
-    """The orbit's name, if it was compared with what is called so."""
+    """The orbit's name if the declaration of that name was compared, else a description."""
     return shown_name(label) if compared else "an orbit of the declaration in the file"

@@ -17,7 +17,7 @@ __all__ = ["show_fit"]
 
 
 def show_fit(fit: Fit) -> None:
-    """Show estimates with their uncertainties, what is left, and what the fitted motion does."""
+    """Show estimates with their uncertainties, the misfit, and the phases of fitted motions."""
     out = console_as_wide()
     count = f"{len(fit.experiments)} experiment{'s' * (len(fit.experiments) != 1)}"
     out.print(Text(f"{shown_name(fit.system)}, {fit.data} numbers of {count}", style="bold"))
@@ -57,7 +57,7 @@ def show_fit(fit: Fit) -> None:
 
 
 def _responses_text(experiment: FittedExperiment) -> str:
-    """How many responses there are, and of which phases."""
+    """One line with the number of steady responses of an experiment, with and without events."""
     counts = Counter(
         "without an event" if each.itinerary[0][1] == FORCING_PHASE else "with events"
         for each in experiment.responses

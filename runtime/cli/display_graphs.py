@@ -21,20 +21,14 @@ _MOST = 12  # components that are listed
 
 
 def show_graph(found: GraphCertificate) -> None:
-    """Show the region, what is a trapping region, and the components.
-
-    Parameters
-    ----------
-    found : GraphCertificate
-        As `certify_graph` gives it.
-    """
+    """Show the region of a graph of boxes, its largest trapping region and its components."""
     out = console_as_wide()
     out.print(Text(f"{shown_name(found.system)}, {found.bits} bits", style="bold"))
     show_boxes(out, found)
 
 
 def show_boxes(out: Console, found: GraphCertificate) -> None:
-    """Show what `show_graph` does below the name of the system."""
+    """Show the part of `show_graph` that follows the name of the system."""
     grid = found.graph.grid
     region = ", ".join(f"{name} = {a:g}:{b:g}" for name, (a, b) in found.region.items())
     out.print(f"the map P {section_words(found)}")
@@ -57,7 +51,7 @@ def show_boxes(out: Console, found: GraphCertificate) -> None:
 
 
 def section_words(found: ChaosCertificate | GraphCertificate) -> str:
-    """Say what the map of a section is."""
+    """A phrase that says from which section to which the map of a certificate goes."""
     if found.phase:
         cosine, sine = found.phase
         where = f"in {found.configuration} where the forcing has the phase ({cosine}, {sine})"

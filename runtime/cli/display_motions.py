@@ -33,13 +33,7 @@ _FORCES = ("force", "least", "greatest", "mean", "work", "dissipated")
 
 
 def show_motion(motion: Trajectory) -> None:
-    """Show the transitions of a motion; of a long one the first and the last.
-
-    Parameters
-    ----------
-    motion : Trajectory
-        As `simulate` gives it.
-    """
+    """Show the transitions of a motion; of a long one the first and the last."""
     out = console_as_wide()
     out.print(
         Text(f"{shown_name(motion.name)}, {_count(motion.transitions, 'transition')}", style="bold")
@@ -72,7 +66,7 @@ def show_motion(motion: Trajectory) -> None:
 
 
 def show_derivatives(found: MotionDerivatives) -> None:
-    """Show the derivatives of the last transition's time, and of the state behind it."""
+    """Show the derivatives of the last transition's time and of the state behind it."""
     out = console_as_wide()
     motion = found.trajectory
     names = ["time", *(f"{name} behind it" for name in motion.names)]
@@ -85,13 +79,7 @@ def show_derivatives(found: MotionDerivatives) -> None:
 
 
 def show_found(found: Found) -> None:
-    """Show periodic orbits and equilibria, with stability and basin, and how else motions end.
-
-    Parameters
-    ----------
-    found : Found
-        As `find_orbits` gives it.
-    """
+    """Show periodic orbits and equilibria, with stability and basin, and other outcomes."""
     out = console_as_wide()
     kinds = [_count(len(found.orbits), "periodic orbit")]
     if found.equilibria:
@@ -159,14 +147,17 @@ def _basin(entry: FoundOrbit | FoundEquilibrium) -> str:
 
 
 def _mirror(mirror: int | None, place: int, before: int) -> str:
-    """Of which entry one is the mirror image."""
+    """Which entry an entry is the mirror image of; empty for none.
+
+    `before` is the number of rows in the tables before.
+    """
     if mirror is None:
         return ""
     return "its own" if mirror == place else f"of {before + mirror + 1}"
 
 
 def _pairs(numbers: list[complex]) -> str:
-    """Complex numbers, of which conjugate ones are told together."""
+    """Complex numbers in one text, conjugate pairs with a sign of plus or minus."""
     told = []
     for number in numbers:
         if number.imag < 0 and number.conjugate() in numbers:
@@ -177,13 +168,7 @@ def _pairs(numbers: list[complex]) -> str:
 
 
 def show_observables(found: Observables) -> None:
-    """Show peaks and averages, shares of time, and what passes through the contacts.
-
-    Parameters
-    ----------
-    found : Observables
-        Of a motion.
-    """
+    """Show extremes and averages, shares of time, contact forces and the Lyapunov exponent."""
     out = console_as_wide()
     out.print()
     out.print(Text(f"From {_number(found.since)} on", style="bold"))
@@ -215,13 +200,7 @@ def show_observables(found: Observables) -> None:
 
 
 def show_proof(proof: Proof) -> None:
-    """Say how much of a motion's sequence is proved.
-
-    Parameters
-    ----------
-    proof : Proof
-        As `validate` gives it.
-    """
+    """Show how many transitions of a motion are proved, and why the proof goes no further."""
     out = console_as_wide()
     out.print()
     proved = f"proved: {_count(proof.transitions, 'transition')}, in balls of {proof.bits} bits"
@@ -232,7 +211,7 @@ def show_proof(proof: Proof) -> None:
 
 
 def _forced(motion: Trajectory) -> set[int]:
-    """States that are the cosine or the sine of a forcing."""
+    """Indices of the states that are the cosine or the sine of a forcing."""
     return {place for pair in motion.structure.forcing for place in pair}
 
 
@@ -241,7 +220,7 @@ def _forced_names(motion: Trajectory) -> set[str]:
 
 
 def _angles(motion: Trajectory, row: int) -> list[float]:
-    """Phases of the forcings at a transition, in radians from 0 to 2 pi."""
+    """Phase of each forcing behind a transition, in radians from 0 to 2 pi."""
     states = motion.states[row]
     return [
         float(np.arctan2(states[sine], states[cosine]) % (2 * np.pi))
@@ -250,13 +229,7 @@ def _angles(motion: Trajectory, row: int) -> list[float]:
 
 
 def show_sweep(diagram: Sweep) -> None:
-    """Say how many points a bifurcation diagram has, and what the motions settle on.
-
-    Parameters
-    ----------
-    diagram : Sweep
-        The bifurcation diagram.
-    """
+    """Show how many points a bifurcation diagram has, and what the motions settle on."""
     points = int(np.isfinite(diagram.samples).sum())
     low, high = diagram.values[[0, diagram.done - 1]] if diagram.done else (np.nan, np.nan)
     print(

@@ -19,13 +19,9 @@ _MOST = 12  # rows of a table
 
 
 def show_regions(out: Console, found: BoxCertificate) -> None:
-    """Show of what a box of two parameters consists; nothing of other boxes.
+    """Show the regions, the curves and the undecided parts of a box of two parameters.
 
-    Parameters
-    ----------
-    out : Console
-    found : BoxCertificate
-        As `certify_box` gives it.
+    Nothing is shown of a box of another number of parameters.
     """
     if not found.statement:
         return

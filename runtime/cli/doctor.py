@@ -33,32 +33,16 @@ _EXTRA = re.compile(r"extra == ['\"](\w+)['\"]")
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """One thing that was looked at.
-
-    Attributes
-    ----------
-    name : str
-    good : bool
-    found : str
-        What there is.
-    remedy : str or None
-        What to do, if anything is to be done.
-    """
+    """The state of one part of the installation."""
 
     name: str
     good: bool
-    found: str
-    remedy: str | None = None
+    found: str  # what is installed or missing
+    remedy: str | None = None  # what to do; None if nothing
 
 
 def diagnoses() -> Iterator[Diagnosis]:
-    """Look at versions, compiled code, threads, the cache, LaTeX and the extras.
-
-    Yields
-    ------
-    Diagnosis
-        One after the other.
-    """
+    """Look at versions, compiled code, threads, the cache, LaTeX and the extras."""
     yield Diagnosis(_NAME, True, metadata.version(_NAME))
     machine = f"{platform.python_implementation()} {platform.python_version()}"
     yield Diagnosis("Python", True, f"{machine}, {platform.platform()}")
@@ -86,7 +70,7 @@ def _numbers(version: str) -> list[int]:
 
 
 def _installed(name: str, lowest: str) -> tuple[str | None, bool]:
-    """Version of a package, and whether it is high enough."""
+    """Version of a package, None if it is missing, and whether it is at least the lowest one."""
     try:
         version = metadata.version(name)
     except metadata.PackageNotFoundError:
@@ -102,7 +86,7 @@ def _required() -> Iterator[Diagnosis]:
 
 
 def _extension(name: str) -> Diagnosis:
-    """Whether a part that is compiled with the package is there, and can be loaded."""
+    """Diagnosis of one compiled module: whether it was built, and can be loaded."""
     label = {"_kernels": "compiled kernels", "_engine": "compiled engine"}[name.split(".")[-1]]
     again = f"install a C compiler, then: pip install --force-reinstall --no-deps {_NAME}"
     if util.find_spec(name) is None:

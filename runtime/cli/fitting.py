@@ -175,7 +175,7 @@ def fit(
 
 
 def _sorted(given: Sequence[str]) -> tuple[list[tuple[str, str]], list[str], list[str]]:
-    """Files with what is known in each, known parameters, and those with ranges."""
+    """Files of data with the text of what is known in each, fixed parameters, and ranges."""
     files: list[tuple[str, str]] = []
     fixed: list[str] = []
     ranged: list[str] = []
@@ -194,7 +194,10 @@ Range = tuple[Any, Any, Any]  # lower end, guess, upper end; None for none
 
 
 def _free(texts: Sequence[str]) -> dict[str, Range]:
-    """Ranges ``name=lower:upper`` or ``name=lower:guess:upper``; an end may be blank."""
+    """Range (lower, guess, upper) by name, from ``name=lower:upper`` or with a guess between.
+
+    An end may be blank: it is None, as a missing guess is.
+    """
     from nonsmooth.runtime.core.values import parse
 
     found: dict[str, Range] = {}
@@ -214,7 +217,10 @@ def _free(texts: Sequence[str]) -> dict[str, Range]:
 def _take_guesses(
     system: str, free: dict[str, Range], known: dict[str, Any], state: dict[str, Any]
 ) -> None:
-    """Put guesses where `fit` looks for them; a start that has only a range has none."""
+    """Enter guesses of parameters into `known` and those of starting states into `state`.
+
+    A start that has only a range gets none.
+    """
     from nonsmooth.runtime.model.kernels import kernels_of
     from nonsmooth.runtime.model.naming import start_names
     from nonsmooth.runtime.model.structure import structure_of
@@ -233,7 +239,7 @@ def _take_guesses(
 
 
 def _texts(what: str, options: Sequence[str] | None) -> dict[str, str]:
-    """Texts by name."""
+    """Texts by name, parsed from options ``NAME=TEXT``; `what` names the option in messages."""
     found: dict[str, str] = {}
     for text in split(options):
         name, equals, value = (part.strip() for part in text.partition("="))
@@ -246,7 +252,7 @@ def _texts(what: str, options: Sequence[str] | None) -> dict[str, str]:
 
 
 def _events(options: Sequence[str] | None) -> dict[str, str]:
-    """Boundaries by the columns that hold their times."""
+    """Name of the boundary by the column that holds its times; both agree where one is given."""
     return _texts("event", [text if "=" in text else f"{text}={text}" for text in split(options)])
 
 

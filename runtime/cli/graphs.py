@@ -37,7 +37,7 @@ _SOON = 60.0  # seconds: of what takes no longer nothing is said before
 
 
 class Trapping(StrEnum):
-    """What can be required."""
+    """The verdict that `--require` can demand of a graph."""
 
     TRAPPING = "trapping"
 

@@ -50,22 +50,11 @@ Overwrite = Annotated[
 def check_new(
     path: Path | None, overwrite: bool, resume: Path | None = None, *, resumes: bool = False
 ) -> None:
-    """Refuse a file that cannot be written, or would be replaced unasked.
+    """Refuse a file that cannot be written, or that exists and may not be replaced.
 
-    Parameters
-    ----------
-    path : Path or None
-    overwrite : bool
-        Whether replacing was asked for.
-    resume : Path, optional
-        What is gone on with: that file may be written.
-    resumes : bool
-        Whether the command could go on with such a file.
-
-    Raises
-    ------
-    InputError
-        If the file is there, or cannot be written.
+    `overwrite` allows replacing it; the file `resume`, which the command goes on with, may
+    be written anyway. `resumes` says whether the message should offer `--resume`.
+    InputError is raised also for `overwrite` without a file.
     """
     if path is None:
         if overwrite:
@@ -79,21 +68,11 @@ def check_new(
 
 
 def worked(work: Callable[[], Any]) -> tuple[Any, bool]:
-    """What a work finds, and whether it was interrupted: then what it had found until then.
+    """The result of a long work, and whether Ctrl-C ended it, which makes it a partial one.
 
-    Ctrl-C again, within seconds, ends nothing more: the work puts together what it has. When it
-    has ended Ctrl-C is left out of account: what was found is kept first. Work that follows heeds
-    it again.
-
-    Parameters
-    ----------
-    work : callable
-        Takes nothing; raises Interrupted with a partial result at Ctrl-C.
-
-    Returns
-    -------
-    tuple of (object, bool)
-        The result, and whether it is a partial one.
+    The work raises Interrupted with its partial result at Ctrl-C. More of Ctrl-C within
+    seconds is ignored, while the work puts together what it has. When it has ended Ctrl-C
+    stays ignored, so that the result is kept first; the next long work heeds it again.
     """
     heed_interrupts()
     first = _First()
@@ -107,13 +86,13 @@ def worked(work: Callable[[], Any]) -> tuple[Any, bool]:
 
 
 def heed_interrupts() -> None:
-    """Let Ctrl-C end what follows, if it is left out of account."""
+    """Let Ctrl-C end what follows, if it is ignored since a long work ended."""
     _exchange(_keep_first, signal.default_int_handler)
 
 
 @contextmanager
 def heeding() -> Iterator[None]:
-    """Let Ctrl-C end a part of what follows work; after it, it is taken as before."""
+    """Let Ctrl-C end the work in the context, and ignore it afterwards if it was before."""
     ignored = signal.getsignal(signal.SIGINT) is _keep_first
     heed_interrupts()
     try:
@@ -124,7 +103,7 @@ def heeding() -> Iterator[None]:
 
 
 class _First:
-    """Takes Ctrl-C, and leaves it out of account when it comes again in haste."""
+    """A handler of Ctrl-C that ignores repetitions within a few seconds."""
 
     def __init__(self) -> None:
         self._last = -_HASTE
@@ -137,62 +116,32 @@ class _First:
 
 
 def _keep_first(number: int, frame: object) -> None:
-    """What was found is being kept: that takes no long time."""
+    """Ignore Ctrl-C while the result is being kept, which takes little time."""
 
 
 def _exchange(before: object, after: Any) -> None:
-    """Put one way to take Ctrl-C in place of another, if that is in force."""
+    """Replace one handler of Ctrl-C by another, if it is in force."""
     main = threading.current_thread() is threading.main_thread()
     if main and signal.getsignal(signal.SIGINT) is before:
         signal.signal(signal.SIGINT, after)
 
 
 def interrupted(kept: str, command: str) -> int:
-    """Say in one line what was kept, and which command goes on; gives the exit code.
-
-    Parameters
-    ----------
-    kept : str
-        What was kept.
-    command : str
-        Which command goes on.
-
-    Returns
-    -------
-    int
-        The exit code.
-    """
+    """Say in one line what was kept and which command goes on; gives the exit code."""
     say(f"interrupted: {kept}; {command}")
     return INTERRUPTED
 
 
 def say(text: str) -> None:
-    """Say something in one line on stderr.
-
-    Parameters
-    ----------
-    text : str
-        What is said.
-    """
+    """Print a text in one line on stderr."""
     print(f"nonsmooth: {one_line(text, _LONGEST_COMMAND)}", file=sys.stderr)
 
 
 def kept_of(done: str, save: Path | None, *, resumes: bool = True) -> int:
-    """Say what is kept of a work that was interrupted, and how to go on; gives the exit code.
+    """Say what is kept of an interrupted work, and how to go on; gives the exit code.
 
-    Parameters
-    ----------
-    done : str
-        How much of it is done.
-    save : Path or None
-        The file that it is kept in.
-    resumes : bool
-        Whether the command can go on with such a file.
-
-    Returns
-    -------
-    int
-        The exit code.
+    `done` says how much is done, `save` is the file that it is kept in, None for no file,
+    and `resumes` whether the command can go on with such a file.
     """
     if save is None:
         return interrupted(f"{done}, not saved", f"begin again with: {same_command()}")
@@ -203,17 +152,6 @@ def kept_of(done: str, save: Path | None, *, resumes: bool = True) -> int:
 
 
 def same_command(*more: str) -> str:
-    """The command line that is running, without `--overwrite`, with other options.
-
-    Parameters
-    ----------
-    *more : str
-        What is added.
-
-    Returns
-    -------
-    str
-        Quoted for a shell.
-    """
+    """The running command line, quoted for a shell, with more options and no `--overwrite`."""
     kept = [word for word in sys.argv[1:] if word != "--overwrite"]
     return shlex.join(["nonsmooth", *kept, *more])

@@ -16,53 +16,22 @@ __all__ = ["LongProof"]
 
 @dataclass(frozen=True, kw_only=True)
 class LongProof:
-    """An orbit in ranges of which something is to be proved, the files, and how it is shown.
+    """The question of a long proof, its files, and the form of its answer."""
 
-    Attributes
-    ----------
-    name : str
-        ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``.
-    parameters : sequence of str
-        ``NAME=VALUE`` and ``NAME=A:B``.
-    near : dict of str to float or None
-        A guess of the unknowns, in the system's units.
-    resume : Path or None
-        The file to go on from.
-    save : Path or None
-        The file to keep the answer in.
-    plot : Path or None
-        The picture's file.
-    overwrite : bool
-        Whether a file that is there may be replaced.
-    as_json : bool
-        Whether the answer is JSON.
-    """
-
-    name: str
-    parameters: Sequence[str]
-    near: Mapping[str, float] | None
-    resume: Path | None
-    save: Path | None
-    plot: Path | None
-    overwrite: bool
-    as_json: bool
+    name: str  # SYSTEM/ORBIT, FILE.py:ORBIT, or the name of a system
+    parameters: Sequence[str]  # NAME=VALUE and NAME=A:B
+    near: Mapping[str, float] | None  # guess of the unknowns, in the system's units
+    resume: Path | None  # file to go on from
+    save: Path | None  # file of the answer
+    plot: Path | None  # file of the picture
+    overwrite: bool  # whether an existing file may be replaced
+    as_json: bool  # whether the answer is shown as JSON
 
     def known(self, load: Callable[[Path], Any]) -> Any:
-        """What to go on from, when the files are those that may be written.
+        """The earlier result to go on from, read by `load`; None if there is none.
 
-        Parameters
-        ----------
-        load : callable
-            Reads a file that was kept.
-
-        Returns
-        -------
-        object or None
-
-        Raises
-        ------
-        InputError
-            If a file cannot be read or written, or would be replaced unasked.
+        The files are checked first: InputError refuses one that cannot be read or written, or
+        would be replaced unasked.
         """
         check_drawing(self.plot)
         check_new(self.save, self.overwrite, self.resume, resumes=True)
@@ -70,7 +39,7 @@ class LongProof:
 
     @property
     def keep(self) -> Callable[[Any], object] | None:
-        """What keeps a state by and by; None for nothing."""
+        """A function that saves a state of the work; None if no file was asked for."""
         return None if self.save is None else lambda state: Written().save(state.save, self.save)
 
     def answer(
@@ -83,23 +52,11 @@ class LongProof:
         enough: bool,
         done: str,
     ) -> tuple[Mapping[str, str], int]:
-        """Keep what is proved, draw and show it; gives its claims, and the exit code.
+        """Save, draw and show a result; gives its claims and the exit code.
 
-        Parameters
-        ----------
-        found : BoxCertificate, CertifiedBranch or CertifiedCascade
-        stopped : bool
-            Whether it was interrupted.
-        told, show : callable
-            What JSON has beside `to_json`, and what shows it to people.
-        enough : bool
-            Whether that answers the question.
-        done : str
-            What is done.
-
-        Returns
-        -------
-        tuple of (dict, int)
+        `told` gives what JSON has beside `to_json`, `show` shows the result to people,
+        `stopped` says whether it was interrupted and `done` then how much is done. The exit
+        code is that of an answer if the result is `enough`.
         """
         written = Written()
         written.save(found.save, self.save)

@@ -426,7 +426,7 @@ def _question(
     samples: int,
     follow: bool,
 ) -> tuple[tuple[Any, ...], dict[str, Any]]:
-    """Arguments and options of a sweep, as they were given."""
+    """Positional arguments and options of the sweep that a command line asks for."""
     from numpy import linspace
 
     from nonsmooth.runtime.core.values import parse
@@ -460,7 +460,7 @@ def _question(
 
 
 def _agreed(question: str) -> bool:
-    """Ask on a terminal before a file of the user is changed; elsewhere the option says it."""
+    """Whether a file of the user may be changed: asked on a terminal, elsewhere true."""
     if not sys.stdin.isatty():
         return True
     with heeding():

@@ -50,14 +50,14 @@ PICTURES = (".png", ".svg", ".pdf")  # endings of files
 
 
 class Frequency(StrEnum):
-    """How frequencies are drawn."""
+    """The unit in which frequencies are drawn."""
 
     ANGULAR = "angular"
     CYCLES = "cycles"
 
 
 class Format(StrEnum):
-    """What `equations` writes."""
+    """The formats that `equations` writes."""
 
     LATEX = "latex"
     MARKDOWN = "markdown"
@@ -71,19 +71,16 @@ Kind = StrEnum("Kind", {name.upper(): name for name in KINDS})  # type: ignore[m
 
 
 class RequiredVerdict(StrEnum):
-    """Verdicts that can be required."""
+    """The verdicts on an orbit that `--require` can demand."""
 
     STABLE = "stable"
     ADMISSIBLE = "admissible"
 
 
 def known_orbits(incomplete: str) -> list[str]:
-    """Names of built-in orbits that begin so, for a shell; it completes files itself.
+    """Names of built-in orbits that begin with a text, for the completion of a shell.
 
-    Parameters
-    ----------
-    incomplete : str
-        What was typed.
+    A shell completes names of files by itself.
     """
     from nonsmooth.runtime.model.kernels import orbit_names
 
@@ -91,13 +88,7 @@ def known_orbits(incomplete: str) -> list[str]:
 
 
 def known_systems(incomplete: str) -> list[str]:
-    """Names of built-in systems that begin so, for a shell.
-
-    Parameters
-    ----------
-    incomplete : str
-        What was typed.
-    """
+    """Names of built-in systems that begin with a text, for the completion of a shell."""
     from nonsmooth.runtime.model.kernels import system_names
 
     return [name for name in system_names() if name.startswith(incomplete)]
@@ -233,19 +224,9 @@ AsJson = Annotated[
 
 
 def missing_start(system: str, others: Sequence[str] = ()) -> InputError:
-    """Say that the start is missing, and what it may look like in a system.
+    """An error for the caller to raise: the start is missing, with an example of one.
 
-    Parameters
-    ----------
-    system : str
-        As for `simulate`.
-    others : sequence of str
-        Options that are missing too.
-
-    Returns
-    -------
-    InputError
-        To be raised by the caller.
+    `others` lists further options that are missing.
     """
     from nonsmooth.runtime.model.structure import structure_of
 

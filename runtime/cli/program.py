@@ -71,13 +71,7 @@ _WORKING_DIGITS = 20  # at least: a verdict does not depend on how many digits a
 
 
 def main(command: str | None = None) -> None:
-    """Run the command line, or one command of it as a script of its own.
-
-    Parameters
-    ----------
-    command : str, optional
-        Name of the one command that is run; by default the arguments tell it.
-    """
+    """Run the command line, or the one command of that name as a script."""
     if not sys.warnoptions:
         warnings.simplefilter("ignore")  # overflows and the like: answers say what they are
     os.environ["MPLBACKEND"] = "agg"  # pictures are files: what the user names is for windows
@@ -93,9 +87,9 @@ def main(command: str | None = None) -> None:
 
 
 def _open_streams() -> None:
-    """Let standard streams that are closed read and write nothing, here and in other processes.
+    """Replace closed standard streams by the null device, which child processes inherit.
 
-    Else the next file that is opened would take the number of such a stream.
+    Else the next file that is opened would get the number of such a stream.
     """
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
         if getattr(sys, name) is None:
@@ -383,7 +377,7 @@ def _report(
     as_json: bool,
     trace_first: bool,
 ) -> int:
-    """Solve, refine, save and report."""
+    """Solve for an orbit, refine, save and show it; gives the exit code."""
     from nonsmooth.runtime.core.files import check_target
     from nonsmooth.runtime.core.values import decimal_string
     from nonsmooth.runtime.model.kernels import is_saved
@@ -423,7 +417,7 @@ def _report(
 
 
 def _judged(told: Mapping[str, Any], require: Iterable[RequiredVerdict]) -> int:
-    """Exit code of an orbit; says on stderr which requirement is not met."""
+    """Exit code of an orbit; requirements that are not met are named on stderr."""
     verdicts = {"stable": told["stability"], "admissible": told["admissible"]}
     met = {"stable": "stable", "admissible": True}
     names = list(dict.fromkeys(wanted.value for wanted in require))

@@ -20,40 +20,16 @@ Range = tuple[Value, Value]
 
 
 def is_box(parameters: Sequence[str] | None) -> bool:
-    """Whether some parameter is a range.
-
-    Parameters
-    ----------
-    parameters : sequence of str or None
-        ``NAME=VALUE`` and ``NAME=A:B``.
-
-    Returns
-    -------
-    bool
-        False for none.
-    """
+    """Whether some parameter is a range ``NAME=A:B``; False for None."""
     return any(":" in text for text in parameters or ())
 
 
 def box_and_values(
     parameters: Sequence[str],
 ) -> tuple[dict[str, Range], dict[str, Value]]:
-    """Ranges and values by name, each given once.
+    """Ranges (lower, upper) by name and values by name, from ``NAME=A:B`` and ``NAME=VALUE``.
 
-    Parameters
-    ----------
-    parameters : sequence of str
-        ``NAME=VALUE`` and ``NAME=A:B``.
-
-    Returns
-    -------
-    tuple of (dict, dict)
-        Two Values by name for each range, one for each other parameter.
-
-    Raises
-    ------
-    InputError
-        If a name is given twice, or a text is no range and no assignment.
+    InputError refuses a name that is given twice, and a text that is neither.
     """
     box = dict(map(_range, (text for text in parameters if ":" in text)))
     if len(box) < sum(":" in text for text in parameters):
@@ -65,7 +41,7 @@ def box_and_values(
 
 
 def _range(text: str) -> tuple[str, Range]:
-    """A range NAME=A:B of a parameter."""
+    """Name and range (lower, upper) of a parameter, parsed from ``NAME=A:B``."""
     name, _, bounds = text.partition("=")
     ends = bounds.split(":")
     if not name.strip() or len(ends) != 2:
@@ -79,28 +55,11 @@ def solved_in(
     box: Mapping[str, Range],
     near: Mapping[str, float] | None,
 ) -> Orbit:
-    """The orbit in the middle of the box, or elsewhere in it if there is none.
+    """The orbit at the middle of a box of parameters, or at another of its points.
 
-    Parameters
-    ----------
-    name : str
-        ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``.
-    fixed : dict of str to Value
-        Parameters that are no ranges.
-    box : dict of str to (Value, Value)
-        Lower and upper end of the ranges.
-    near : dict of str to float or None
-        A guess of the unknowns, in the system's units.
-
-    Returns
-    -------
-    Orbit
-        Converged.
-
-    Raises
-    ------
-    NoConvergence
-        If no orbit is found at any point that is tried.
+    A quarter and three quarters along all ranges are tried if there is no orbit at the
+    middle; NoConvergence says that all fail. `fixed` are the other parameters, `near` is a
+    guess of the unknowns, in the system's units.
     """
     from nonsmooth.runtime.orbits.solve import solve
 
@@ -127,27 +86,10 @@ def _points(box: Mapping[str, Range]) -> Iterator[dict[str, Value]]:
 def followed_over(
     name: str, parameters: Sequence[str], near: Mapping[str, float] | None, example: str
 ) -> tuple[Branch, Range]:
-    """The branch of an orbit over the one range that is given, and the range's ends.
+    """The branch of an orbit over the one range among the parameters, and the range's ends.
 
-    Parameters
-    ----------
-    name : str
-        ``SYSTEM/ORBIT`` or ``FILE.py:ORBIT``.
-    parameters : sequence of str
-        ``NAME=VALUE`` and ``NAME=A:B``.
-    near : dict of str to float or None
-        A guess of the unknowns, in the system's units.
-    example : str
-        An option, and a range as it takes one.
-
-    Returns
-    -------
-    tuple of (Branch, (Value, Value))
-
-    Raises
-    ------
-    InputError
-        If there is not exactly one range.
+    `near` is a guess of the unknowns, in the system's units. InputError refuses anything
+    but exactly one range; its message contains `example`, an option and its argument.
     """
     from nonsmooth.runtime.cli.display import counted, steps
     from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit

@@ -21,19 +21,9 @@ __all__ = ["derivatives_json", "motion_json", "observables_json", "proof_json", 
 
 
 def motion_json(motion: Trajectory) -> dict[str, Any]:
-    """A motion: one entry for the start and one behind each transition.
+    """A motion as JSON: one entry for the start and one behind each transition.
 
     States are physical: positions, then velocities, in the order of `names`.
-
-    Parameters
-    ----------
-    motion : Trajectory
-        As `simulate` gives it.
-
-    Returns
-    -------
-    dict
-        Ready for JSON.
     """
     shapes = motion.structure.boundaries
     return {
@@ -63,12 +53,10 @@ def motion_json(motion: Trajectory) -> dict[str, Any]:
 
 
 def derivatives_json(found: MotionDerivatives) -> dict[str, Any]:
-    """Derivatives of a motion: for each transition and state one number by each of `by`.
+    """Derivatives of a motion as JSON, in the shapes of the arrays of `found`.
 
-    Returns
-    -------
-    dict
-        Ready for JSON. A transition's time that has no derivative is nan.
+    For each transition and state there is one number by each of `by`. The time of a
+    transition that has no derivative gets nan.
     """
 
     def texts(values: np.ndarray) -> Any:
@@ -84,18 +72,7 @@ def derivatives_json(found: MotionDerivatives) -> dict[str, Any]:
 
 
 def sweep_json(diagram: Sweep) -> dict[str, Any]:
-    """A bifurcation diagram: for each value of the parameter the points that were taken.
-
-    Parameters
-    ----------
-    diagram : Sweep
-        The bifurcation diagram.
-
-    Returns
-    -------
-    dict
-        Ready for JSON.
-    """
+    """A bifurcation diagram as JSON: for each value of the parameter the sampled points."""
     rows = zip(diagram.values.tolist(), diagram.samples.tolist(), strict=True)
     texts = settled_texts()
     return {
@@ -114,18 +91,7 @@ def sweep_json(diagram: Sweep) -> dict[str, Any]:
 
 
 def observables_json(found: Observables) -> dict[str, Any]:
-    """Peaks, averages, shares of time, contacts and the largest Lyapunov exponent.
-
-    Parameters
-    ----------
-    found : Observables
-        Of a motion.
-
-    Returns
-    -------
-    dict
-        Ready for JSON.
-    """
+    """Extremes, averages, shares of time, contacts and largest Lyapunov exponent as JSON."""
 
     def numbers(values: Mapping[str, float]) -> dict[str, str]:
         return {name: repr(float(value)) for name, value in values.items()}
@@ -154,18 +120,7 @@ def observables_json(found: Observables) -> dict[str, Any]:
 
 
 def largest_exponent(found: Observables) -> Exponent | str:
-    """The largest Lyapunov exponent, or why the motion tells none.
-
-    Parameters
-    ----------
-    found : Observables
-        Of a motion.
-
-    Returns
-    -------
-    Exponent or str
-        Per unit of time, or the reason.
-    """
+    """The largest Lyapunov exponent per unit of time, or the reason why there is none."""
     try:
         return lyapunov(found.trajectory, found.since)
     except InputError as problem:
@@ -179,18 +134,7 @@ def _exponent_json(found: Exponent | str) -> dict[str, str | None]:
 
 
 def proof_json(proof: Proof) -> dict[str, Any]:
-    """What is proved of a motion: its sequence, with enclosures of the times.
-
-    Parameters
-    ----------
-    proof : Proof
-        As `validate` gives it.
-
-    Returns
-    -------
-    dict
-        Ready for JSON.
-    """
+    """What is proved of a motion, as JSON: its sequence, with enclosures of the times."""
     instant = proof.instant
     return {
         "decided": proof.decided,

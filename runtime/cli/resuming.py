@@ -29,14 +29,14 @@ _HOLDERS = ("orbit", "events", "branches")  # entries whose parts hold a system,
 
 
 class _Running(NamedTuple):
-    """The command that is running: its words beside its question, and what its files state."""
+    """The running command line, and what the files that it writes state of it."""
 
-    words: tuple[str, ...]
-    request: dict[str, Any]
+    words: tuple[str, ...]  # command, then the options that are not part of the question
+    request: dict[str, Any]  # command and options, as files hold them
 
 
 class _Held(NamedTuple):
-    """An orbit that is not declared, as a file holds it, and its kernels."""
+    """An undeclared orbit as a file holds it, and its kernels."""
 
     content: Any
     kernels: OrbitKernels
@@ -46,21 +46,12 @@ _RUNNING: ContextVar[_Running] = ContextVar("the command that is running")
 
 
 def resumable(question: str, anew: str = "") -> Callable[[Callable[..., int]], Callable[..., int]]:
-    """Let `--resume FILE` alone go on with a command: its files state what was asked.
+    """A decorator that lets a command go on with `--resume FILE` alone.
 
-    What is given beside the file has to be the same, but for what may be given anew.
-
-    Parameters
-    ----------
-    question : str
-        Names of the command's parameters that say what is asked.
-    anew : str
-        Names of those that say how much is done for it.
-
-    Returns
-    -------
-    callable
-        Takes a command that gives an exit code; Typer may leave out all its arguments.
+    Its files state the question: the parameters of the command named in `question`. Those
+    may be repeated beside the file only if they are the same; those named in `anew`, which
+    say how much is done, may change. The decorated command returns an exit code and, for
+    Typer, has no required arguments any more.
     """
     asked_names, stated_names = question.split(), [*question.split(), *anew.split()]
 
@@ -113,21 +104,15 @@ def resumable(question: str, anew: str = "") -> Callable[[Callable[..., int]], C
 
 
 def command_to_resume(path: Path) -> str:
-    """The command line that goes on with a file of the command that is running.
-
-    Returns
-    -------
-    str
-        Quoted for a shell.
-    """
+    """The command line, quoted for a shell, that goes on with a file of the running command."""
     name, *beside = _RUNNING.get().words
     return shlex.join(["nonsmooth", name, "--resume", str(path), *beside])
 
 
 def hold(orbit: Orbit) -> None:
-    """Let the files of the running command hold an orbit that it begins with.
+    """Let the files of the running command hold the orbit that it begins with.
 
-    It is for files that may be written before there is a part that holds the system.
+    This serves files that may be written before they have a part that holds the system.
     """
     from nonsmooth.runtime.present.files.orbits import orbit_content
 
@@ -137,7 +122,10 @@ def hold(orbit: Orbit) -> None:
 
 
 def _to_hold(name: str) -> _Held | None:
-    """An orbit of another file; None for what is declared, which parts of a file hold."""
+    """The named orbit if another file holds it; None for a declared one.
+
+    Parts of the result hold a declared one.
+    """
     from nonsmooth.runtime.model.kernels import is_saved
     from nonsmooth.runtime.present.files.named_entries import orbit_to_hold
 
@@ -157,7 +145,10 @@ def _given(context: typer.Context) -> set[str]:
 
 
 def _placed(given: set[str], options: dict[str, Any]) -> set[str]:
-    """Names of what is given, when NAME=VALUE is no orbit or system though it stands first."""
+    """Names of what is given, once a leading ``NAME=VALUE`` is moved to the parameters.
+
+    Such a text stands first, where an orbit or a system would, if those are left out.
+    """
     for name in given & _TARGETS.keys():
         if "=" in options[name]:
             options["parameters"] = [options[name], *(options["parameters"] or [])]
@@ -167,13 +158,13 @@ def _placed(given: set[str], options: dict[str, Any]) -> set[str]:
 
 
 def _flag(context: typer.Context, name: str) -> str:
-    """How the command line calls an option, and a space; nothing for an argument."""
+    """The flag of an option and a space; empty for an argument."""
     flag = next(each.opts[0] for each in context.command.params if each.name == name)
     return f"{flag} " if flag.startswith("-") else ""
 
 
 def _words(context: typer.Context, options: Mapping[str, Any], names: set[str]) -> list[str]:
-    """Options as they are written on the command line."""
+    """The named options as words of a command line."""
     found: list[str] = []
     for name in sorted(names):
         values = options[name] if isinstance(options[name], list) else [options[name]]
@@ -186,9 +177,10 @@ def _words(context: typer.Context, options: Mapping[str, Any], names: set[str]) 
 def _resumed(
     context: typer.Context, options: Mapping[str, Any], given: set[str], kinds: Mapping[str, Any]
 ) -> tuple[dict[str, Any], dict[str, str], _Held | None]:
-    """What the file to resume states of the command, and the orbit or system that it holds.
+    """The options that the file to resume states, and the orbit or system that it holds.
 
-    Nothing if Python wrote it. What is given of the question has to be the same.
+    All are empty if the file states no question, as when Python wrote it. What is given of
+    the question has to agree with the file; InputError refuses the rest.
     """
     from nonsmooth.runtime.core.result_files import content_of, naming
     from nonsmooth.runtime.model.kernels import orbit_names
@@ -212,17 +204,17 @@ def _resumed(
 
 
 def _is_there(value: Any) -> bool:
-    """Whether an option says something; 0 does."""
+    """Whether an option has a value: 0 is one, while None, False and an empty list are none."""
     return value is not None and value is not False and value != []
 
 
 def _written(value: Any) -> Any:
-    """A value of an option as JSON has it."""
+    """The value of an option as JSON has it."""
     return value.value if isinstance(value, Enum) else value
 
 
 def _read(name: str, kind: Any, entry: Any) -> Any:
-    """The value of an option of such a kind, from JSON."""
+    """The value of an option of the annotated type `kind`, from its JSON entry."""
     own = get_args(kind)[0]  # of Annotated
     for each in get_args(own) if isinstance(own, UnionType) else (own,):
         if each == list[str]:
@@ -237,7 +229,7 @@ def _read(name: str, kind: Any, entry: Any) -> Any:
 
 
 def _check_same(context: typer.Context, given: Mapping[str, Any], asked: Mapping[str, Any]) -> None:
-    """Refuse what is given beside a file, and differs from what that was asked."""
+    """Refuse options that are given beside a file and differ from those that it states."""
     for name, value in given.items():
         flag, known = _flag(context, name), _parts(asked.get(name))
         for first, text in _parts(value).items():
@@ -248,7 +240,7 @@ def _check_same(context: typer.Context, given: Mapping[str, Any], asked: Mapping
 
 
 def _parts(value: Any) -> dict[str, str]:
-    """The entries of an option by their names, as in NAME=VALUE; of a plain value itself."""
+    """Entries ``NAME=VALUE`` of an option by their names; a plain value under the empty name."""
     if not _is_there(value):
         return {}
     if not isinstance(value, list):
@@ -258,7 +250,7 @@ def _parts(value: Any) -> dict[str, str]:
 
 
 def _same(one: str, other: str) -> bool:
-    """Whether two texts say the same: NAME=1/2 is NAME=0.5."""
+    """Whether two texts have the same exact meaning, as NAME=1/2 and NAME=0.5 have."""
     from nonsmooth.runtime.core.values import parse
 
     if one == other:
@@ -272,7 +264,11 @@ def _same(one: str, other: str) -> bool:
 
 
 def _held(content: Mapping[str, Any], target: str, name: str) -> str:
-    """What was named, as the file holds it: no declaration is run, or needed."""
+    """The name under which a file holds the given orbit or system.
+
+    Built-in names stay. InputError refuses a name whose system the file does not hold,
+    because no declaration is run to find it.
+    """
     from nonsmooth.runtime.model.kernels import is_saved, orbit_names, system_names
     from nonsmooth.runtime.model.naming import is_hashed
 

@@ -16,13 +16,7 @@ _PIPE = 1_000_000  # columns: as many as it takes
 
 
 def console_as_wide() -> Console:
-    """Give a console as wide as the terminal; in a pipe lines are as long as they need to be.
-
-    Returns
-    -------
-    Console
-        Of rich, on stdout.
-    """
+    """A console of rich on stdout, as wide as the terminal and without limit in a pipe."""
     console = Console(highlight=False)
     if not console.is_terminal:
         console.width = _PIPE
@@ -30,20 +24,7 @@ def console_as_wide() -> Console:
 
 
 def listing(*titles: str, right: Sequence[str] = ()) -> Table:
-    """Give an empty table with a line below its titles.
-
-    Parameters
-    ----------
-    *titles : str
-        One for each column.
-    right : sequence of str, optional
-        Titles of the columns that are set flush right.
-
-    Returns
-    -------
-    Table
-        Of rich.
-    """
+    """An empty table with a line below its titles; columns named in `right` are flush right."""
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0))
     for title in titles:
         table.add_column(title, justify="right" if title in right else "left", no_wrap=True)
@@ -51,15 +32,10 @@ def listing(*titles: str, right: Sequence[str] = ()) -> Table:
 
 
 def show_table(table: Table, out: Console | None = None, *, keys: int = 1) -> None:
-    """Show a table; of one wider than the terminal the columns come in several blocks.
+    """Show a table; if it is wider than the terminal its columns come in several blocks.
 
-    Parameters
-    ----------
-    table : Table
-    out : Console, optional
-    keys : int
-        So many first columns are repeated in each block. Cells of a column that alone is too
-        wide are folded.
+    The first `keys` columns are repeated in each block. Cells of a column that alone is too
+    wide are folded.
     """
     console = out or console_as_wide()
     for block in _blocks(table, console, keys):
@@ -67,7 +43,7 @@ def show_table(table: Table, out: Console | None = None, *, keys: int = 1) -> No
 
 
 def _blocks(table: Table, console: Console, keys: int) -> list[Table]:
-    """The table, or parts of it that fit."""
+    """The table alone if it fits into the console, else tables of some columns each."""
     count = len(table.columns)
     if _width(table, range(count)) <= console.width:
         return [table]
@@ -81,13 +57,13 @@ def _blocks(table: Table, console: Console, keys: int) -> list[Table]:
 
 
 def _width(table: Table, columns: Sequence[int]) -> int:
-    """Columns that a part of a table takes if nothing is folded."""
+    """Width in characters of a table of the given columns if nothing is folded."""
     wide = Console(width=_PIPE, file=io.StringIO())
     return wide.measure(_part(table, columns, fold=False)).maximum
 
 
 def _part(table: Table, columns: Sequence[int], *, fold: bool = True) -> Table:
-    """Some columns of a table; cells that do not fit are folded, never cut."""
+    """A table of the given columns; cells that do not fit are folded, never cut."""
     part = Table(box=table.box, show_header=table.show_header, pad_edge=False, padding=(0, 2, 0, 0))
     for place in columns:
         column = table.columns[place]

@@ -22,15 +22,11 @@ __all__ = ["Written", "show_comparison"]
 
 
 class Written:
-    """The files that a command writes, which its answer names.
+    """The files and pictures that a command writes, which its answer names.
 
-    A file that cannot be written and a picture that cannot be drawn are told of when all that
-    was computed has been shown; so is a picture that Ctrl-C ended.
-
-    Attributes
-    ----------
-    files : list of str
-        Those that are written by now.
+    A file that cannot be written and a picture that cannot be drawn, or that Ctrl-C ended,
+    are reported only when all that was computed has been shown. The list `files` has the
+    paths that are written so far.
     """
 
     def __init__(self) -> None:
@@ -39,15 +35,7 @@ class Written:
         self._problem: NonsmoothError | KeyboardInterrupt | None = None
 
     def save(self, save: Callable[[Path], object], path: Path | None) -> None:
-        """Save a result, if a file was asked for.
-
-        Parameters
-        ----------
-        save : callable
-            Takes the path.
-        path : Path or None
-            The file that was asked for.
-        """
+        """Save a result by `save`, which takes the path; None is no path and nothing is saved."""
         if path is None:
             return
         try:
@@ -58,25 +46,11 @@ class Written:
             self.files.append(str(path))
 
     def kept(self, path: Path | None) -> Path | None:
-        """The file of a result, if it could be written.
-
-        Parameters
-        ----------
-        path : Path or None
-            The file that was asked for.
-        """
+        """The path if its file was written, else None."""
         return path if str(path) in self.files else None
 
     def draw(self, figure: Callable[[], Figure], path: Path) -> None:
-        """Draw a picture, if it can be drawn.
-
-        Parameters
-        ----------
-        figure : callable
-            Gives the figure.
-        path : Path
-            The picture's file.
-        """
+        """Draw the figure that `figure` makes, and remember the problem if that fails."""
         from nonsmooth.runtime.present.pictures.plot import save_figure
 
         try:
@@ -90,21 +64,9 @@ class Written:
     def show(
         self, told: Callable[[], Mapping[str, Any]], show: Callable[[], None], *, as_json: bool
     ) -> int:
-        """Show an answer and the files, as JSON or for people; gives the exit code.
+        """Show an answer and all files, as JSON by `told` or for people by `show`.
 
-        Parameters
-        ----------
-        told : callable
-            Gives the answer, ready for JSON.
-        show : callable
-            Shows the answer to people.
-        as_json : bool
-            Whether the answer is JSON.
-
-        Returns
-        -------
-        int
-            The exit code.
+        It gives the exit code.
         """
         if as_json:
             print_json({**told(), "files": self.files})
@@ -115,7 +77,7 @@ class Written:
         return self._ended()
 
     def _ended(self) -> int:
-        """Say what could not be written; gives the exit code."""
+        """Report what could not be written or drawn; gives the exit code."""
         for problem in self._unsaved:
             say(f"error: not saved: {problem}")
         if isinstance(self._problem, KeyboardInterrupt):
@@ -135,21 +97,8 @@ class Written:
     ) -> int:
         """Show an answer and the one file that it is kept in, as JSON or for people.
 
-        Parameters
-        ----------
-        told : callable
-            Gives the answer, ready for JSON.
-        show : callable
-            Shows the answer to people.
-        path : Path or None
-            The file that was asked for.
-        as_json : bool
-            Whether the answer is JSON.
-
-        Returns
-        -------
-        int
-            The exit code: 2 if the file could not be written.
+        `told` gives the answer ready for JSON, `show` shows it to people, and `path` is the
+        file that was asked for, if any. The exit code is 2 if it could not be written.
         """
         kept = self.kept(path)
         if as_json:
@@ -166,20 +115,8 @@ def show_comparison(
 ) -> int:
     """Show how the files in a folder differ from their source; gives the exit code.
 
-    Parameters
-    ----------
-    told : mapping
-        What the answer has beside that, ``folder`` among it.
-    differences : sequence of str
-        None if the files are up to date.
-    source : str
-        Which it is, and how to make the files again.
-    as_json : bool
-
-    Returns
-    -------
-    int
-        The exit code.
+    `told` is the rest of the answer, "folder" among it; `source` says what the files are
+    made from and how to make them again. Without differences they are up to date.
     """
     from nonsmooth.runtime.cli.display import show_differences
 

@@ -57,15 +57,16 @@ def grouped_by(expression: sp.Expr, symbols: Iterable[sp.Symbol]) -> dict[sp.Exp
 
 
 def _coefficient(notation: Notation, coefficient: sp.Expr) -> sp.Expr:
-    """A coefficient with what all its terms share in front, and projector entries factored."""
+    """A coefficient with its common factor in front, and entries of projectors factored."""
     factors = sp.Mul.make_args(sp.factor_terms(coefficient))
     return sp.Mul(*(_factored(notation, f) if f.is_Add else f for f in factors))
 
 
 def _factored(notation: Notation, total: sp.Expr) -> sp.Expr:
-    """A sum in which what is multiplied by the same entries of projectors is put together.
+    """A sum in which the factors of each entry of the projectors are collected.
 
-    Its first term, that of no state, is positive; a minus sign stands in front.
+    The number in its first term, which contains no state, is made positive by a minus sign
+    in front of the sum.
     """
     if not total.free_symbols & set(notation.projectors):
         return notation.tidy(total)
@@ -85,7 +86,7 @@ def _factored(notation: Notation, total: sp.Expr) -> sp.Expr:
 
 
 def _oriented(notation: Notation, key: sp.Expr) -> sp.Expr:
-    """A factor up to its sign, such that its state, or else its number, is positive."""
+    """A factor or its negative, so that its first state, or else its number, is positive."""
     terms = sp.Add.make_args(key)
     leading = next(
         (t for t in terms if any(map(notation.is_state, t.free_symbols))),
@@ -97,5 +98,5 @@ def _oriented(notation: Notation, key: sp.Expr) -> sp.Expr:
 
 
 def _leading(entries: sp.Expr) -> sp.Expr:
-    """Number in a sum, or else that in front of it."""
+    """The number that is added in a sum, or else the number that multiplies it."""
     return entries.as_coeff_Add()[0] or entries.as_coeff_Mul()[0]

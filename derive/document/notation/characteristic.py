@@ -25,17 +25,8 @@ def characteristic_pieces(
 ) -> tuple[str, ...] | None:
     """LaTeX of det(lambda - A) as a product over the irreducible blocks of A.
 
-    Parameters
-    ----------
-    notation : Notation
-    matrix : N x N matrix
-    variable : str
-        LaTeX of lambda.
-
-    Returns
-    -------
-    tuple of str or None
-        Pieces between which a line may break; None where the polynomial is long.
+    The pieces are those between which a line may break; None for a long polynomial.
+    `matrix` is A (N x N), and `variable` the LaTeX of lambda.
     """
     blocks = matrix.strongly_connected_components()
     if max(map(len, blocks)) > _LARGEST_BLOCK:
@@ -66,7 +57,7 @@ def characteristic_pieces(
 def polynomial_pieces(
     notation: Notation, coefficients: Sequence[sp.Expr], variable: str
 ) -> tuple[str, ...]:
-    """Terms of a monic polynomial, the highest power first."""
+    """LaTeX of the terms of a monic polynomial, the highest power first."""
     degree = len(coefficients) - 1
     pieces: list[str] = []
     for place, coefficient in enumerate(coefficients):

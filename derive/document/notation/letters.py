@@ -46,69 +46,39 @@ _KEPT = ("I", "M", "C", "K", r"\ell", r"\Phi", "t", "k", "j")
 
 @dataclass(frozen=True)
 class Letters:
-    """LaTeX of the letters, by what each stands for.
+    """LaTeX of a letter for each meaning."""
 
-    Attributes
-    ----------
-    matrix, offset : str
-        Of the vector field y' = A y + b.
-    augmented, eigenvalue, centre, projector : str
-        Of the augmented matrix and its clusters of eigenvalues.
-    discriminant : str
-        Of one damped coordinate.
-    forcing : str
-        Part of the flow that does not depend on the state.
-    reset, jump : str
-        Matrix and constant of a reset.
-    normal, constant : str
-        Gradient and constant of a boundary.
-    field, saltation : str
-        Vector field in front of a transition, and its saltation matrix.
-    passage, remainder : str
-        Matrix and constant of one passage of an itinerary at given dwell times.
-    embedding, base, coordinates : str
-        The section at the start, E q + p.
-    jacobian : str
-        Of the Poincaré map.
-    directions, shift : str
-        Directions of the state that nothing depends on, and how far an orbit moves along them.
-    displacement, damped : str
-        Response to a displacement, and damped frequency.
-    phase, amplitude, lag : str
-        Phase of a forcing, amplitude of the response to it and how far it lags behind.
-    """
-
-    matrix: str
-    offset: str
-    augmented: str
-    eigenvalue: str
-    discriminant: str
-    centre: str
-    projector: str
-    forcing: str
-    reset: str
-    jump: str
-    normal: str
-    constant: str
-    field: str
-    saltation: str
-    passage: str
-    remainder: str
-    embedding: str
-    base: str
-    coordinates: str
-    jacobian: str
-    directions: str
-    shift: str
-    displacement: str
-    damped: str
-    phase: str
-    amplitude: str
-    lag: str
+    matrix: str  # A of the vector field y' = A y + b
+    offset: str  # b of the vector field
+    augmented: str  # matrix A with the column b
+    eigenvalue: str  # of the augmented matrix
+    discriminant: str  # of one damped coordinate
+    centre: str  # of a cluster of eigenvalues
+    projector: str  # of a cluster of eigenvalues
+    forcing: str  # part of the flow that does not depend on the state
+    reset: str  # matrix of a reset
+    jump: str  # constant of a reset
+    normal: str  # gradient of a boundary
+    constant: str  # of a boundary
+    field: str  # vector field in front of a transition
+    saltation: str  # saltation matrix of a transition
+    passage: str  # matrix of one passage of an itinerary at given dwell times
+    remainder: str  # constant of one passage
+    embedding: str  # E of the section E q + p at the start
+    base: str  # p of the section
+    coordinates: str  # q of the section
+    jacobian: str  # of the Poincaré map
+    directions: str  # directions of the state that nothing depends on
+    shift: str  # how far an orbit moves along them
+    displacement: str  # response to a displacement
+    damped: str  # damped frequency
+    phase: str  # of a forcing
+    amplitude: str  # of the response to a forcing
+    lag: str  # of the response behind the forcing
 
 
 def letters_of(naming: Naming, symbols: Iterable[sp.Symbol]) -> Letters:
-    """Letters that differ from those of the symbols, of the state and of each other."""
+    """Letters different from those of the symbols and the state, and from each other."""
     taken = {naming.notation.symbol(s).partition("_")[0].partition("^")[0] for s in symbols}
     responses = naming.notation.responses
     taken |= {naming.state, naming.letter, responses.letter, responses.polynomial, *_KEPT}

@@ -25,7 +25,7 @@ _FUNCTIONS = 5
 
 
 class Printer(LatexPrinter):
-    """SymPy's printer with the order of terms and factors that a person would choose."""
+    """SymPy's LaTeX printer, with terms and factors in the order that a person would choose."""
 
     WIDEST = 34.0
 
@@ -83,7 +83,7 @@ class Printer(LatexPrinter):
         return text if exp is None else rf"\left({text}\right)^{{{exp}}}"
 
     def radicand(self, base: sp.Expr) -> str:
-        """What stands below a root: one fraction, unless its terms have denominators."""
+        """LaTeX of what stands below a root: one fraction, unless its terms have denominators."""
         if not base.is_Add:
             return str(self._print(base))
         if any(sp.fraction(a)[1].free_symbols for a in base.args):
@@ -93,7 +93,7 @@ class Printer(LatexPrinter):
         return str(self._print(sp.together(base)))
 
     def trigonometric(self, name: str, argument: sp.Expr, exponent: str | None) -> str:
-        """Cosine or sine, without brackets around a product of symbols."""
+        """LaTeX of a cosine or sine, without brackets around a product of symbols."""
         number, rest = argument.as_coeff_Mul()
         plain = rest == 1 or all(map(self.is_letter, sp.Mul.make_args(rest)))
         head = rf"\{name}^{{{exponent}}}" if exponent else rf"\{name}"
@@ -108,7 +108,7 @@ class Printer(LatexPrinter):
         return _LETTER.fullmatch(letter) is not None
 
     def ordered(self, expression: sp.Expr) -> list[tuple[sp.Expr, str]]:
-        """Terms of a sum in the order of reading, each with its LaTeX and sign."""
+        """Terms of a sum in the order of reading, each with the LaTeX of it and its sign."""
         number, rest = expression.as_coeff_Mul()
         if number == -1 and rest.is_Add:
             # a minus sign in front of a sum that stands alone goes to its terms
@@ -138,16 +138,16 @@ class Printer(LatexPrinter):
         return [text for _, text in self.ordered(expression)]
 
     def pieces(self, expression: sp.Expr) -> tuple[str, ...]:
-        """Terms of a sum; one that is too wide is cut."""
+        """LaTeX of the terms of a sum; a term that is too wide is cut."""
         found: list[str] = []
         for term, text in self.ordered(expression):
             found += self.cut(term, text, leading=not found)
         return tuple(found)
 
     def cut(self, term: sp.Expr, text: str, *, leading: bool) -> tuple[str, ...]:
-        """A term of a sum, cut inside its own sum if its `text` is too wide, and so on inward.
+        """LaTeX of a term of a sum, cut inside its own sums if its `text` is too wide.
 
-        A `leading` one, the first of the sum, has no plus sign.
+        A `leading` term, the first of the sum, has no plus sign.
         """
         sums = [f for f in sp.Mul.make_args(term) if f.is_Add]
         if width(text) <= self.WIDEST or not sums:
@@ -166,14 +166,14 @@ class Printer(LatexPrinter):
         return tuple(found)
 
     def leads(self, term: sp.Expr, total: sp.Expr) -> bool:
-        """Whether a term of a sum over entries of projectors belongs to no state: it is first."""
+        """Whether a term of a sum over entries of projectors contains no state, and comes first."""
         notation, symbols = self.notation, total.free_symbols
         if not symbols & set(notation.projectors) or any(map(notation.is_function, symbols)):
             return False
         return bool(term.free_symbols <= {*notation.projectors, *notation.names})
 
     def rank(self, term: sp.Expr) -> tuple[int, int, int, str]:
-        """Place of a term in a sum: states in order, what moves, constants; numbers first."""
+        """Sort key of a term in a sum: states in order, other unknowns, constants."""
         symbols = sorted(term.free_symbols, key=str)
         notation = self.notation
         states = [s for s in symbols if notation.is_state(s)]
@@ -247,7 +247,7 @@ class Printer(LatexPrinter):
         return all(self.term(a)[0] < 0 for a in expression.args)
 
     def looks_turned(self, expression: sp.Expr) -> bool:
-        """Whether a denominator subtracts a parameter from a state and not the other way."""
+        """Whether a denominator subtracts parameters from states, and reads better turned."""
         if not expression.is_Add or expression.as_coeff_Add()[0] != 0:
             return False
         constants = set(self.notation.constants)
@@ -264,7 +264,7 @@ class Printer(LatexPrinter):
         return any(self.term(a)[0] < 0 for a in factor.args)
 
     def product(self, factors: Sequence[sp.Expr], *, alone: bool = True) -> str:
-        """Factors side by side: constants, states, sums, and functions last."""
+        """LaTeX of factors side by side: constants, states, sums, and functions last."""
         ordered = sorted(factors, key=self.place)
         if alone and len(ordered) == 1:
             return str(self._print(ordered[0]))
@@ -276,7 +276,7 @@ class Printer(LatexPrinter):
         )
 
     def place(self, factor: sp.Expr) -> tuple[int, str]:
-        """Place of a factor in a product."""
+        """Sort key of a factor in a product."""
         base = factor.as_base_exp()[0]
         if base.is_number and not isinstance(base, sp.cos | sp.sin):
             return 0, str(factor)

@@ -23,34 +23,26 @@ _LETTERS = (("h", r"\chi"), ("g", "p"), (r"\mathsf{h}", r"\mathsf{p}"))
 
 @dataclass(frozen=True)
 class Responses:
-    """Numbers of characteristic factors, and letters that nothing else has.
+    """Numbers of characteristic factors, and letters that nothing else has."""
 
-    Attributes
-    ----------
-    factors : tuple of sympy Tuple
-        In the order of their numbers, from 1; a constant's factor s has the number 0.
-    products : tuple of tuples of factors
-        Those whose responses occur, short ones first.
-    letter, polynomial : str
-        LaTeX of the response and of the factor.
-    """
-
+    # in the order of their numbers, from 1; the factor s of a constant has the number 0
     factors: Factors = ()
+    # products of factors whose responses occur, short ones first
     products: tuple[Factors, ...] = ()
-    letter: str = "h"
-    polynomial: str = r"\chi"
+    letter: str = "h"  # LaTeX of the response
+    polynomial: str = r"\chi"  # LaTeX of the factor
 
     def number(self, factor: sp.Tuple) -> int:
         """Number of a factor."""
         return 0 if factor == _CONSTANT else self.factors.index(factor) + 1
 
     def label(self, factors: Factors) -> str:
-        """Numbers of the factors of a product, as an index."""
+        """Numbers of the factors of a product, written as an index."""
         numbers = sorted(map(self.number, factors))
         return ("," if max(numbers) > 9 else "").join(map(str, numbers))
 
     def latex(self, order: int, factors: Factors, time: str) -> str:
-        """A response or its derivative at a time."""
+        """LaTeX of a response, or of its derivative of some order, at a time."""
         primes = "'" * order if order < 4 else f"^{{({order})}}"
         return rf"{self.letter}_{{{self.label(factors)}}}{primes}\left({time}\right)"
 
@@ -68,13 +60,9 @@ def is_response(flow: Flow) -> bool:
 
 
 def responses_of(flows: Iterable[Flow], taken: Iterable[str]) -> Responses:
-    """Number the characteristic factors of flows.
+    """Numbers of the characteristic factors of flows, and letters for their responses.
 
-    Parameters
-    ----------
-    flows : iterable of Flow
-    taken : iterable of str
-        LaTeX of symbols, which the letters must not be.
+    `taken` is the LaTeX of all symbols, whose letters are avoided.
     """
     known = {text.partition("_")[0] for text in taken}
     letter, polynomial = next((p for p in _LETTERS if not known & {*p}), _LETTERS[-1])

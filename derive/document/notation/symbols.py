@@ -63,36 +63,21 @@ _EXPRESSION = re.compile(rf"(?<![-\w])(?:{_SUM}|\({_SUM}\))(?:\s*[-+*/]\s*(?:{_W
 
 @dataclass(frozen=True)
 class Notation:
-    """LaTeX of the symbols and expressions of one document.
-
-    Attributes
-    ----------
-    states : tuple of symbols
-    constants : tuple of symbols
-        Parameters and the spectrum.
-    functions : mapping of symbol to expression
-        Symbols that stand for values of functions of time, or for half a dwell time.
-    unknowns : tuple of symbols
-    start : mapping of symbol to int
-        Coordinates of the start, and which of the states each is.
-    projectors : tuple of symbols
-        Those of the spectrum that are entries of projectors.
-    names : mapping of symbol to LaTeX
-        Symbols that the document itself introduces.
-    responses : Responses
-        Numbers of the factors of impulse responses.
-    behind : mapping of str to LaTeX
-        What marks a state behind a phase, ``(2)`` or ``(2)+``, by the name of its dwell time.
-    """
+    """LaTeX of the symbols and expressions of one document."""
 
     states: tuple[sp.Symbol, ...]
-    constants: tuple[sp.Symbol, ...]
+    constants: tuple[sp.Symbol, ...]  # parameters and the spectrum
+    # symbols for values of functions of time, or for half a dwell time, and what they are
     functions: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     unknowns: tuple[sp.Symbol, ...] = ()
+    # coordinates of the start, and the index of the state of each
     start: Mapping[sp.Symbol, int] = field(default_factory=dict)
-    projectors: tuple[sp.Symbol, ...] = ()
+    projectors: tuple[sp.Symbol, ...] = ()  # symbols of the spectrum that are entries of projectors
+    # LaTeX of symbols that the document itself introduces
     names: Mapping[sp.Symbol, str] = field(default_factory=dict)
+    # numbers of the factors of impulse responses
     responses: Responses = field(default_factory=Responses)
+    # mark of a state behind a phase, ``(2)`` or ``(2)+``, by the name of its dwell time
     behind: Mapping[str, str] = field(default_factory=dict)
 
     def with_names(self, names: Mapping[sp.Symbol, str]) -> Notation:
@@ -143,7 +128,7 @@ class Notation:
         return _identifier(text)
 
     def latex(self, expression: Any) -> str:
-        """LaTeX of an expression or a matrix; one of a single entry is that entry."""
+        """LaTeX of an expression or a matrix; that of a 1 x 1 matrix is that of its entry."""
         if getattr(expression, "shape", None) == (1, 1):
             expression = expression[0]
         return str(self._printer.doprint(expression))
@@ -178,7 +163,7 @@ class Notation:
         )
 
     def tidy(self, expression: sp.Expr) -> sp.Expr:
-        """Order an expression for reading: state by state, constants factored."""
+        """An expression ordered for reading: state by state, with constants factored."""
         expression = self.plain(expression)
         if expression.has(sp.Function) or expression.is_Atom:
             return expression
@@ -209,12 +194,12 @@ class Notation:
         return sp.factor_terms(sp.Add(*parts)) if len(parts) > 1 else sp.Add(*parts)
 
     def is_state(self, symbol: sp.Symbol) -> bool:
-        """Whether a symbol is a state, at the start or behind a phase too, or its derivative."""
+        """Whether a symbol is a state, also at the start or behind a phase, or its derivative."""
         name = str(symbol).partition("_by_")[0]
         return symbol in (*self.states, *self.start) or self._state_at(name) is not None
 
     def place(self, symbol: sp.Symbol) -> int:
-        """Which of the states a symbol belongs to."""
+        """Index of the state to which a symbol belongs."""
         if symbol in self.start:
             return self.start[symbol]
         name = str(symbol).partition("_by_")[0]
@@ -222,7 +207,7 @@ class Notation:
         return self._state_names.index(state[0] if state else name)
 
     def is_function(self, symbol: sp.Symbol) -> bool:
-        """Whether a symbol is written as a function, without brackets behind it."""
+        """Whether a symbol stands for a value of a function, and needs no brackets behind it."""
         known = self.functions.get(symbol)
         return (known is not None and known.is_Function) or _TURNED.fullmatch(
             str(symbol)
@@ -233,7 +218,7 @@ class Notation:
         return self._printer.term(term)
 
     def factor(self, factor: sp.Expr) -> tuple[int, str]:
-        """Sign and LaTeX of a factor, a sum in brackets."""
+        """Sign and LaTeX of a factor; a sum is set in brackets."""
         return self._printer.factor(factor)
 
     def _state_at(self, name: str) -> tuple[str, str, str] | None:
@@ -243,7 +228,7 @@ class Notation:
         return match[1], match[2], "+" if match[3] else ""
 
     def _part(self, text: str) -> str | None:
-        """A coefficient of a state behind a phase, where that is affine in the start."""
+        """LaTeX of a coefficient of a state that is affine in the start; None for other names."""
         match = _PART.match(text)
         if match is None:
             return None
@@ -273,7 +258,7 @@ class Notation:
 
     @cached_property
     def _linear(self) -> dict[str, str]:
-        """Letters of linear equations and of characteristic factors."""
+        """Letters for linear equations and characteristic factors, by the stem of a name."""
         taken = {_identifier(name).partition("_")[0] for name in self._known}
         return {
             role: next((c for c in choices if c not in taken), choices[-1])
@@ -286,14 +271,14 @@ class Notation:
 
 
 def _indexed(latex: str, index: str) -> str:
-    """A symbol with one more index."""
+    """LaTeX of a symbol with one more index."""
     head, raised, above = latex.partition("^")
     head = f"{head[:-1]},{index}}}" if "_{" in head else f"{head}_{{{index}}}"
     return f"{head}{raised}{above}"
 
 
 def _barred(latex: str) -> str:
-    """A symbol with a bar over its letter."""
+    """LaTeX of a symbol with a bar over its letter."""
     return _LETTER.sub(lambda letter: rf"\bar{{{letter[0]}}}", latex, count=1)
 
 

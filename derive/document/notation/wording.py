@@ -23,14 +23,14 @@ _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight",
 
 @dataclass(frozen=True)
 class Naming:
-    """Notation, and the letters of the state and of its positions."""
+    """The notation of a document, and the system whose words and letters it uses."""
 
     notation: Notation
     system: System
 
     @property
     def second_order(self) -> bool:
-        """Whether the state is positions and velocities."""
+        """Whether some configuration has positions and velocities as its state."""
         return any(isinstance(c.dynamics, SecondOrder) for c in self.system.configurations)
 
     @property
@@ -40,7 +40,7 @@ class Naming:
 
     @property
     def letter(self) -> str:
-        """Letter of the vector of positions: theirs, when they share one."""
+        """Letter of the vector of positions: their common letter if they share one, else x."""
         letters = sorted({str(s).rstrip("0123456789") for s in self.positions})
         return letters[0] if len(letters) == 1 and len(letters[0]) == 1 else "x"
 
@@ -67,7 +67,7 @@ class Naming:
         tidy: bool = True,
         written: sp.Expr | None = None,
     ) -> Line:
-        """Make the line ``left = right``, the right side as it is `written` if that differs."""
+        """The line ``left = right``; the right side is shown as `written` if that is given."""
         shown = right if written is None else written
         shown = self.notation.tidy(shown) if tidy else shown
         return Line(
@@ -75,35 +75,35 @@ class Naming:
         )
 
     def sum(self, left: sp.Symbol, right: sp.Expr, written: sp.Expr | None = None) -> Line:
-        """Make the line ``left = right``, arranged function by function of time."""
+        """The line ``left = right``, arranged function by function of time."""
         terms = by_function(self.notation, right if written is None else written)
         pieces = signed(self.notation, terms)
         return Line(self.notation.symbol(left), "=", pieces, left, sp.sympify(right))
 
     def list(self, symbols: Iterable[sp.Symbol]) -> str:
-        """Symbols in running text."""
+        """Symbols listed for running text."""
         return enumeration([f"${self.notation.symbol(s)}$" for s in symbols])
 
 
 def enumeration(words: Sequence[str]) -> str:
-    """Words with commas and an "and"."""
+    """Words listed with commas and an "and"."""
     if len(words) < 2:
         return "".join(words)
     return f"{', '.join(words[:-1])} and {words[-1]}"
 
 
 def number(value: int) -> str:
-    """A number in words."""
+    """A number in words; in digits if it is greater than ten."""
     return _COUNTS[value] if value < len(_COUNTS) else str(value)
 
 
 def count(value: int, noun: str) -> str:
-    """Number and noun in words."""
+    """A number and a noun in words, the noun in the plural unless the number is one."""
     return f"{number(value)} {noun}{'' if value == 1 else 's'}"
 
 
 def in_one_line(lines: Sequence[Line]) -> Line:
-    """Short relations side by side, the first aligned with what is above."""
+    """One line of short relations side by side; the first is aligned with the lines above."""
     first, *others = lines
     if not others:
         return first
@@ -118,9 +118,9 @@ def numbered(
     labels: Sequence[str],
     written: Sequence[sp.Expr] | None = None,
 ) -> list[Formula]:
-    """Number equations with their meanings, each a formula.
+    """Equations as numbered formulas with their meanings.
 
-    Those in which functions of time occur are arranged by them.
+    Those in which functions of time occur are arranged by these functions.
     """
     found = []
     for (meaning, expression), label, shown in zip(
@@ -137,7 +137,7 @@ def numbered(
 
 
 def _meaning(naming: Naming, text: str) -> str:
-    """What an equation says: its first word may be a symbol of one letter."""
+    """Meaning of an equation as text, its first word set as a symbol if it is one."""
     word, _, rest = text.partition(" ")
     names = {str(s): s for s in (*naming.system.states, *naming.notation.unknowns)}
     if word in names and rest:

@@ -12,7 +12,10 @@ __all__ = ["admissibility_section"]
 
 
 def admissibility_section(cycle: Cycle) -> list[Block]:
-    """No boundary crossed inside a phase, and at each transition the right one is taken."""
+    """Blocks on admissibility: no boundary is crossed inside a phase.
+
+    A table has the conditions under which each transition is the one that applies.
+    """
     naming, letters = cycle.naming, cycle.letters
     notation, state, k = naming.notation, naming.state, cycle.index
     n, f = letters.normal, letters.field
@@ -74,7 +77,7 @@ def admissibility_section(cycle: Cycle) -> list[Block]:
 
 
 def _conditions(cycle: Cycle, number: int, passing: Passing) -> list[tuple[str, ...]]:
-    """Rows of a table: what decides for this transition."""
+    """Rows of a table with the conditions that decide for a transition."""
     system, transition = cycle.system, passing.transition
     required = [_required(cycle, (c,), holds=True) for c in transition.conditions]
     for other in _before(system.transitions, transition):
@@ -88,7 +91,7 @@ def _conditions(cycle: Cycle, number: int, passing: Passing) -> list[tuple[str, 
 
 
 def _before(transitions: tuple[Transition, ...], transition: Transition) -> tuple[Transition, ...]:
-    """Transitions for the same boundaries that are declared before one."""
+    """Transitions for the same boundaries that are declared before the given one."""
     same = [
         t
         for t in transitions
@@ -98,7 +101,7 @@ def _before(transitions: tuple[Transition, ...], transition: Transition) -> tupl
 
 
 def _required(cycle: Cycle, conditions: tuple[Condition, ...], *, holds: bool) -> tuple[str, str]:
-    """Conditions that have to hold, or of which one must not."""
+    """Text of conditions that all have to hold, or of which one must not, and along what."""
     notation = cycle.naming.notation
     texts = []
     for condition in conditions:

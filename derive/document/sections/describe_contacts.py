@@ -11,7 +11,7 @@ __all__ = ["constraint_paragraphs", "contact_section"]
 
 
 def contact_section(naming: Naming) -> list[Block]:
-    """Where the surroundings act on the oscillator: velocities and forces."""
+    """Blocks on the contacts: velocities and forces with which the surroundings act."""
     notation = naming.notation
     rows: list[tuple[str, ...]] = []
     for contact in naming.system.contacts:
@@ -39,7 +39,7 @@ def contact_section(naming: Naming) -> list[Block]:
 
 
 def constraint_paragraphs(naming: Naming, names: Iterable[str]) -> list[Block]:
-    """What holds throughout a configuration beside its equations of motion."""
+    """Paragraphs on what holds throughout a configuration beside its equations of motion."""
     notation = naming.notation
     found: list[str] = []
     for name in names:

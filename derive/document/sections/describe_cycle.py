@@ -20,7 +20,7 @@ __all__ = ["elimination_section", "equation_section", "phase_section"]
 
 
 def phase_section(cycle: Cycle) -> list[Block]:
-    """Phases, start and unknowns."""
+    """Blocks on the phases, the start and the unknowns of an itinerary."""
     return [
         *_phases(cycle), *_symmetry(cycle), *_start(cycle), *_translations(cycle),
         *_unknowns(cycle),
@@ -69,7 +69,7 @@ def _phases(cycle: Cycle) -> list[Block]:
 
 
 def _symmetry(cycle: Cycle) -> list[Block]:
-    """What a reversor says of the orbit."""
+    """Paragraph on the reversor that maps the orbit to itself; nothing without one."""
     notation = cycle.naming.notation
     rules = [
         rf"${notation.symbol(s)} \mapsto {notation.latex(e)}$"
@@ -91,7 +91,7 @@ def _parameters(cycle: Cycle) -> str:
 
 
 def _start(cycle: Cycle) -> list[Block]:
-    """The set on which the start lies."""
+    """Blocks on the set on which the start lies."""
     naming, start, letters = cycle.naming, cycle.start, cycle.letters
     state = naming.state
     column = rf"\left({', '.join(map(naming.notation.symbol, naming.system.states))}\right)"
@@ -117,7 +117,7 @@ def _start(cycle: Cycle) -> list[Block]:
 
 
 def _translations(cycle: Cycle) -> list[Block]:
-    """Along which directions the orbit need not come back."""
+    """Blocks on the directions along which the orbit need not return."""
     naming, letters, directions = cycle.naming, cycle.letters, cycle.directions
     if not directions.cols:
         return []
@@ -155,7 +155,7 @@ def _unknowns(cycle: Cycle) -> list[Block]:
 
 
 def equation_section(cycle: Cycle) -> list[Block]:
-    """The chain of states, the switching conditions and the closure."""
+    """Blocks on the chain of states, the switching conditions and the closure."""
     naming, letters = cycle.naming, cycle.letters
     state, k, p, phase = naming.state, cycle.index, cycle.count, cycle.phase
     n, c, h = letters.normal, letters.constant, letters.forcing
@@ -223,7 +223,7 @@ def equation_section(cycle: Cycle) -> list[Block]:
 
 
 def _shift(cycle: Cycle) -> str:
-    """What the state has moved along the directions that nothing depends on."""
+    """LaTeX of the shift of the state along the directions that nothing depends on."""
     return f"{cycle.letters.directions} {cycle.letters.shift}"
 
 
@@ -234,7 +234,7 @@ def _all_phases(phases: int) -> str:
 
 
 def elimination_section(cycle: Cycle) -> list[Block]:
-    """The start as the solution of a linear system, given the dwell times."""
+    """Blocks on the start as the solution of a linear system, given the dwell times."""
     naming, letters, p = cycle.naming, cycle.letters, cycle.count
     n, m, r = letters.passage, letters.remainder, letters.reset
     e, q, inverse = letters.embedding, letters.coordinates, f"{letters.embedding}^{{+}}"
@@ -285,7 +285,7 @@ def elimination_section(cycle: Cycle) -> list[Block]:
 
 
 def _forcing(cycle: Cycle) -> list[Block]:
-    """What is different where states oscillate by themselves."""
+    """Blocks on the states of a forcing, which return by themselves."""
     notation = cycle.naming.notation
     if not cycle.harmonics:
         return []

@@ -14,7 +14,7 @@ __all__ = ["energy_section"]
 
 
 def energy_section(view: View) -> list[Block]:
-    """Energy of each configuration, what transitions do to it, and the multiplier 1."""
+    """Blocks on the energy of each configuration, its changes, and the multiplier 1."""
     energies = {name: _energy(view, name) for name in view.flows}
     naming = view.naming
     blocks: list[Block] = [
@@ -84,7 +84,7 @@ def _energy(view: View, name: str) -> list[sp.Expr]:
 
 
 def _changes(view: View, energies: dict[str, sp.Expr]) -> list[Block]:
-    """Energy behind each transition less that in front of it."""
+    """Blocks on the change of energy by each transition."""
     itinerary, system, _ = view.undecided
     notation, states = view.naming.notation, system.states
     lines, continuous = [], []
@@ -125,7 +125,10 @@ def _changes(view: View, energies: dict[str, sp.Expr]) -> list[Block]:
 
 
 def _because(view: View, boundaries: list[str]) -> str:
-    """Why the changes are zero: values that the orbit requires, or the boundary itself."""
+    """Text that says why the changes are zero.
+
+    The reason is the values that the orbit requires, or else the boundary itself.
+    """
     required = view.equations.required
     notation = view.naming.notation
     if required:

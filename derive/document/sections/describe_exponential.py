@@ -19,15 +19,9 @@ __all__ = ["exponential_blocks"]
 def exponential_blocks(
     naming: Naming, letters: Letters, names: Sequence[str], known: int
 ) -> tuple[list[Block], dict[str, int]]:
-    """Flows of the named configurations, and the number of each one's flow.
+    """Blocks on flows without a closed form, and the number of each configuration's flow.
 
-    Parameters
-    ----------
-    naming : Naming
-    letters : Letters
-    names : sequence of str
-    known : int
-        Number of flows that are written out already.
+    `known` is the number of flows that are written out already.
     """
     system = naming.system
     chosen = [system.configuration(name) for name in names]
@@ -59,7 +53,7 @@ def exponential_blocks(
 
 
 def _exponential(naming: Naming, letters: Letters, chosen: Sequence[Configuration]) -> list[Block]:
-    """What stands in place of a closed form."""
+    """Blocks that say how a flow without a closed form is computed."""
     a, b, augmented = letters.matrix, letters.offset, letters.augmented
     centre, projector, state = letters.centre, letters.projector, naming.state
     listed = enumeration([f"*{c.name}*" for c in chosen])

@@ -28,7 +28,10 @@ def flow_blocks(
     in_blocks: bool,
     centres: Centres | None = None,
 ) -> tuple[list[Block], dict[str, int]]:
-    """Flows of configurations; those with equal matrices share a number and are shown once."""
+    """Blocks on flows in closed form, and the number of each configuration's flow.
+
+    Flows with equal matrices share a number and are shown once.
+    """
     distinct: list[Flow] = []
     numbers: dict[str, int] = {}
     for flow in flows:
@@ -68,7 +71,7 @@ def _centres(
     numbers: dict[str, int],
     named: Centres | None,
 ) -> list[Block]:
-    """How each configuration maps a state: about its centre, or with an offset."""
+    """Blocks that show how each configuration maps a state: about a centre, or with an offset."""
     centred: list[tuple[Flow, sp.Matrix]] = []
     drifting: list[Flow] = []
     for flow in flows:
@@ -137,7 +140,7 @@ def _centres(
 def _flow(
     notation: Notation, flow: Flow, number: int, in_blocks: bool, names: dict[sp.Matrix, str]
 ) -> list[Block]:
-    """One flow; constant matrices that occur more than once get a name."""
+    """Blocks on one flow; constant matrices that occur more than once get a name."""
     size = flow.matrices[0].rows
     half = size // 2 if in_blocks else size
     parts: dict[str, tuple[_Terms, sp.Matrix]] = {}
@@ -166,10 +169,10 @@ def _flow(
 def _definitions(
     notation: Notation, occurring: Sequence[sp.Matrix], names: dict[sp.Matrix, str]
 ) -> list[Block]:
-    """Name the matrices that occur more than once or are wide, and show the new ones.
+    """Blocks that define names for the matrices that occur more than once or are wide.
 
-    A wide matrix is written as a product of two others where it is one, otherwise entry by
-    entry.
+    A wide matrix is written as a product of two others where that is possible, otherwise
+    entry by entry.
     """
     ordinary = [m for m in occurring if m.rows > 1 and m != sp.eye(m.rows)]
     wide = [m for m in ordinary if width(notation.latex(m)) > _WIDE]
@@ -215,7 +218,7 @@ def _definitions(
 def _factors(
     matrix: sp.Matrix, candidates: Sequence[sp.Matrix]
 ) -> tuple[sp.Matrix, sp.Matrix] | None:
-    """Two of the candidates whose product the matrix is."""
+    """Two candidates whose product is the matrix; None if there are none."""
     for left in candidates:
         for right in candidates:
             if (left * right - matrix).applyfunc(sp.expand).is_zero_matrix:
@@ -224,7 +227,7 @@ def _factors(
 
 
 def _collected(terms: _Terms, known: dict[sp.Matrix, None]) -> _Terms:
-    """Take common factors out of the matrices of a sum and join equal matrices.
+    """Terms of a sum with common factors taken out of the matrices, and equal ones joined.
 
     A matrix takes the sign with which it is known already.
     """
@@ -241,7 +244,7 @@ def _collected(terms: _Terms, known: dict[sp.Matrix, None]) -> _Terms:
 
 
 def _common_factor(matrix: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
-    """Factor that all entries share, and the matrix without it; its first number positive."""
+    """Factor that all entries share, and the matrix without it, its first number positive."""
     entries = [e for e in matrix if e != 0]
     common = [f for f in sp.Mul.make_args(entries[0]) if not f.is_Add]
     for entry in entries[1:]:

@@ -15,7 +15,7 @@ __all__ = ["itinerary_section", "start_line", "transposed"]
 
 
 def itinerary_section(view: View) -> list[Block]:
-    """Phases, what is known of the dwell times, the section at the start, and the unknowns."""
+    """Blocks on the phases, given dwell times, the section at the start and the unknowns."""
     return [
         *_phases(view),
         *_dwell_times(view),
@@ -25,13 +25,13 @@ def itinerary_section(view: View) -> list[Block]:
 
 
 def start_line(naming: Naming, state: sp.Matrix) -> Line:
-    """The start in terms of its coordinates."""
+    """Line that shows the start in terms of its coordinates."""
     shown = transposed(naming, state)
     return Line(f"{naming.state}^{{(0)}}", "=", (f"{shown},",), None, sp.ImmutableMatrix(state))
 
 
 def transposed(naming: Naming, column: sp.Matrix) -> str:
-    """LaTeX of a column, written as a row; one entry is that entry."""
+    """LaTeX of a column, written as a transposed row; a single entry is written alone."""
     notation = naming.notation
     if column.rows == 1:
         return notation.latex(notation.tidy(column[0]))
@@ -39,7 +39,7 @@ def transposed(naming: Naming, column: sp.Matrix) -> str:
 
 
 def phase_sentence(many: int) -> str:
-    """Say how many phases an orbit has, and what a phase is."""
+    """Sentences on how many phases an orbit has, and what a phase is."""
     return f"The orbit has {count(many, 'phase')} to a period. " + (
         "It stays in one configuration for its dwell time and ends on one boundary, from which"
         " the transition leads back to the start."
@@ -49,7 +49,7 @@ def phase_sentence(many: int) -> str:
 
 
 def boundary_at(naming: Naming, phase: Phase) -> str:
-    """Write where a phase is left."""
+    """Formula for the boundary at which a phase is left."""
     boundary = naming.system.configuration(phase.configuration).boundary(phase.boundary)
     return f"${naming.notation.latex(naming.notation.tidy(boundary.function))} = 0$"
 
@@ -61,7 +61,7 @@ def phase_table(
     last: str,
     entries: Sequence[str],
 ) -> Table:
-    """List the phases; the last column has a heading and entries of its own."""
+    """Table of the phases, with a last column of the given heading and entries."""
     rows = []
     for index, (phase, entry) in enumerate(zip(phases, entries, strict=True), start=1):
         dwell = naming.notation.symbol(dwell_symbol(phase.dwell_time))
@@ -88,7 +88,7 @@ def _phases(view: View) -> list[Block]:
 
 
 def _dwell_times(view: View) -> list[Block]:
-    """A given period and what follows from it; dwell times that vanish."""
+    """Blocks on a given period and the dwell time that follows, and on vanishing dwell times."""
     naming, itinerary = view.naming, view.equations.itinerary
     notation = naming.notation
     blocks: list[Block] = []
@@ -135,14 +135,14 @@ def _positive(naming: Naming, dwell_times: list[sp.Symbol]) -> str:
 
 
 def _collision(view: View) -> str:
-    """Name the boundaries that are reached together: before each vanishing phase and by it."""
+    """Names of the boundaries that are reached together before and by each vanishing phase."""
     phases = view.equations.itinerary.phases
     reached = [phases[j].boundary for i in _vanishing(view) for j in (i - 1, i)]
     return enumeration([f"*{b}*" for b in dict.fromkeys(reached)])
 
 
 def _start(view: View) -> list[Block]:
-    """The set on which the start lies."""
+    """Blocks on the set on which the start lies."""
     naming, equations = view.naming, view.equations
     notation, state = naming.notation, naming.state
     names = rf"\left({', '.join(notation.symbol(s) for s in naming.system.states)}\right)"
@@ -164,7 +164,7 @@ def _start(view: View) -> list[Block]:
 
 
 def _unknowns(view: View) -> list[Block]:
-    """Count the unknowns and name the parameters."""
+    """Paragraph that counts the unknowns and names the parameters."""
     naming, equations = view.naming, view.equations
     _, _, start = view.undecided
     dwell_times = [u for u in equations.unknowns if u in {link.dwell for link in view.links}]

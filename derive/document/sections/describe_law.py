@@ -12,7 +12,7 @@ __all__ = ["law_section"]
 
 
 def law_section(naming: Naming, law: ContactLaw) -> list[Block]:
-    """What follows where a contact reaches a boundary: the law in words and formulas."""
+    """Blocks on the contact law, which decides what follows at a contact's boundary."""
     notation = naming.notation
 
     def shown(function: sp.Expr) -> str:

@@ -25,7 +25,7 @@ _BETWEEN = 2.0
 def matrices_of(
     motions: Sequence[SecondOrder], naming: Naming, damped: bool
 ) -> tuple[Formula, MatrixLetters]:
-    """M, C and K, and their letters: with a number where configurations differ in them."""
+    """Formula of M, C and K, and their letters, numbered where configurations differ in them."""
     shown: MatrixLetters = {}
     pieces: list[str] = []
     attributes = [("M", "mass"), *([("C", "damping")] if damped else []), ("K", "stiffness")]
@@ -40,7 +40,7 @@ def matrices_of(
 
 
 def _shown(naming: Naming, name: str, matrix: sp.Matrix) -> list[str]:
-    """A matrix, or what of it is not zero where it is too wide for a line."""
+    """LaTeX of a matrix, or of its nonzero entries if it is too wide for a line."""
     text = f"{name} = {naming.notation.latex(matrix)}"
     if width(text) <= LINE_WIDTH:
         return [text]
@@ -54,7 +54,7 @@ def _shown(naming: Naming, name: str, matrix: sp.Matrix) -> list[str]:
 
 
 def motion_of(configuration: Configuration, naming: Naming, letters: MatrixLetters) -> list[Block]:
-    """Write the equations of motion, in the letters of the matrices if given."""
+    """Blocks with the equations of motion, in the letters of the matrices if given."""
     notation, dynamics, states = naming.notation, configuration.dynamics, naming.system.states
     matrix, offset = dynamics.field(states)
     matrix, offset = matrix.applyfunc(cancel), offset.applyfunc(cancel)
@@ -91,7 +91,7 @@ def motion_of(configuration: Configuration, naming: Naming, letters: MatrixLette
 
 
 def _single(naming: Naming, dynamics: SecondOrder) -> Formula:
-    """One coordinate alone: mass, damping and stiffness as its coefficients."""
+    """Equation of motion of a single coordinate, with mass, damping and stiffness."""
     notation = naming.notation
     x = notation.symbol(naming.system.states[0])
     found: list[str] = []
@@ -114,7 +114,7 @@ def _single(naming: Naming, dynamics: SecondOrder) -> Formula:
 def _accelerations(
     naming: Naming, dynamics: SecondOrder, matrix: sp.Matrix, offset: sp.Matrix
 ) -> Formula:
-    """One line a coordinate."""
+    """Formula of the accelerations, one line for each coordinate."""
     notation, states, size = naming.notation, naming.system.states, dynamics.mass.rows
     held = dynamics.held_at(states)
     lines = []
@@ -127,7 +127,7 @@ def _accelerations(
 
 
 def _first_order(naming: Naming, matrix: sp.Matrix, offset: sp.Matrix) -> list[Block]:
-    """State by state, then in matrices where those are narrow."""
+    """Blocks with the equations state by state, then in matrices if those are narrow."""
     blocks: list[Block] = [field_formula(naming, matrix, offset)]
     pieces = [f"{naming.notation.latex(matrix)} {naming.state}"]
     if not offset.is_zero_matrix:
@@ -139,7 +139,7 @@ def _first_order(naming: Naming, matrix: sp.Matrix, offset: sp.Matrix) -> list[B
 
 
 def field_formula(naming: Naming, matrix: sp.Matrix, offset: sp.Matrix) -> Formula:
-    """Derivatives of the states by time, short ones side by side."""
+    """Formula of the states' derivatives by time, short ones side by side."""
     notation, states = naming.notation, naming.system.states
     lines: list[Line] = []
     used = 0.0

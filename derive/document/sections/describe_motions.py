@@ -32,18 +32,10 @@ def motion_blocks(
     number: int,
     listed: str,
 ) -> list[Block]:
-    """Each state after a time: in modal form where that is short, else one by one.
+    """Blocks on the state after a time in one flow, in modal form where that is short.
 
-    Parameters
-    ----------
-    naming : Naming
-    letters : Letters
-    flow : Flow
-    displacements : Displacements
-    number : int
-        Of the flow.
-    listed : str
-        The configurations that have it.
+    Otherwise the states are written one by one. `number` is that of the flow, and `listed`
+    names the configurations that have it.
     """
     head = rf"$\Phi_{{{number}}}$, of {listed}:"
     modes = modes_of(flow, displacements)
@@ -77,7 +69,7 @@ def motion_blocks(
 
 
 def _with_starts(naming: Naming, letters: Letters, displacements: Displacements) -> Notation:
-    """Notation with states at the time 0 and responses to displacements."""
+    """Notation with names for the states at the time 0 and for responses to displacements."""
     notation = naming.notation
     starts = {b: f"{notation.symbol(s)}(0)" for b, s in _starts(naming).items()}
     responses = {
@@ -88,12 +80,12 @@ def _with_starts(naming: Naming, letters: Letters, displacements: Displacements)
 
 
 def _starts(naming: Naming) -> dict[sp.Symbol, sp.Symbol]:
-    """Symbols of the states at the time 0, and the states."""
+    """State by the symbol of its value at the time 0."""
     return {sp.Symbol(f"{s}_start", real=True): s for s in naming.system.states}
 
 
 def _vector(naming: Naming) -> str | None:
-    """Letter of the vector of positions, where nothing else has it."""
+    """Letter of the vector of positions that no symbol has; None if there is none."""
     notation, system = naming.notation, naming.system
     taken = {notation.symbol(s) for s in (*system.states, *notation.constants, *notation.unknowns)}
     return next((x for x in ("x", "q", r"\mathsf{x}") if x not in taken), None)
@@ -102,7 +94,7 @@ def _vector(naming: Naming) -> str | None:
 def _modal_line(
     written: Notation, modes: Modes, names: Sequence[str], vector: str, naming: Naming
 ) -> Line:
-    """The positions as a sum over the modes."""
+    """Line that shows the positions as a sum over the modes."""
     pieces: list[str] = []
     for name, (displaced, pushed) in zip(names, modes.matrices.values(), strict=True):
         inner: list[str] = []
@@ -136,7 +128,7 @@ def _common(column: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
 def _motion(
     naming: Naming, written: Notation, flow: Flow, displacements: Displacements
 ) -> dict[int, Line]:
-    """Each state after a time, from the states at the start, state by state."""
+    """Lines, by index of the state, for each state after a time."""
     notation, states = naming.notation, naming.system.states
     matrix, offset = flow.matrix(), flow.offset()
     starts = list(_starts(naming))
@@ -165,14 +157,9 @@ def _motion(
 def steady_blocks(
     naming: Naming, letters: Letters, flows: Sequence[tuple[str, Flow]]
 ) -> list[Block]:
-    """Steady responses to a harmonic forcing: amplitudes, and how far they lag behind.
+    """Blocks on steady responses to one harmonic forcing: amplitudes and lags.
 
-    Parameters
-    ----------
-    naming : Naming
-    letters : Letters
-    flows : sequence of (text, Flow)
-        Each with the configurations that have it.
+    Each of the `flows` comes with the names of the configurations that have it.
     """
     system, notation = naming.system, naming.notation
     if len(system.forcing) != 1:
@@ -218,7 +205,7 @@ def steady_blocks(
 def _transfers(
     naming: Naming, letters: Letters, transfers: Mapping[sp.Tuple, tuple[sp.Expr, sp.Expr]]
 ) -> list[Line]:
-    """Amplitude and lag of each factor at the frequency of the forcing."""
+    """Lines with the amplitude and lag of each factor at the forcing's frequency."""
     notation = naming.notation
     lines = []
     for factor in sorted(transfers, key=notation.responses.number):
@@ -238,7 +225,7 @@ def _transfers(
 
 
 def _steady_symbol(notation: Notation, state: sp.Symbol) -> str:
-    """A coordinate with the index of a steady response."""
+    """LaTeX of a coordinate with the index of a steady response."""
     text = notation.symbol(state)
     return f"{text[:-1]},p}}" if "_{" in text else f"{text}_{{p}}"
 
@@ -249,7 +236,7 @@ def _steady_pieces(
     terms: Sequence[tuple[Factors, sp.Expr, sp.Expr]],
     transfers: Mapping[sp.Tuple, tuple[sp.Expr, sp.Expr]],
 ) -> tuple[str, ...]:
-    """A steady response as a sum of harmonic terms."""
+    """LaTeX of the harmonic terms of a steady response."""
     notation, pieces = naming.notation, list[str]()
     for product, cosine, sine in terms:
         numbers = [notation.responses.number(f) for f in product]

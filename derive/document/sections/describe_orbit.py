@@ -17,7 +17,7 @@ __all__ = ["chain_section", "equation_section"]
 
 
 def chain_section(view: View) -> list[Block]:
-    """Follow the states behind the phases, one by one."""
+    """Blocks on the states behind the phases, one phase after the other."""
     equations, naming = view.equations, view.naming
     state, itinerary = naming.state, equations.itinerary
     arrows = r" \;\to\; ".join(f"{state}^{{({k})}}" for k in range(len(view.links) + 1))
@@ -44,7 +44,7 @@ def chain_section(view: View) -> list[Block]:
 
 
 def _lines(view: View, index: int, assigned: dict[sp.Symbol, sp.Expr]) -> list[Line]:
-    """State at the end of one phase, written state by state."""
+    """Lines for the state at the end of one phase, state by state."""
     link, naming = view.links[index - 1], view.naming
     lines = []
     for row, (symbol, value) in enumerate(zip(naming.system.states, link.after, strict=True)):
@@ -58,7 +58,7 @@ def _lines(view: View, index: int, assigned: dict[sp.Symbol, sp.Expr]) -> list[L
 
 
 def _about_centre(view: View, link: Link, row: int) -> tuple[str, ...]:
-    """One coordinate as a sum over the distances of all from their centre, in their order."""
+    """LaTeX of a coordinate as a sum over the distances of all states from their centre."""
     notation, states = view.naming.notation, view.naming.system.states
     centre = view.centres.columns.get(link.flow.configuration, sp.zeros(len(states), 1))
     distances = [sp.Symbol(f"{s}_0", real=True) for s in states]
@@ -79,7 +79,7 @@ def _about_centre(view: View, link: Link, row: int) -> tuple[str, ...]:
 
 
 def _rule(view: View, symbol: sp.Symbol, expression: sp.Expr) -> str:
-    """What a reset does to one state."""
+    """Text that says what a reset does to one state."""
     notation = view.naming.notation
     left, right = notation.symbol(symbol), notation.latex(notation.tidy(expression))
     if expression.free_symbols & set(view.naming.system.states):
@@ -88,7 +88,7 @@ def _rule(view: View, symbol: sp.Symbol, expression: sp.Expr) -> str:
 
 
 def equation_section(view: View) -> list[Block]:
-    """Number the switching and periodicity equations."""
+    """Blocks with the numbered equations: switching conditions and closure."""
     equations = view.equations
     counted = (
         f" {count(len(equations.equations), 'equation')} for"
@@ -116,7 +116,7 @@ def equation_section(view: View) -> list[Block]:
 
 
 def _except(view: View, dropped: Sequence[sp.Symbol]) -> str:
-    """Name the coordinates that return if the others do, and why."""
+    """Text on the coordinates without a closure, as they return if the others do."""
     if not dropped:
         return ""
     if view.equations.chain.forcing:

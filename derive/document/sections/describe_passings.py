@@ -15,7 +15,7 @@ __all__ = ["passing_section", "stability_section"]
 
 
 def passing_section(cycle: Cycle) -> list[Block]:
-    """Gradient, fields, reset and saltation matrix of each transition."""
+    """Blocks with the gradient, fields, reset and saltation matrix of each transition."""
     letters = cycle.letters
     f, n, r, s = letters.field, letters.normal, letters.reset, letters.saltation
     jump, carried = (f"{r}_{{j}}", f"{r}_{{j}} {f}_{{j}}") if cycle.resets else ("I", f"{f}_{{j}}")
@@ -61,7 +61,7 @@ def passing_section(cycle: Cycle) -> list[Block]:
 
 
 def _passing(cycle: Cycle, place: int, passing: Passing, *, written: bool) -> list[Block]:
-    """One transition; its vector fields `written` out, or else by their difference."""
+    """Blocks on one transition, with its vector fields `written` out or their difference."""
     naming, letters = cycle.naming, cycle.letters
     notation, transition = naming.notation, passing.transition
     places = enumeration([str(k) for k in passing.phases])
@@ -90,7 +90,7 @@ def _passing(cycle: Cycle, place: int, passing: Passing, *, written: bool) -> li
 
 
 def _fields(cycle: Cycle, place: int, passing: Passing) -> list[Line]:
-    """Vector fields on both sides of a transition."""
+    """Lines for the vector fields on both sides of a transition."""
     left = f"{cycle.letters.field}_{{{place}}}"
     return [
         Line(name, "=", (transposed(cycle.naming, column),), None, column)
@@ -99,7 +99,7 @@ def _fields(cycle: Cycle, place: int, passing: Passing) -> list[Line]:
 
 
 def _difference(cycle: Cycle, place: int, passing: Passing) -> list[Line]:
-    """How the vector fields on both sides differ on the boundary."""
+    """Lines for the difference of the vector fields on both sides, at the boundary."""
     naming, letters = cycle.naming, cycle.letters
     f, behind = f"{letters.field}_{{{place}}}", f"{letters.field}_{{{place}}}^{{+}}"
     carried = f"{letters.reset}_{{{place}}} {f}" if passing.resets else f
@@ -146,7 +146,7 @@ def _matrix(cycle: Cycle, matrix: sp.Matrix) -> str:
 
 
 def stability_section(cycle: Cycle) -> list[Block]:
-    """The Jacobian of the Poincaré map and the monodromy matrix as products."""
+    """Blocks with the Poincaré map's Jacobian and the monodromy matrix as products."""
     letters, k, phase = cycle.letters, cycle.index, cycle.phase
     f, n, e = letters.field, letters.normal, letters.embedding
     state = cycle.naming.state
@@ -189,7 +189,7 @@ def stability_section(cycle: Cycle) -> list[Block]:
 
 
 def _taken(cycle: Cycle) -> str:
-    """Where the letters of a transition that is behind several phases are taken."""
+    """Text on the states at which the matrices of a repeated transition are evaluated."""
     if cycle.distinct:
         return ""
     letters, k = cycle.letters, cycle.index
@@ -200,7 +200,7 @@ def _taken(cycle: Cycle) -> str:
 
 
 def _unmoved(cycle: Cycle) -> str:
-    """Multipliers that are 1 since nothing depends on a shift."""
+    """Text on multipliers that are 1 because nothing depends on a shift."""
     many = cycle.directions.cols
     if not many:
         return ""
@@ -211,7 +211,7 @@ def _unmoved(cycle: Cycle) -> str:
 
 
 def _trivial(cycle: Cycle) -> str:
-    """Multipliers that are 1 for a reason."""
+    """Text on multipliers that are 1 because of a forcing or a conserved energy."""
     found = 2 * len(cycle.harmonics) - 1
     if found > 0:
         one = found == 1

@@ -19,7 +19,7 @@ __all__ = ["derivative_section"]
 
 
 def derivative_section(view: View) -> list[Block]:
-    """Chain rule for the Jacobian, local maps of the Poincaré map, saltation matrices."""
+    """Blocks on the Jacobian, the local maps of the Poincaré map and saltation matrices."""
     return [
         Heading("The Jacobian of the equations", 2),
         *(_half_jacobian(view) if view.reversible else _chain_rule(view)),
@@ -31,7 +31,7 @@ def derivative_section(view: View) -> list[Block]:
 
 
 def _half_jacobian(view: View) -> list[Block]:
-    """Derivatives of conditions halfway."""
+    """Paragraph on the derivatives of conditions halfway through phases."""
     naming, equations = view.naming, view.equations
     coordinates = equations.chain.start.coordinates
     dwell_times = [u for u in equations.unknowns if u not in coordinates]
@@ -68,7 +68,7 @@ def _half_jacobian(view: View) -> list[Block]:
 
 
 def _chain_rule(view: View) -> list[Block]:
-    """Derivatives of the chain of states by the unknowns."""
+    """Blocks on the derivatives of the chain of states by the unknowns."""
     naming, equations = view.naming, view.equations
     state, links = naming.state, view.links
     jump, delay = "R_{k-1} " if _resets(view) else "", r"f_{k} \varepsilon_{k}"
@@ -118,7 +118,7 @@ def _chain_rule(view: View) -> list[Block]:
 
 
 def _local_maps(view: View) -> list[Block]:
-    """The Jacobian of the Poincaré map as a product."""
+    """Blocks on the Jacobian of the Poincaré map as a product of local maps."""
     naming, links, section = view.naming, view.links, view.equations.chain.section
     resets, period = _resets(view), view.equations.itinerary.period
     maps = "the product of the local maps" if len(links) > 1 else "that of the local map"
@@ -201,7 +201,7 @@ def _local_maps(view: View) -> list[Block]:
 
 
 def _fields(naming: Naming, links: tuple[Link, ...]) -> list[Block]:
-    """Gradients, vector fields and resets at the ends of the phases."""
+    """Blocks with the gradients, vector fields and resets at the ends of the phases."""
     lines: list[Line] = []
     entries: list[Line] = []
     resets: list[tuple[str, str]] = []
@@ -229,12 +229,12 @@ def _fields(naming: Naming, links: tuple[Link, ...]) -> list[Block]:
 
 
 def _with(entries: list[Line]) -> list[Block]:
-    """Entries of matrices that have names in them."""
+    """Blocks with the entries of matrices that are written with names for entries."""
     return [Paragraph("with the entries"), Formula(tuple(entries))] if entries else []
 
 
 def _saltation(view: View) -> list[Block]:
-    """Saltation matrices at the orbit, the monodromy matrix, and how both belong to J."""
+    """Blocks on saltation matrices, the monodromy matrix, and their relation to J."""
     resets = _resets(view)
     jump, carried = ("R_{k}", "R_{k} f_{k}") if resets else ("I", "f_{k}")
     k, factor = _index(view), r"\frac{n_{k}}{n_{k} f_{k}}"
@@ -278,7 +278,7 @@ def _saltation(view: View) -> list[Block]:
 
 
 def _saltation_matrices(view: View) -> list[Block]:
-    """Saltation matrices at the orbit; those that only reset share a line."""
+    """Blocks with the saltation matrices at the orbit; mere resets share a line."""
     lines: list[Line] = []
     entries: list[Line] = []
     found = list(enumerate(zip(view.links, saltations(view), strict=True), start=1))
@@ -302,25 +302,25 @@ def _saltation_matrices(view: View) -> list[Block]:
 
 
 def _ended(line: Line, mark: str) -> Line:
-    """A line with a mark at its end, in place of a comma that is there."""
+    """The line with a mark at its end, in place of a comma there."""
     *others, last = line.pieces
     return replace(line, pieces=(*others, f"{last.removesuffix(',')}{mark}"))
 
 
 def _returning(view: View) -> sp.Matrix:
-    """What takes the coordinates of the Poincaré map of a change of the last state."""
+    """Matrix from changes of the last state to changes of the Poincaré map's coordinates."""
     chain = view.equations.chain
     return chain.returning(sp.eye(chain.end.rows))
 
 
 def _neutral(view: View) -> int:
-    """Multipliers 1 that every orbit has: of time, and of what no motion changes in a forcing."""
+    """Number of multipliers 1 of every orbit: of time, and of a forcing's invariants."""
     forcing = view.equations.chain.forcing
     return 2 * len(forcing.places) if forcing else 1
 
 
 def _beside(view: View) -> str:
-    """What else has the multiplier 1."""
+    """Text on the multipliers 1 of a forcing's invariants."""
     if view.equations.chain.forcing is None:
         return ""
     return ", and the multiplier 1 of what no motion changes: the amplitudes of the forcing" + (
@@ -329,12 +329,12 @@ def _beside(view: View) -> str:
 
 
 def _index(view: View) -> str:
-    """Index of the factors of a product over the phases: a number where there is but one."""
+    """Index of the factors in a product over the phases: k, or 1 if there is only one phase."""
     return "k" if len(view.links) > 1 else "1"
 
 
 def _product(view: View) -> str:
-    """Sign of such a product, the first phase on the right."""
+    """LaTeX of the sign of such a product, the first phase on the right."""
     return rf"\prod_{{k={len(view.links)}}}^{{1}}" if len(view.links) > 1 else ""
 
 

@@ -23,7 +23,7 @@ _FIRST_RETURN = (
 
 
 def reduction_section(view: View) -> list[Block]:
-    """Tell what is eliminated along the chain, by which rule, and the equations that remain."""
+    """Blocks on what is eliminated along the chain, by which rule, and what remains."""
     equations, naming = view.equations, view.naming
     notation, reduction = naming.notation, equations.reduction
     if reduction.equations == equations.equations and not reduction.eliminations:
@@ -68,7 +68,7 @@ def reduction_section(view: View) -> list[Block]:
 
 
 def _both_roots(view: View) -> list[Block]:
-    """The roots of the reduced equation where it is quadratic."""
+    """Blocks with the roots of a quadratic reduced equation; none for another one."""
     reduction, naming = view.reduction, view.naming
     if not reduction.roots:
         return []
@@ -89,7 +89,7 @@ def _both_roots(view: View) -> list[Block]:
 
 
 def difference_of_squares(expression: sp.Expr) -> sp.Expr:
-    """Write a polynomial as p g^2 - q^2 with one of its symbols g, where it is of that form."""
+    """A polynomial as p g^2 - q^2 with one of its symbols g, if it has that form."""
     expanded = sp.expand(expression)
     for symbol in sorted(expanded.free_symbols, key=str):
         coefficients = sp.Poly(expanded, symbol).as_dict()
@@ -103,7 +103,7 @@ def difference_of_squares(expression: sp.Expr) -> sp.Expr:
 
 
 def _beyond(view: View) -> list[Block]:
-    """Say what states behind the last phase are, where the stages name them."""
+    """Paragraphs on states behind the last phase, if the stages name them."""
     state, phases = view.naming.state, len(view.links)
     assigned = {str(s) for stage in view.equations.reduction.stages for s, _ in stage.assignments}
     found = [
@@ -121,7 +121,7 @@ def _beyond(view: View) -> list[Block]:
 
 
 def _parts(view: View) -> list[Block]:
-    """What a bar, an index and a number in brackets say of the symbols of the stages."""
+    """Blocks on the meaning of bars, indices and numbers in brackets in the stages."""
     naming, reduction = view.naming, view.equations.reduction
     notation = naming.notation
     names = [str(s) for stage in reduction.stages for s, _ in stage.assignments]
@@ -165,7 +165,7 @@ def _parts(view: View) -> list[Block]:
 
 
 def numbered_rest(view: View) -> list[Formula]:
-    """The equations of the reduced system, counted on."""
+    """The equations of the reduced system as formulas, numbered onwards."""
     reduction = view.equations.reduction
     labels = [view.reduced_label(i) for i in range(len(reduction.equations))]
     written = [expression for _, expression in view.reduction.equations]
@@ -173,7 +173,7 @@ def numbered_rest(view: View) -> list[Formula]:
 
 
 def _stages(view: View) -> list[Block]:
-    """The stages of the reduction, each under its title."""
+    """Blocks with the stages of the reduction, each under its title."""
     naming, reduction = view.naming, view.equations.reduction
     shown = {a for s in view.equations.chain.stages for a in s.assignments}
     titles: list[tuple[str, list[tuple[sp.Symbol, sp.Expr]]]] = []
@@ -199,7 +199,7 @@ def _stages(view: View) -> list[Block]:
 
 
 def _sentence(naming: Naming, elimination: Elimination) -> str:
-    """Lead to the assignment by which an unknown was eliminated."""
+    """Text that introduces the assignment by which an unknown was eliminated."""
     symbol = f"${naming.notation.symbol(elimination.unknown)}$"
     if elimination.rule == LINEAR:
         return f"The switching condition is linear in {symbol}"

@@ -32,13 +32,9 @@ _REGIMES = (
 def response_flows(
     naming: Naming, flows: Sequence[Flow], spectrum: Mapping[sp.Symbol, sp.Expr]
 ) -> tuple[list[Block], dict[str, int]]:
-    """Flows in impulse responses, and the number of each.
+    """Blocks on flows in impulse responses, and the number of each configuration's flow.
 
-    Parameters
-    ----------
-    naming : Naming
-    flows : sequence of Flow
-    spectrum : mapping of symbol to expression
+    `spectrum` has the expression of each of its symbols.
     """
     alike: dict[tuple[object, ...], list[Flow]] = {}
     for flow in flows:
@@ -68,7 +64,7 @@ def response_flows(
 def _displacements(
     naming: Naming, letters: Letters, spectrum: Mapping[sp.Symbol, sp.Expr]
 ) -> Displacements:
-    """Symbols of the responses to displacements, of each damped factor."""
+    """Symbols of the responses to displacements, one for each damped factor."""
     factors = naming.notation.responses.factors
     return Displacements(
         {
@@ -83,16 +79,9 @@ def _displacements(
 def _definitions(
     naming: Naming, letters: Letters, displacements: Displacements, used: set[sp.Basic]
 ) -> list[Block]:
-    """What the impulse responses are: by their factors, and in closed form.
+    """Blocks that define the impulse responses by their factors and in closed form.
 
-    Parameters
-    ----------
-    naming : Naming
-        Its notation numbers the factors.
-    letters : Letters
-    displacements : Displacements
-    used : set of symbols
-        Responses to displacements that the motions contain.
+    `used` are the responses to displacements that the motions contain.
     """
     notation, responses = naming.notation, naming.notation.responses
     h, chi, s = responses.letter, responses.polynomial, letters.eigenvalue
@@ -151,7 +140,10 @@ def _definitions(
 
 
 def _displacement(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, ...]:
-    """Response to a displacement: by that to an impulse, and where it oscillates."""
+    """Lines for the response to a displacement, by that to an impulse and in closed form.
+
+    The closed form is that of an oscillation, if the factor may oscillate.
+    """
     notation, number = naming.notation, naming.notation.responses.number(factor)
     shown = ExponentialDifference(1, TIME, factor)
     impulse = ExponentialDifference(0, TIME, factor)
@@ -172,7 +164,7 @@ def _displacement(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[L
 
 
 def _single(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, ...]:
-    """Response of one factor: an exponential, or a damped oscillation in its regimes."""
+    """Lines for the response of one factor: an exponential, or each regime of an oscillation."""
     notation = naming.notation
     left = notation.responses.latex(0, (factor,), "t")
     if len(factor) == 1:
@@ -196,31 +188,17 @@ def _single(naming: Naming, letters: Letters, factor: sp.Tuple) -> tuple[Line, .
 
 @dataclass(frozen=True)
 class _Oscillation:
-    """A factor of degree two as one writes it.
+    """A factor of degree two in the form in which it is written."""
 
-    Attributes
-    ----------
-    decay, discriminant : expression
-        Half the coefficient of lambda, and its square less the constant.
-    regimes : tuple
-        Those of `_REGIMES` that the parameters allow.
-    root : LaTeX
-        Letter of the damped frequency, where there is more than one.
-    front : LaTeX
-        The envelope.
-    conditions : mapping of sign to LaTeX
-        When each regime applies.
-    """
-
-    decay: sp.Expr
-    discriminant: sp.Expr
-    regimes: tuple[tuple[int, str, str, str], ...]
-    root: str
-    front: str
-    conditions: Mapping[int, str]
+    decay: sp.Expr  # half the coefficient of lambda
+    discriminant: sp.Expr  # square of the decay less the constant
+    regimes: tuple[tuple[int, str, str, str], ...]  # those of `_REGIMES` that the parameters allow
+    root: str  # LaTeX of the damped frequency's letter, empty if there is one regime
+    front: str  # LaTeX of the envelope
+    conditions: Mapping[int, str]  # by sign of the discriminant: LaTeX of when the regime applies
 
     def below(self, notation: Notation, sign: int) -> str:
-        """The frequency."""
+        """LaTeX of the frequency in the regime of the given sign."""
         return self.root or notation.latex(sp.sqrt(sp.expand(sign * self.discriminant)))
 
 
@@ -254,7 +232,10 @@ def _possible(sign: int, value: sp.Expr, parameters: Sequence[Parameter]) -> boo
 def _pair(
     naming: Naming, product: Factors, spectrum: Mapping[sp.Symbol, sp.Expr]
 ) -> tuple[Line, ...]:
-    """Response of two factors in partial fractions, where they have no root in common."""
+    """Lines for the response of two factors in partial fractions.
+
+    They hold where the factors have no root in common; the limit in resonance is added.
+    """
     notation = naming.notation
     s = sp.Dummy("s")
     polynomials = [s ** len(f) + sum(c * s**k for k, c in enumerate(f)) for f in product]
@@ -303,7 +284,7 @@ def _pair(
 def _shortened(
     below: sp.Expr, above: dict[sp.Symbol, sp.Expr]
 ) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
-    """A fraction without the factors that its denominator shares with all numerators."""
+    """Denominator and numerators without the factors that they all share."""
     whole = below
     numerator = sp.fraction(sp.together(below))[0]
     plain = numerator.free_symbols and numerator.is_polynomial()
@@ -326,7 +307,7 @@ def _shortened(
 
 
 def _never_zero(expression: sp.Expr, naming: Naming, spectrum: Mapping[sp.Symbol, sp.Expr]) -> bool:
-    """Whether a sum of squares, or a product, is shown not to vanish for any parameters."""
+    """Whether an expression is shown not to vanish for any parameters."""
     parameters, expression = naming.system.parameters, expression.xreplace(spectrum)
     if is_positive(expression, parameters) or is_positive(-expression, parameters):
         return True
@@ -340,7 +321,7 @@ def _never_zero(expression: sp.Expr, naming: Naming, spectrum: Mapping[sp.Symbol
 
 
 def _resultant(one: sp.Tuple, other: sp.Tuple) -> sp.Expr:
-    """Product of the differences of their roots, as it is usually written."""
+    """Resultant of two factors: the product of all differences of their roots."""
     if len(one) == len(other) == 2:
         (a, b), (c, d) = one, other
         return (a - c) ** 2 + sp.factor((a * d - b * c) * (d - b))
@@ -350,7 +331,10 @@ def _resultant(one: sp.Tuple, other: sp.Tuple) -> sp.Expr:
 
 
 def _response_text(naming: Naming, order: int, factor: sp.Tuple) -> str:
-    """A response of one factor: a constant or trigonometric one is written as such."""
+    """LaTeX of the response of one factor, or a derivative of it.
+
+    A constant or trigonometric one is written as such.
+    """
     notation = naming.notation
     function = ExponentialDifference(order, TIME, factor)
     if function == 1:

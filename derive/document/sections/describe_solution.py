@@ -15,7 +15,7 @@ __all__ = ["solution_section"]
 
 
 def solution_section(view: View) -> list[Block]:
-    """Solve the conditions halfway for the start, and give what remains."""
+    """Blocks on the conditions halfway, solved for the start, and the remaining equations."""
     naming, reduction = view.naming, view.equations.reduction
     coordinates = view.equations.chain.start.coordinates
     alone = _alone(view)
@@ -36,7 +36,7 @@ def solution_section(view: View) -> list[Block]:
 
 
 def _left(view: View) -> str:
-    """Introduce the equations that remain, and say whether one was cleared of its pole."""
+    """Text that introduces the remaining equations, and says if one was cleared of its pole."""
     naming, reduction = view.naming, view.equations.reduction
     one = len(reduction.equations) == 1
     text = f"There {'remains' if one else 'remain'} {count(len(reduction.equations), 'equation')}"
@@ -57,7 +57,7 @@ def _stage(view: View, title: str) -> Stage | None:
 
 
 def _alone(view: View) -> list[Block]:
-    """Coordinates that one equation gives without a function of time in front of them."""
+    """Blocks on coordinates that a single equation gives, with a constant coefficient."""
     naming, blocks = view.naming, list[Block]()
     for elimination in view.equations.reduction.eliminations:
         symbol = elimination.unknown
@@ -76,7 +76,7 @@ def _alone(view: View) -> list[Block]:
 
 
 def _together(view: View) -> list[Block]:
-    """Coordinates that several equations give together, by Cramer's rule."""
+    """Blocks on coordinates that several equations give together, by Cramer's rule."""
     naming, reduction = view.naming, view.equations.reduction
     if not reduction.determinants:
         return []
@@ -119,7 +119,7 @@ def _together(view: View) -> list[Block]:
 
 
 def _system(naming: Naming, unknowns: list[sp.Symbol]) -> Line:
-    """The linear equations in the letters of their coefficients."""
+    """Line with the linear equations in the letters of their coefficients."""
     notation, size = naming.notation, len(unknowns)
     if size == 1:
         left = f"{notation.symbol('coefficient11')}\\, {notation.symbol(unknowns[0])}"
@@ -131,7 +131,7 @@ def _system(naming: Naming, unknowns: list[sp.Symbol]) -> Line:
 
 
 def _explicit(view: View) -> list[Block]:
-    """Close with the start written out where nothing remains to be solved."""
+    """Blocks with the start written out, where nothing remains to be solved."""
     naming, period = view.naming, view.equations.itinerary.period
     blocks: list[Block] = [Paragraph("Nothing remains to be solved: the orbit is explicit.")]
     found = explicit_start(view)
@@ -159,7 +159,7 @@ def _explicit(view: View) -> list[Block]:
 
 
 def _begins_inside(view: View, of: str) -> list[Block]:
-    """On which side of its own boundary an orbit of one phase has to begin."""
+    """Paragraph on which side of its own boundary an orbit of one phase has to begin."""
     if len(view.links) > 1:
         return []
     (link,), start = view.links, view.equations.chain.start.state

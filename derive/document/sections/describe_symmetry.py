@@ -16,12 +16,12 @@ REVERSOR = r"\mathcal{R}"
 
 
 def symmetry_section(view: View) -> list[Block]:
-    """The reversor, the states at the ends of the phases, and what is left of the closure."""
+    """Blocks on the reversor, the states at the ends of the phases, and the closure."""
     return [*_reversor(view), *_ends(view), *_closure(view)]
 
 
 def _reversor(view: View) -> list[Block]:
-    """State the map and why halves of phases are enough."""
+    """Blocks on the map, and why halves of phases are enough."""
     naming, itinerary = view.naming, view.equations.itinerary
     notation, state = naming.notation, naming.state
     images = ",\\quad ".join(
@@ -52,7 +52,7 @@ def _reversor(view: View) -> list[Block]:
 
 
 def _fixed(view: View) -> str:
-    """Conditions under which a state is its own image."""
+    """Text of the conditions under which a state is its own image."""
     jump, shift = reversor_of(view.equations.itinerary, view.naming.system)
     fixed, _ = sp.Matrix.hstack(jump - sp.eye(jump.rows), shift).rref()
     column = sp.Matrix([*view.naming.system.states, 1])
@@ -62,7 +62,7 @@ def _fixed(view: View) -> str:
 
 
 def _ends(view: View) -> list[Block]:
-    """States at the ends of the phases: they need no flow."""
+    """Blocks with the states at the ends of the phases, which follow without a flow."""
     itinerary, system, start = view.undecided
     naming, state = view.naming, view.naming.state
     jump, shift = reversor_of(itinerary, system)
@@ -92,7 +92,7 @@ def _ends(view: View) -> list[Block]:
 
 
 def _closure(view: View) -> list[Block]:
-    """What is left of the exit conditions and of the closure."""
+    """Blocks on what remains of the exit conditions and of the closure."""
     naming, equations = view.naming, view.equations
     notation = naming.notation
     itinerary, system, start = view.undecided
@@ -143,7 +143,7 @@ def _closure(view: View) -> list[Block]:
 
 
 def _multiple(view: View, condition: sp.Expr) -> str:
-    """A multiple of a coordinate, the factor in front."""
+    """LaTeX of a multiple of a coordinate, with the factor in front."""
     notation = view.naming.notation
     _, _, start = view.undecided
     coordinate = next((q for q in start.coordinates if q in condition.free_symbols), None)
@@ -154,7 +154,7 @@ def _multiple(view: View, condition: sp.Expr) -> str:
 
 
 def _otherwise(view: View, conditions: list[sp.Expr]) -> str:
-    """Why the coordinate beside a required value is not zero instead."""
+    """Text that says why a coordinate is not zero in place of a required value."""
     _, _, start = view.undecided
     naming, required = view.naming, set(view.equations.required)
     beside = [

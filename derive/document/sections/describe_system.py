@@ -36,15 +36,10 @@ __all__ = [
 def system_section(
     naming: Naming, itinerary: Itinerary | None, required: Iterable[sp.Symbol] = ()
 ) -> list[Block]:
-    """Name, states, parameters, and the coordinates of the presentation.
+    """Blocks on the name, the states, the parameters and the presentation of a system.
 
-    Parameters
-    ----------
-    naming : Naming
-    itinerary : Itinerary or None
-        None for the document of a system.
-    required : iterable of symbols
-        Parameters whose values the orbit requires: told where they come from.
+    `itinerary` is None for the document of a system. Substitutions of the parameters in
+    `required`, whose values the orbit requires, are left out.
     """
     system = itinerary.system if itinerary else naming.system
     size = len(system.states) // 2
@@ -117,7 +112,7 @@ def system_section(
 
 
 def _forcing(naming: Naming, system: System) -> str:
-    """What the two states of each harmonic forcing are."""
+    """Text on the two states of each harmonic forcing."""
     matrix, _ = system.configurations[0].dynamics.field(system.states)
     found = ""
     for cosine, sine in system.forcing:
@@ -146,7 +141,7 @@ def _domain(parameter: Parameter, notation: Notation) -> str:
 def configuration_section(
     naming: Naming, names: Sequence[str], remarks: Mapping[str, str]
 ) -> list[Block]:
-    """Equations of motion of the named configurations, and their boundaries."""
+    """Blocks with the equations of motion of the named configurations, and their boundaries."""
     system, notation = naming.system, naming.notation
     chosen = [system.configuration(name) for name in names]
     blocks: list[Block] = []
@@ -224,7 +219,7 @@ def modal_section(
     names: Sequence[str],
     centres: Centres | None = None,
 ) -> tuple[list[Block], dict[str, int]]:
-    """Spectrum and flows of the named configurations, and the number of each one's flow.
+    """Blocks on the spectrum and the flows in closed form, and each flow's number by name.
 
     Centres that have letters are shown with them.
     """
@@ -256,7 +251,7 @@ def flow_section(
     names: Sequence[str],
     centres: Centres,
 ) -> tuple[list[Block], dict[str, int]]:
-    """Flows of the named configurations, and the number of each one's flow.
+    """Blocks on the flows of the named configurations, and the number of each flow by name.
 
     Those that are not among the `flows` have no closed form and are exponentials.
     """
@@ -278,7 +273,7 @@ def flow_section(
 
 
 def _meaning(naming: Naming, flows: Sequence[Flow], entries: Mapping[sp.Symbol, sp.Expr]) -> str:
-    """What the spectrum's symbols are: frequencies, distances of eigenvalues, projectors."""
+    """Text on the spectrum's symbols: frequencies, differences of eigenvalues, projectors."""
     oscillating = {s for f in flows for g in f.basis if g.has(sp.cos) for s in g.free_symbols}
     if not naming.second_order or not oscillating & set(entries):
         return ""
@@ -295,18 +290,18 @@ def _meaning(naming: Naming, flows: Sequence[Flow], entries: Mapping[sp.Symbol, 
 
 
 def _has_root(expression: sp.Expr) -> bool:
-    """Whether parameters stand below a root."""
+    """Whether parameters occur below a root."""
     powers = expression.atoms(sp.Pow)
     return any(not p.exp.is_integer and p.free_symbols for p in powers)
 
 
 def _single(expression: sp.Expr) -> bool:
-    """Whether a fraction of one symbol below stays readable when it is put together."""
+    """Whether an expression has a denominator of at most one symbol, and may be put together."""
     return len(sp.fraction(sp.together(expression))[1].free_symbols) < 2
 
 
 def _entries(spectrum: Spectrum, flows: Sequence[Flow]) -> list[tuple[sp.Symbol, sp.Expr]]:
-    """Select the spectral entries that the flows need, directly or through others."""
+    """Entries of the spectrum that the flows need, directly or through others, in order."""
     needed: set[sp.Symbol] = set()
     for flow in flows:
         for part in (*flow.basis, *flow.matrices, *flow.offsets):

@@ -20,7 +20,7 @@ _MONODROMY = r"\operatorname{tr} \mathcal{M}"
 
 
 def trace_section(view: View) -> list[Block]:
-    """Give the trace, in closed form where the rank is one, and what it says on stability."""
+    """Blocks on the trace, in closed form where the rank is one, and on stability."""
     reduction = view.equations.reduction
     if reduction.rank == 0:
         return [
@@ -47,7 +47,7 @@ def _rank_one(view: View) -> Paragraph:
 
 
 def _one_sided(view: View) -> str:
-    """Which perturbations the derivatives of a border collision are for."""
+    """Text on the perturbations for which the derivatives of a border collision hold."""
     at_once = [link.dwell for link in view.links if link.duration == 0]
     if not at_once:
         return ""
@@ -59,7 +59,7 @@ def _one_sided(view: View) -> str:
 
 
 def _sum(view: View) -> list[Block]:
-    """The trace as the sum of the diagonal, and how many multipliers can differ from zero."""
+    """Blocks on the trace as a sum of diagonal entries, and the number of multipliers."""
     equations = view.equations
     rank, size = equations.reduction.rank, len(equations.chain.coordinates)
     diagonal = [rf"J_{{{i}{i}}}" for i in range(1, size + 1)]
@@ -83,7 +83,7 @@ def _sum(view: View) -> list[Block]:
 
 
 def _full_rank(view: View) -> list[Block]:
-    """Stability of a map whose trace alone does not decide."""
+    """Blocks on the stability of a map whose trace alone does not decide."""
     if len(view.equations.chain.coordinates) == 2:
         return [
             Paragraph(
@@ -111,7 +111,7 @@ def _full_rank(view: View) -> list[Block]:
 
 
 def _conservative(view: View) -> list[Block]:
-    """The trivial multiplier, and the pair that the trace of the monodromy matrix gives."""
+    """Blocks on the trivial multiplier, and on the pair that the monodromy's trace gives."""
     size = len(view.naming.system.states)
     blocks: list[Block] = []
     found = monodromy_trace(view)
@@ -164,7 +164,7 @@ def _conservative(view: View) -> list[Block]:
 
 
 def _written_out(view: View, found: MonodromyTrace) -> list[Block]:
-    """The trace of the monodromy matrix as a sum over functions of the dwell times."""
+    """Blocks with the monodromy's trace as a sum over functions of the dwell times."""
     base, names = view.naming.notation, found.names
     notation = base.with_names({s: latex for s, (latex, _) in names.items()})
     factors = [
@@ -190,7 +190,7 @@ def _degree(term: sp.Expr) -> tuple[int, str]:
 
 
 def _slope(view: View) -> list[Block]:
-    """The trace as the slope of the map in one variable."""
+    """Blocks on the trace as the slope of the map in one variable."""
     naming, reduction = view.naming, view.equations.reduction
     notation, symbol, image = naming.notation, naming.notation.symbol, reduction.image
     first, *others = reduction.unknowns
@@ -242,7 +242,7 @@ def _slope(view: View) -> list[Block]:
 def _derivatives(
     naming: Naming, stages: Sequence[Stage], base: set[sp.Symbol], directions: Sequence[str]
 ) -> list[Block]:
-    """Show the derivatives along the stages, direction by direction, and what is left."""
+    """Blocks with the derivatives along the stages, direction by direction."""
     named = {e: s for s, e in naming.notation.functions.items()}
     inlined: dict[sp.Symbol, sp.Expr] = {}
     groups: dict[str, list[tuple[sp.Symbol, sp.Expr]]] = {d: [] for d in (*directions, "")}

@@ -10,7 +10,7 @@ __all__ = ["transition_section"]
 
 
 def transition_section(naming: Naming) -> list[Block]:
-    """Which configuration follows which set of boundaries, under which conditions."""
+    """Blocks on which configuration follows which set of boundaries, under which conditions."""
     notation, system = naming.notation, naming.system
     if all(not t.conditions and len(t.boundaries) == 1 for t in system.transitions):
         return _without_conditions(naming)
@@ -87,7 +87,7 @@ def transition_section(naming: Naming) -> list[Block]:
 
 
 def _without_conditions(naming: Naming) -> list[Block]:
-    """One row a transition, where one boundary at a time is reached and nothing else decides."""
+    """Table of transitions that single boundaries decide, one row for each."""
     resets = [_reset(t, naming) for t in naming.system.transitions]
     rows: list[tuple[str, ...]] = [
         (f"*{t.source}*", ", ".join(f"*{b}*" for b in t.boundaries), f"*{t.target}*", reset)

@@ -18,26 +18,11 @@ Place = tuple[int, int]
 def with_entries(
     naming: Naming, name: str, matrix: sp.Matrix, room: float
 ) -> tuple[str, tuple[Line, ...]]:
-    """LaTeX of a matrix that is no wider than there is room, and the entries that it names.
+    """LaTeX of a matrix that is no wider than `room` in em, and lines for its named entries.
 
-    The widest entries are written as ``(name)_{ij}``, those of a row or a column with one index,
-    until the matrix has room. One that is another up to its sign is written by that.
-
-    Parameters
-    ----------
-    naming : Naming
-    name : str
-        LaTeX of the matrix.
-    matrix : Matrix
-    room : float
-        Its width, in em.
-
-    Returns
-    -------
-    str
-        The matrix.
-    tuple of Line
-        One for each entry that has a name in it.
+    The widest entries are written as ``(name)_{ij}``, those of a row or a column with one
+    index, until the matrix has room; `name` is the LaTeX of the matrix. An entry that
+    equals another one up to its sign is written by that.
     """
     notation = naming.notation
     texts = {
@@ -60,14 +45,14 @@ def with_entries(
 
 
 def _label(name: str, matrix: sp.Matrix, place: Place) -> str:
-    """An entry's name: with one index where the matrix is a row or a column."""
+    """LaTeX of an entry's name, with one index if the matrix is a row or a column."""
     long = max(matrix.shape) > 9
     indices = [str(i + 1) for i, many in zip(place, matrix.shape, strict=True) if many > 1]
     return rf"\left({name}\right)_{{{(',' if long else '').join(indices)}}}"
 
 
 def _alike(matrix: sp.Matrix, place: Place) -> list[tuple[Place, str]]:
-    """Entries that are the one at a place up to their sign, that one among them."""
+    """Places of all entries equal to the given one up to their sign, each with its sign."""
     entry, found = matrix[place], []
     for i in range(matrix.rows):
         for j in range(matrix.cols):

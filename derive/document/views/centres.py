@@ -20,22 +20,15 @@ __all__ = ["Centres", "centre_of", "name_centres"]
 
 @dataclass(frozen=True)
 class Centres:
-    """Centres that differ from the origin, by configuration.
+    """Centres that differ from the origin, by configuration."""
 
-    Attributes
-    ----------
-    columns : mapping of configuration to N x 1 matrix
-        Symbols of the coordinates that are not zero.
-    values : mapping of symbol to expression
-    names : mapping of symbol to LaTeX
-    """
-
+    # by configuration, N x 1: symbols of the coordinates that are not zero
     columns: Mapping[str, sp.Matrix]
-    values: Mapping[sp.Symbol, sp.Expr]
-    names: Mapping[sp.Symbol, str]
+    values: Mapping[sp.Symbol, sp.Expr]  # expression of each symbol
+    names: Mapping[sp.Symbol, str]  # LaTeX of each symbol
 
     def written(self, flow: Flow) -> Flow:
-        """A flow with the symbols of its centre in place of the parameters."""
+        """The flow with the symbols of its centre in place of the parameters."""
         column = self.columns.get(flow.configuration)
         if column is None:
             return flow
@@ -47,13 +40,9 @@ class Centres:
 
 
 def name_centres(flows: Iterable[Flow], taken: Iterable[str]) -> Centres:
-    """Name the centres of an orbit's configurations, with a letter that nothing else has.
+    """Centres of an orbit's configurations, with a letter that no other symbol has.
 
-    Parameters
-    ----------
-    flows : iterable of Flow
-    taken : iterable of str
-        LaTeX of all other symbols.
+    `taken` is the LaTeX of all other symbols.
     """
     shown = list(flows)
     if any(map(is_response, shown)):
@@ -81,7 +70,10 @@ def name_centres(flows: Iterable[Flow], taken: Iterable[str]) -> Centres:
 
 
 def centre_of(flow: Flow) -> sp.Matrix | None:
-    """Point c with y(t) - c = Phi(t) (y(0) - c), free components zero; None if there is none."""
+    """Point c with y(t) - c = Phi(t) (y(0) - c), as N x 1; None if there is none.
+
+    Components that are free are zero.
+    """
     matrix, offset = flow.field
     size = matrix.rows
     # states that drift come last, so that they are the free ones

@@ -14,7 +14,7 @@ __all__ = ["closed_flows"]
 
 
 def closed_flows(system: System, names: Iterable[str]) -> tuple[Spectrum, dict[str, Flow]]:
-    """Spectrum and flows of the named configurations, those without a closed form left out."""
+    """Spectrum and flows by name of those named configurations that have a closed form."""
     chosen = [system.configuration(name) for name in names]
     try:
         return derive_flows(_alone(system, chosen))
@@ -32,6 +32,6 @@ def _is_closed(system: System, configuration: Configuration) -> bool:
 
 
 def _alone(system: System, configurations: Iterable[Configuration]) -> System:
-    """A system of these motions, without boundaries and what belongs to them."""
+    """A system of these configurations without boundaries, transitions and contacts."""
     motions = tuple(Configuration(c.name, c.dynamics, ()) for c in configurations)
     return replace(system, configurations=motions, transitions=(), contacts=())

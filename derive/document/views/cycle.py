@@ -23,32 +23,21 @@ __all__ = ["Cycle", "Harmonic", "Passing", "harmonics_of"]
 
 @dataclass(frozen=True)
 class Passing:
-    """One transition of a cycle, with what its derivatives need.
+    """One transition of a cycle, with the data of its derivatives.
 
-    Attributes
-    ----------
-    transition : Transition
-    boundary : Boundary
-        By which the phases in front of it are left.
-    phases : tuple of int
-        Numbers of those phases.
-    normal, constant : 1 x N matrix and expression
-        The boundary's function is ``normal y + constant``.
-    reset, jump : N x N and N x 1 matrices
-        The state behind the transition is ``reset y + jump``.
-    before, behind : N x 1 matrices
-        Vector fields in front of the transition and behind it, both of the state in front.
+    The boundary's function is ``normal y + constant``; the state behind the transition is
+    ``reset y + jump``.
     """
 
     transition: Transition
-    boundary: Boundary
-    phases: tuple[int, ...]
-    normal: sp.Matrix
+    boundary: Boundary  # the one by which the phases in front of the transition are left
+    phases: tuple[int, ...]  # numbers of those phases, from 1
+    normal: sp.Matrix  # 1 x N
     constant: sp.Expr
-    reset: sp.Matrix
-    jump: sp.Matrix
-    before: sp.Matrix
-    behind: sp.Matrix
+    reset: sp.Matrix  # N x N
+    jump: sp.Matrix  # N x 1
+    before: sp.Matrix  # N x 1: vector field in front of the transition
+    behind: sp.Matrix  # N x 1: vector field behind it, in terms of the state in front
 
     @property
     def rate(self) -> sp.Expr:
@@ -62,12 +51,12 @@ class Passing:
         return not (unit and self.jump.is_zero_matrix)
 
     def saltation(self, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
-        """Saltation matrix at a state on the boundary."""
+        """Saltation matrix (N x N) at a state on the boundary."""
         matrix = saltation_matrix(self.reset, self.normal, self.before, self.behind)
         return self._on_boundary(matrix, states)
 
     def difference(self, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
-        """What the field behind has more than the reset of that in front, on the boundary."""
+        """Field behind less the reset of the field in front (N x 1), at a state on the boundary."""
         return self._on_boundary(self.behind - self.reset * self.before, states)
 
     def _on_boundary(self, matrix: sp.Matrix, states: tuple[sp.Symbol, ...]) -> sp.Matrix:
@@ -77,43 +66,26 @@ class Passing:
 
 @dataclass(frozen=True)
 class Harmonic:
-    """Two states that oscillate by themselves: first' = -a second, second' = b first.
-
-    Attributes
-    ----------
-    first, second : symbol
-    frequency : expression
-    invariant : expression
-        Quadratic function of both that keeps its value.
-    """
+    """Two states that oscillate by themselves: first' = -a second, second' = b first."""
 
     first: sp.Symbol
     second: sp.Symbol
     frequency: sp.Expr
-    invariant: sp.Expr
+    invariant: sp.Expr  # quadratic function of both that is constant in time
 
 
 @dataclass(frozen=True)
 class Cycle:
-    """An itinerary with the notation and the letters in which it is written.
-
-    Attributes
-    ----------
-    itinerary : Itinerary
-    naming : Naming
-    letters : Letters
-    numbers : mapping of configuration to int
-        Number of each flow.
-    """
+    """An itinerary with the notation and the letters in which it is written."""
 
     itinerary: Itinerary
     naming: Naming
     letters: Letters
-    numbers: Mapping[str, int]
+    numbers: Mapping[str, int]  # by configuration: number of its flow
 
     @property
     def system(self) -> System:
-        """The system as it is presented."""
+        """The system in the presentation of the itinerary."""
         return self.naming.system
 
     @property
@@ -128,7 +100,7 @@ class Cycle:
 
     @cached_property
     def passings(self) -> tuple[Passing, ...]:
-        """Transitions in the order in which they first occur."""
+        """Each transition once, in the order in which they first occur."""
         places: dict[tuple[str, str, str], list[int]] = {}
         for index, phase in enumerate(self.itinerary.phases):
             following = self.itinerary.phases[(index + 1) % self.count].configuration
@@ -143,7 +115,7 @@ class Cycle:
 
     @property
     def phase(self) -> str:
-        """Index of a phase in formulas: a number where there is but one."""
+        """Index of a phase in formulas: k, or 1 if there is only one phase."""
         return "k" if self.count > 1 else "1"
 
     @property
@@ -153,7 +125,7 @@ class Cycle:
 
     @property
     def product(self) -> str:
-        """Sign of a product over the phases, the first on the right."""
+        """LaTeX of the sign of a product over the phases, the first on the right."""
         return rf"\prod_{{k={self.count}}}^{{1}} " if self.count > 1 else ""
 
     def number(self, phase: int) -> int:
@@ -162,17 +134,17 @@ class Cycle:
 
     @cached_property
     def resets(self) -> bool:
-        """Whether the state jumps anywhere."""
+        """Whether some transition makes the state jump."""
         return any(p.resets for p in self.passings)
 
     @cached_property
     def harmonics(self) -> tuple[Harmonic, ...]:
-        """Oscillations that nothing else acts on."""
+        """Pairs of states that oscillate without any other influence."""
         return harmonics_of(self.itinerary, self.system)
 
     @cached_property
     def directions(self) -> sp.Matrix:
-        """Directions of the state that nothing depends on, as columns."""
+        """Directions of the state along which nothing changes, as columns (N x k)."""
         return translations(self.system)
 
     def _passing(self, phases: tuple[int, ...]) -> Passing:
@@ -193,8 +165,8 @@ class Cycle:
 def harmonics_of(itinerary: Itinerary, system: System) -> tuple[Harmonic, ...]:
     """Pairs of states that oscillate by themselves all along an itinerary.
 
-    In every one of its configurations the two have the same equations, in which no other state
-    occurs, and no transition resets them.
+    In every one of its configurations the two have the same equations, in which no other
+    state occurs, and no transition resets them.
     """
     states = system.states
     names = dict.fromkeys(p.configuration for p in itinerary.phases)
@@ -227,7 +199,10 @@ def _velocity(field: tuple[sp.Matrix, sp.Matrix], state: sp.Matrix) -> sp.Matrix
 def _solved(
     normal: sp.Matrix, constant: sp.Expr, states: tuple[sp.Symbol, ...]
 ) -> dict[sp.Symbol, sp.Expr]:
-    """A boundary solved for one of its states, one with a number for its coefficient first."""
+    """A boundary solved for one state, by the state's symbol.
+
+    A state with a number as its coefficient is preferred.
+    """
     places = [i for i, n in enumerate(normal) if n != 0]
     if not places:
         return {}

@@ -19,24 +19,15 @@ _MOST_TERMS = 4
 
 @dataclass(frozen=True)
 class ExplicitStart:
-    """Determinant and coordinates, written out.
-
-    Attributes
-    ----------
-    determinant : Line
-    coordinates : tuple of Line
-        Each a numerator over the determinant.
-    because : str
-        The identity by which the products shrank, as text.
-    """
+    """Determinant and coordinates of a start, written out."""
 
     determinant: Line
-    coordinates: tuple[Line, ...]
-    because: str
+    coordinates: tuple[Line, ...]  # each a numerator over the determinant
+    because: str  # text of the identity by which the products are shorter
 
 
 def explicit_start(view: View) -> ExplicitStart | None:
-    """Write the start out, unless that takes too many terms."""
+    """The start written out; None if unknowns remain, or if it takes too many terms."""
     reduction, notation = view.equations.reduction, view.naming.notation
     if reduction.unknowns or not reduction.determinants:
         return None
@@ -65,7 +56,7 @@ def explicit_start(view: View) -> ExplicitStart | None:
 
 
 def _inlined(view: View, assigned: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
-    """Coefficients, right-hand sides, numerators and determinant in functions of time alone."""
+    """Expressions of the reduction's symbols in functions of time and constants alone."""
     found: dict[sp.Symbol, sp.Expr] = {}
     for stage in view.equations.reduction.stages:
         for symbol, _ in stage.assignments:
@@ -75,7 +66,7 @@ def _inlined(view: View, assigned: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbo
 
 
 def _relations(view: View) -> list[tuple[sp.Expr, sp.Expr]]:
-    """Products of entries of projectors, from P P = P: (product, what it equals)."""
+    """Products of entries of projectors, and what they equal because of P P = P."""
     found: dict[sp.Expr, sp.Expr] = {}
     size = len(view.naming.positions)
     for flow in view.flows.values():

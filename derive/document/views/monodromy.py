@@ -19,24 +19,18 @@ _MOST_TERMS = 12
 
 @dataclass(frozen=True)
 class MonodromyTrace:
-    """Trace of a monodromy matrix as a sum, term by term.
-
-    Attributes
-    ----------
-    terms : tuple of expressions
-    names : mapping of symbol to (LaTeX, expression)
-        Symbols of the terms that stand for entries of saltation matrices or for a long factor.
-    """
+    """Trace of a monodromy matrix as a sum of terms."""
 
     terms: tuple[sp.Expr, ...]
+    # (LaTeX, expression) of symbols for entries of saltation matrices or a long factor
     names: dict[sp.Symbol, tuple[str, sp.Expr]]
 
 
 def saltations(view: View) -> tuple[sp.Matrix, ...]:
-    """Saltation matrix of each transition, where its switching condition holds.
+    """Saltation matrix (N x N) of each transition, where its switching condition holds.
 
-    The states are those at the ends of the phases, of a reversible orbit in the coordinates of
-    its start.
+    It is written in the states at the ends of the phases, for a reversible orbit in the
+    coordinates of its start.
     """
     links, assigned = view.links, _resets(view)
     found = []
@@ -64,7 +58,7 @@ def keeps_volume(view: View) -> bool:
 
 
 def monodromy_trace(view: View) -> MonodromyTrace | None:
-    """Trace of the monodromy matrix in functions of the dwell times, unless it is too long."""
+    """Trace of the monodromy matrix in functions of the dwell times; None if it is too long."""
     names: dict[sp.Symbol, tuple[str, sp.Expr]] = {}
     product = sp.eye(len(view.naming.system.states))
     for index, (link, matrix) in enumerate(zip(view.links, saltations(view), strict=True), 1):
@@ -114,7 +108,7 @@ def _within(symbol: sp.Symbol, terms: list[sp.Expr]) -> bool:
 
 
 def _split(coefficient: sp.Expr, projectors: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, sp.Expr]:
-    """Factors with entries of projectors, and the others."""
+    """The factors of a coefficient that contain entries of projectors, and the others."""
     factors = sp.Mul.make_args(factor(coefficient))
     outer = sp.Mul(*(f for f in factors if f.free_symbols & set(projectors)))
     inner = sp.Mul(*(f for f in factors if not f.free_symbols & set(projectors)))
@@ -122,7 +116,7 @@ def _split(coefficient: sp.Expr, projectors: tuple[sp.Symbol, ...]) -> tuple[sp.
 
 
 def _long(keys: list[sp.Expr]) -> sp.Expr | None:
-    """A long factor whose difference from 1 is the only other one."""
+    """A long factor k if the only other factor is 1 - k or k - 1; else None."""
     different = list(dict.fromkeys(keys))
     if len(different) != 2 or len(sp.Add.make_args(different[0])) < 4:
         return None
@@ -132,13 +126,16 @@ def _long(keys: list[sp.Expr]) -> sp.Expr | None:
 
 
 def _resets(view: View) -> dict[sp.Symbol, sp.Expr]:
-    """What the chain assigns behind the transitions."""
+    """Expressions that the chain assigns behind the transitions, by their symbols."""
     assignments = (a for s in view.equations.chain.stages for a in s.assignments)
     return {s: e for s, e in assignments if str(s).endswith("_reset")}
 
 
 def _solved(view: View, condition: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
-    """A switching condition solved for a state, one with a number for its coefficient first."""
+    """A switching condition solved for one state, by the state's symbol.
+
+    A state with a number as its coefficient is preferred.
+    """
     notation = view.naming.notation
     states = sorted((s for s in condition.free_symbols if notation.is_state(s)), key=str)
     if not states:

@@ -19,20 +19,14 @@ _CONSTANT = sp.Tuple(sp.Integer(0))
 
 @dataclass(frozen=True)
 class Displacements:
-    """Symbols g = h' + 2 delta h of damped oscillations: responses to a displacement of 1.
+    """Symbols g = h' + 2 delta h of damped oscillations: responses to a displacement of 1."""
 
-    Attributes
-    ----------
-    symbols : mapping of factor to symbol
-    spectrum : mapping of symbol to expression
-        What factors may contain.
-    """
-
-    symbols: Mapping[sp.Tuple, sp.Symbol]
+    symbols: Mapping[sp.Tuple, sp.Symbol]  # by characteristic factor
+    # expression of each spectral symbol that factors may contain
     spectrum: Mapping[sp.Symbol, sp.Expr]
 
     def insert(self, expression: sp.Expr) -> sp.Expr:
-        """Write an expanded expression with them, where that makes it shorter."""
+        """The expanded expression with these symbols inserted, if that makes it shorter."""
         values = {
             ExponentialDifference(1, TIME, f): g
             - f[1].xreplace(self.spectrum) * ExponentialDifference(0, TIME, f)
@@ -57,7 +51,7 @@ class Displacements:
 
 
 def positions_of(flow: Flow) -> dict[int, int]:
-    """Places of coordinates whose derivative is another state, and the place of that."""
+    """Index of the velocity by the index of its position: x' is the state v alone."""
     matrix, offset = flow.field
     found = {}
     for i in range(matrix.rows):
@@ -69,24 +63,17 @@ def positions_of(flow: Flow) -> dict[int, int]:
 
 @dataclass(frozen=True)
 class Modes:
-    """Positions as a sum of matrices and columns times functions of time.
+    """Positions as a sum of matrices and columns times functions of time."""
 
-    Attributes
-    ----------
-    positions : tuple of int
-    matrices : mapping of matrix to pair of expressions
-        Functions of time beside the positions at the start, and beside their velocities.
-    columns : mapping of column to mapping of int to expression
-        Functions of time beside the other states at the start; those of none at -1.
-    """
-
-    positions: tuple[int, ...]
+    positions: tuple[int, ...]  # indices of the positions
+    # by matrix: functions of time beside the positions at the start, and beside velocities
     matrices: Mapping[sp.Matrix, tuple[sp.Expr, sp.Expr]]
+    # by column and index of another state at the start, -1 for none: function of time
     columns: Mapping[sp.Matrix, Mapping[int, sp.Expr]]
 
 
 def modes_of(flow: Flow, displacements: Displacements) -> Modes | None:
-    """Modal form of a motion that is a sum over projectors; None where that is no shorter."""
+    """Modal form of a motion that is a sum over projectors; None if that is no shorter."""
     pairs = positions_of(flow)
     places = tuple(pairs)
     if len(places) < 2:
@@ -128,7 +115,10 @@ def _by_function(block: sp.Matrix, displacements: Displacements) -> dict[sp.Expr
 
 
 def _multiple(matrix: sp.Matrix, known: Sequence[sp.Matrix]) -> tuple[sp.Matrix, sp.Expr]:
-    """A known matrix of which this is a multiple, and by what; else itself."""
+    """A known matrix of which the given one is a multiple, and the ratio.
+
+    If there is none, the matrix itself and 1.
+    """
     for other in known:
         place = next(i for i, e in enumerate(other) if e != 0)
         ratio = sp.cancel(matrix[place] / other[place])
@@ -139,22 +129,15 @@ def _multiple(matrix: sp.Matrix, known: Sequence[sp.Matrix]) -> tuple[sp.Matrix,
 
 @dataclass(frozen=True)
 class Steady:
-    """Steady responses of the coordinates to one harmonic forcing.
-
-    Attributes
-    ----------
-    frequency : expression
-    terms : mapping of int to tuple of (factors, cosine, sine)
-        By the place of a coordinate: what the response of these factors to the cosine, and to
-        the sine, is multiplied by.
-    """
+    """Steady responses of the coordinates to one harmonic forcing."""
 
     frequency: sp.Expr
+    # by coordinate's index: (factors, cosine, sine), coefficients of the factors' response
     terms: Mapping[int, tuple[tuple[Factors, sp.Expr, sp.Expr], ...]]
 
     @cached_property
     def factors(self) -> tuple[sp.Tuple, ...]:
-        """All characteristic factors that answer."""
+        """All characteristic factors in the responses."""
         products = (product for found in self.terms.values() for product, _, _ in found)
         return tuple(dict.fromkeys(factor for product in products for factor in product))
 
@@ -168,7 +151,7 @@ class Steady:
 
 
 def steady_of(flow: Flow, cosine: int, sine: int) -> Steady | None:
-    """Steady responses of all coordinates; None where one has none of this simple form."""
+    """Steady responses of all coordinates; None if one has none of this simple form."""
     matrix, frequency = flow.matrix(), flow.field[0][sine, cosine]
     forcing = sp.Tuple(frequency**2, sp.Integer(0))
     found = {}
@@ -195,7 +178,10 @@ def steady_of(flow: Flow, cosine: int, sine: int) -> Steady | None:
 def _answers(
     expression: sp.Expr, forcing: sp.Tuple
 ) -> dict[Factors, tuple[sp.Expr, sp.Expr]] | None:
-    """Coefficients of h and h' of each product with the forcing's factor."""
+    """Coefficients of h and h' by product of factors; the forcing's factor is left out.
+
+    None if a term has another form.
+    """
     found: dict[Factors, tuple[sp.Expr, sp.Expr]] = {}
     for term in sp.Add.make_args(sp.expand(expression)):
         if term == 0:

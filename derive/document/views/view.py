@@ -26,21 +26,12 @@ __all__ = ["View", "functions_of", "view_of"]
 
 @dataclass(frozen=True)
 class View:
-    """An orbit's equations with the notation in which they are written.
-
-    Attributes
-    ----------
-    equations : EquationSystem
-    naming : Naming
-    centres : Centres
-    numbers : mapping of configuration to int
-        Number of each flow.
-    """
+    """An orbit's equations with the notation in which they are written."""
 
     equations: EquationSystem
     naming: Naming
     centres: Centres
-    numbers: Mapping[str, int]
+    numbers: Mapping[str, int]  # by configuration: number of its flow
 
     @property
     def reversible(self) -> bool:
@@ -59,14 +50,14 @@ class View:
 
     @property
     def map_coordinates(self) -> str:
-        """Coordinates of the Poincaré map, listed."""
+        """Coordinates of the Poincaré map, listed in words."""
         chain, notation = self.equations.chain, self.naming.notation
         listed = [f"${notation.symbol(name)}$" for name in chain.coordinates if name != PHASE]
         return enumeration([*listed, *(["the phase of the forcing"] if chain.forcing else [])])
 
     @cached_property
     def undecided(self) -> tuple[Itinerary, System, Section]:
-        """The itinerary, its system and its start before the closure has decided on values."""
+        """Itinerary, system and start, before the closure's required values are inserted."""
         equations, itinerary = self.equations, self.equations.itinerary
         shown = itinerary.presentation
         if equations.required and shown is not None:
@@ -77,7 +68,7 @@ class View:
 
     @cached_property
     def images(self) -> tuple[sp.Matrix, ...]:
-        """States at the ends of the phases of a reversible orbit, in the start's coordinates."""
+        """States at the ends of a reversible orbit's phases, in the start's coordinates."""
         itinerary, system = self.equations.itinerary, self.equations.system
         jump, shift = reversor_of(itinerary, system)
         starts = phase_starts(itinerary, system, self.equations.chain.start)
@@ -85,7 +76,7 @@ class View:
 
     @cached_property
     def conditions(self) -> tuple[sp.Expr, ...]:
-        """Left-hand sides of the equations as they are written: with the letters of centres."""
+        """Left-hand sides of the equations as written, with the letters of centres."""
         equations = self.equations
         if not (self.reversible and self.centres.columns):
             return tuple(equations.residual)
@@ -96,7 +87,7 @@ class View:
 
     @cached_property
     def reduction(self) -> Reduction:
-        """The reduction as it is written: with the letters of centres."""
+        """The reduction as written, with the letters of centres."""
         equations = self.equations
         if not (self.reversible and self.centres.columns):
             return equations.reduction
@@ -116,7 +107,7 @@ class View:
 
     @cached_property
     def written(self) -> Mapping[sp.Symbol, sp.Expr]:
-        """Expressions of the reduction's stages as they are written."""
+        """Expressions of the reduction's symbols as written."""
         return dict(a for stage in self.reduction.stages for a in stage.assignments)
 
     def labels_of(self, meaning: str) -> list[str]:
@@ -125,19 +116,19 @@ class View:
         return [f"({i})" for i, (found, _) in known if found == meaning]
 
     def reduced_label(self, index: int) -> str:
-        """Number of an equation of the reduced system; the count goes on."""
+        """Number of an equation of the reduced system, counted on from the full one."""
         return str(len(self.equations.equations) + 1 + index)
 
     @property
     def trace_label(self) -> str:
-        """Number of the trace, behind the equations of both systems."""
+        """Number of the trace, counted on from the equations of both systems."""
         reduction = self.equations.reduction
         shown = reduction.equations if reduction.equations != self.equations.equations else ()
         return self.reduced_label(len(shown))
 
 
 def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
-    """Notation of an orbit's document, and the centres that have a letter there."""
+    """Notation of an orbit's document, and the centres that have a letter in it."""
     itinerary, system, start = equations.itinerary, equations.system, equations.chain.start
     presentation = itinerary.presentation
     states = presentation.states if presentation else ()
@@ -168,7 +159,7 @@ def view_of(equations: EquationSystem) -> tuple[Naming, Centres]:
 
 
 def _marks(equations: EquationSystem) -> dict[str, str]:
-    """What marks the state behind each phase that the reduction takes apart."""
+    """Mark of the state behind each phase, by the name of its dwell time."""
     found = {}
     for number, link in enumerate(equations.chain.links, start=1):
         # that of a forced orbit is taken apart behind the transition
@@ -178,7 +169,7 @@ def _marks(equations: EquationSystem) -> dict[str, str]:
 
 
 def functions_of(equations: EquationSystem) -> dict[sp.Symbol, sp.Expr]:
-    """Symbols that stand for values of functions of time, and those values."""
+    """Values of functions of time, by the symbols that stand for them."""
     found = {
         value: function.subs(TIME, link.dwell)
         for link in equations.chain.links

@@ -38,12 +38,9 @@ _MARKS = re.compile(r"(\$[^$]+\$|\*[^*]+\*)")
 
 
 def to_html(document: Document) -> str:
-    """Write a page that needs no network: style and MathML are inside.
+    """A document as an HTML page that needs no network: style and MathML are inside.
 
-    Raises
-    ------
-    ImportError
-        If latex2mathml is not installed.
+    ImportError says that latex2mathml is not installed.
     """
     try:
         from latex2mathml.converter import convert
@@ -63,13 +60,13 @@ def to_html(document: Document) -> str:
 
 
 class _Page:
-    """Blocks as HTML, with one converter of LaTeX to MathML."""
+    """A writer of blocks as HTML, with one converter of LaTeX to MathML."""
 
     def __init__(self, convert: Callable[[str], str]) -> None:
         self.convert = convert
 
     def group(self, group: Sequence[Block]) -> str:
-        """HTML of one block, or of numbered formulas in a row."""
+        """HTML of one block, or of consecutive numbered formulas."""
         formulas = [b for b in group if isinstance(b, Formula)]
         beside = notes_beside(formulas)
         return "\n".join(
@@ -86,7 +83,10 @@ class _Page:
         return self.table(block)
 
     def formula(self, formula: Formula, *, beside: bool) -> str:
-        """Rows aligned at their signs, in a box that scrolls by itself; the note where it fits."""
+        """HTML of a formula's rows, aligned at their signs, in a box that scrolls by itself.
+
+        The note stands `beside` it, or else above.
+        """
         cells = "".join(
             f"<mtr><mtd>{self.math(left)}</mtd><mtd>{self.math(right)}</mtd></mtr>"
             for left, right in rows(formula.lines)
@@ -102,7 +102,7 @@ class _Page:
         )
 
     def table(self, table: Table) -> str:
-        """Put a table in a box that scrolls by itself."""
+        """HTML of a table, in a box that scrolls by itself."""
         head = "".join(f"<th>{self.text(cell)}</th>" for cell in table.header)
         body = "\n".join(
             f"<tr>{''.join(f'<td>{self.text(cell)}</td>' for cell in row)}</tr>"
@@ -111,7 +111,7 @@ class _Page:
         return f'<div class="table"><table>\n<tr>{head}</tr>\n{body}\n</table></div>'
 
     def text(self, text: str) -> str:
-        """Text with its marks."""
+        """HTML of text with formulas and emphasis."""
         found = []
         for part in _MARKS.split(text):
             if part.startswith("$") and len(part) > 1:

@@ -56,7 +56,7 @@ _MARKS = re.compile(r"(\$[^$]+\$|\*[^*]+\*)")
 
 
 class LatexMissing(RuntimeError):
-    """No LaTeX was found on the search path."""
+    """No LaTeX is on the search path."""
 
     def __init__(self) -> None:
         super().__init__(
@@ -66,7 +66,7 @@ class LatexMissing(RuntimeError):
 
 
 def to_latex(document: Document) -> str:
-    """Write a complete article."""
+    """A document as a complete LaTeX article."""
     title = _text(document.title)
     parts = [
         _PREAMBLE,
@@ -120,7 +120,7 @@ def _aligned(formulas: Sequence[Formula]) -> str:
 
 
 def _spread(text: str) -> str:
-    """Matrices with fractions as entries have more room between their rows."""
+    """LaTeX with more room between the rows of matrices that have fractions as entries."""
 
     def rows_apart(match: re.Match[str]) -> str:
         found = match[0]
@@ -151,7 +151,7 @@ def _table(table: Table) -> str:
 
 
 def _text(text: str) -> str:
-    """Text with its marks, special characters escaped outside formulas."""
+    """LaTeX of text with formulas and emphasis, special characters escaped outside formulas."""
     found = []
     for part in _MARKS.split(text):
         if part.startswith("$") and part.endswith("$") and len(part) > 1:
@@ -168,14 +168,10 @@ def _escaped(text: str) -> str:
 
 
 def compile_pdf(latex: str) -> bytes:
-    """Content of an article's PDF file, compiled in a temporary directory, without a shell.
+    """Bytes of an article's PDF, compiled in a temporary directory, without a shell.
 
-    Raises
-    ------
-    LatexMissing
-        If neither pdflatex nor lualatex nor tectonic is installed.
-    RuntimeError
-        If LaTeX reports an error; the message ends with the end of its log.
+    LatexMissing says that neither pdflatex nor lualatex nor tectonic is installed,
+    RuntimeError that LaTeX reports an error; its message ends with the end of the log.
     """
     engines = (shutil.which(name) for name in ("pdflatex", "lualatex", "tectonic"))
     engine = next((e for e in engines if e), None)

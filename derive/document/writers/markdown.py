@@ -9,7 +9,7 @@ __all__ = ["to_markdown"]
 
 
 def to_markdown(document: Document) -> str:
-    """Write a Markdown page; displayed formulas stand between ``$$``."""
+    """A document as a Markdown page; displayed formulas stand between ``$$``."""
     parts = [f"# {document.title}", *(_block(block) for block in document.blocks)]
     return "\n\n".join(parts) + "\n"
 

@@ -17,16 +17,17 @@ _BEFORE_SIGN = (*_OPENING, "=", ",", "↦", "|", "<", ">")
 
 
 def mathml(latex: str, convert: Callable[[str], str]) -> str:
-    """MathML of LaTeX by a converter, mended."""
+    """MathML of LaTeX by the given converter, mended."""
     # the converter forgets that one letter alone is upright, but not that a name is
     return mended(convert(re.sub(r"\\mathrm\{(\w)\}", r"\\operatorname{\1}", latex)))
 
 
 def mended(mathml: str) -> str:
-    """Mend a formula, and give what is inside its outer element.
+    """What is inside the outer element of a formula in MathML, mended for browsers.
 
-    Names of functions get the spaces of TeX, signs in front of a term stand close to it, strokes
-    and parentheses take no room of their own, and only around something tall do parentheses grow.
+    Names of functions get the spaces of TeX, signs in front of a term stand close to it,
+    strokes and parentheses take no room of their own, and only around something tall do
+    parentheses grow.
     """
     root = ElementTree.fromstring(re.sub(r' xmlns="[^"]*"', "", mathml, count=1))
     for row in list(root.iter()):
@@ -43,7 +44,7 @@ def _core(element: Element) -> Element:
 
 
 def _set_upright(name: Element) -> None:
-    """Names of one letter are letters, and upright."""
+    """Make an operator of one letter an upright identifier."""
     if name.tag == "mo" and re.fullmatch("[A-Za-z]", name.text or ""):
         name.tag = "mi"
         name.set("mathvariant", "normal")
@@ -67,7 +68,7 @@ def _space_names(row: Element) -> None:
 
 
 def _opens(element: Element) -> bool:
-    """Whether a row begins with a parenthesis."""
+    """Whether an element is a row that begins with a parenthesis."""
     return element.tag == "mrow" and len(element) > 0 and element[0].text in _OPENING
 
 
@@ -84,7 +85,7 @@ def _space_signs(row: Element) -> None:
 
 
 def _settle_fences(row: Element) -> None:
-    """Parentheses of one row that LaTeX would let grow, and that have nothing tall inside."""
+    """Keep the parentheses of a row from growing if nothing tall is inside."""
     if len(row) < 2 or row[0].get("fence") != "true" or row[-1].get("fence") != "true":
         return
     inner = {element.tag for part in row for element in part.iter()}
@@ -95,7 +96,7 @@ def _settle_fences(row: Element) -> None:
 
 
 def _pair_bars(row: Element) -> None:
-    """Bars as parentheses: every other one closes."""
+    """Make bars in a row fences, of which every other one closes."""
     bars = [bar for bar in row if bar.text == "|"]
     for number, bar in enumerate(bars if len(bars) % 2 == 0 else ()):
         bar.tag = "mo"
