@@ -192,7 +192,10 @@ def determinant(rows: Sequence[Sequence[Any]]) -> Any:
 
 
 def instant_of(event: Event) -> str:
-    """Return when in its phase an event happens: "start", "inside", "end", or ""."""
+    """Return when in its phase an event happens: at the "start", "inside", or at the "end".
+
+    The text is empty for events that have no such instant.
+    """
     if event.kind == "grazing":
         return "inside"
     if event.kind in ("simultaneous", "condition") or (event.kind == "tangent" and event.time):
@@ -255,7 +258,7 @@ def _ending(event: Event) -> Callable[[_Here], list[Any]]:
 
 
 def _condition(event: Event) -> Callable[[_Here], list[Any]]:
-    """Return the equation of that condition behind a phase which is nearest to zero."""
+    """Return the equation of that condition of a phase's transitions which is nearest to zero."""
 
     def values(here: _Here) -> list[Any]:
         plan = here.region.plans[_place(event)].at(here.number)

@@ -257,6 +257,7 @@ class BranchingMap:
         """Return boxes around images under a reset.
 
         Of the states before it only those count at which the functions in `under` are at most zero.
+        States of forcings lie in [-1, 1].
         """
         box = states.hull
         for row in under:
