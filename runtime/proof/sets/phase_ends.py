@@ -115,9 +115,10 @@ class PhaseEnds:
         return found, lost
 
     def _reached(self, states: ManySets, chunk: int) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Return by sets, windows and functions (B, k, j) what may be reached and what is passed.
+        """Return for sets, windows and functions (B, k, j) what may be reached, and what is passed.
 
-        A zero may be reached by some state of the set, and it is passed by all of them.
+        A zero may be reached if the bounds over the window do not exclude that for all states of
+        the set; it is passed if all states are beyond it.
         """
         shape = len(states), _CHUNK, len(self.functions)
         bounds = [x.reshape(shape) for x in self._over(chunk).bounds(states)]
