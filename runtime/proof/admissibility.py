@@ -28,66 +28,52 @@ __all__ = ["Judgement", "Margin", "OpenInequality", "judge"]
 
 
 class OpenInequality(NamedTuple):
-    """One inequality of an orbit that is none at a border collision.
+    """A strict inequality of an orbit that becomes an equality at a border collision.
 
-    Attributes
-    ----------
-    kind : str
-        "vanishing-phase": the dwell time is positive. "entry", "tangent": the first derivative
-        of a boundary function that is not zero where the phase begins is negative; where it
-        ends, its rate is positive. "simultaneous": another function is negative at the end.
-        "grazing": its maximum inside the phase is negative. "condition": a condition of a
-        transition is as the itinerary asks.
-    phase : int
-        Counted from 0.
-    boundary : str
-        Of a condition in its place "2.1": of the second transition that is listed the first.
-    instant : {"", "start", "inside", "end"}
+    By kind: "vanishing-phase" says that the dwell time is positive; "entry" and "tangent" that
+    the first nonzero derivative of a boundary function at the phase's start is negative, and
+    "tangent" at the end that the function's rate is positive; "simultaneous" that another
+    boundary function is negative at the end; "grazing" that its maximum inside the phase is
+    negative; "condition" that a condition of a transition is as the itinerary asks.
     """
 
     kind: str
-    phase: int
+    phase: int  # counted from 0
+    # for a condition its place: "2.1" is the first one of the second listed transition
     boundary: str
-    instant: str
+    instant: str  # "", "start", "inside" or "end"
 
     @property
     def slow(self) -> bool:
-        """Whether it is that a boundary is reached with a positive speed."""
+        """Whether the inequality says that a boundary is reached with positive speed."""
         return (self.kind, self.instant) == ("tangent", "end")
 
 
 class Margin(NamedTuple):
-    """How clearly a boundary is respected.
+    """A lower bound that shows how clearly a phase respects a boundary.
 
-    Attributes
-    ----------
-    phase : int
-    configuration, boundary : str
-    quantity : {"distance", "departure", "speed"}
-        The boundary function stays below minus that; its first derivative that is not zero
-        at the start is below minus that; the boundary is reached with at least that speed.
-    least : arb
-        Positive, exact.
+    By quantity: the boundary function stays below minus a "distance"; its first nonzero
+    derivative at the start is below minus a "departure"; the boundary is reached with at least
+    a "speed".
     """
 
     phase: int
     configuration: str
     boundary: str
-    quantity: str
-    least: arb
+    quantity: str  # "distance", "departure" or "speed"
+    least: arb  # positive, exact
 
 
 class Judgement(NamedTuple):
-    """Verdict "proved", "refuted" or "undecided", the reason where it is not proved, margins.
+    """The verdict about an orbit's admissibility, with its reason and its margins."""
 
-    Of an undecided one the inequalities that are open; None among them stands for what is no
-    inequality of this kind. Of those that were assumed, where a maximum is that may touch.
-    """
-
-    verdict: str
-    reason: str
-    margins: tuple[Margin, ...]
+    verdict: str  # "proved", "refuted" or "undecided"
+    reason: str  # empty if proved
+    margins: tuple[Margin, ...]  # empty unless proved
+    # what an undecided verdict could not decide; None stands for anything else than such an
+    # inequality
     open: tuple[OpenInequality | None, ...] = ()
+    # for each assumed grazing the begin and end of the window of time that holds the maximum
     touching: Mapping[OpenInequality, tuple[arb, arb]] = MappingProxyType({})
 
 
@@ -96,7 +82,7 @@ class _Refuted(Exception):
 
 
 class _NotTold(Exception):
-    """An inequality cannot be told."""
+    """The sign of an inequality cannot be decided."""
 
     def __init__(self, which: OpenInequality, reason: str) -> None:
         super().__init__(reason)
@@ -105,7 +91,10 @@ class _NotTold(Exception):
 
 @contextmanager
 def _opens(which: OpenInequality) -> Iterator[None]:
-    """What is undecided inside is whether this holds, unless more digits cannot tell."""
+    """Turn `Undecided` inside the block into `_NotTold` of an inequality.
+
+    What more digits cannot decide either stays `Undecided`.
+    """
     try:
         yield
     except Undecided as trouble:
@@ -121,23 +110,11 @@ def judge(
     dwell: Sequence[Any],
     assumed: Collection[OpenInequality] = (),
 ) -> Judgement:
-    """Judge an orbit whose start and dwell times are enclosed, at the working precision.
+    """Judge whether an orbit whose start and dwell times are enclosed is a motion of the system.
 
-    Parameters
-    ----------
-    plans : sequence of Plan
-        In the numbers of the phases.
-    phases : sequence of Phase
-    now : Shooting
-        Over the enclosures.
-    dwell : sequence of arb or TaylorModel
-    assumed : collection of OpenInequality, optional
-        Inequalities that are taken to hold.
-
-    Returns
-    -------
-    Judgement
-        "refuted" once a phase is, "proved" if all phases are, else "undecided".
+    The plans are in the numbers of the phases, and `now` is the passage over the enclosures. The
+    inequalities in `assumed` are taken to hold. The verdict is "refuted" as soon as one phase is
+    refuted, "proved" if all phases are proved, else "undecided".
     """
     margins: list[Margin] = []
     open_: list[OpenInequality | None] = []
@@ -160,7 +137,7 @@ def judge(
 
 
 class _Phase:
-    """One phase of an orbit."""
+    """One phase of an orbit, with the inequalities that its judgement leaves open."""
 
     def __init__(
         self, plan: Plan, field: Any, now: Shooting, dwell: Any, assumed: Collection[OpenInequality]
@@ -175,7 +152,10 @@ class _Phase:
         self.ending = OpenInequality("vanishing-phase", plan.place, "+".join(reached), "")
 
     def judged(self) -> list[Margin]:
-        """Margins of all boundaries; raises where one is crossed, keeps what is not decided."""
+        """Return the margins of all boundaries and keep what is undecided in `open`.
+
+        It raises `_Refuted` where the phase is no motion of the system.
+        """
         if not self.dwell > 0 and self.ending not in self.assumed:
             if self.dwell < 0:
                 raise _Refuted("its dwell time is negative")
@@ -208,7 +188,7 @@ class _Phase:
             raise Undecided("whether what it holds holds where it begins", digits=False)
 
     def _watched(self, watched: Watched, functions: EventFunctions | None) -> list[Margin]:
-        """Margins of one boundary."""
+        """Prove that one boundary is respected and return its margins."""
         name, begins, place = watched.name, watched.begins, self.plan.place
         found: list[Margin] = []
         order = 0 if begins is None else begins.order
@@ -249,7 +229,10 @@ class _Phase:
         return found
 
     def _not_inside(self, watched: Watched, functions: EventFunctions | None) -> None:
-        """Refute what is open at an end of the phase, where the boundary is passed inside too."""
+        """Refute the phase if the boundary is proved to be crossed inside it.
+
+        It is called where the boundary's inequality at an end of the phase is undecided.
+        """
         if functions is None or watched.still:
             return
         time = functions.crossed(functions.function(matrix([watched.row])))
@@ -257,9 +240,10 @@ class _Phase:
             raise _Refuted(_crossed(watched.name, time))
 
     def _bends(self, watched: Watched, functions: EventFunctions | None) -> bool:
-        """Whether a function is convex that is exactly zero at both ends of the phase.
+        """Whether a boundary function that is exactly zero at both ends of the phase is convex.
 
-        As the dwell time is positive it is then negative inside, left and reached with a speed.
+        As the dwell time is positive, the function is then negative inside, and the boundary is
+        left and reached with a nonzero speed.
         """
         begins = watched.begins
         if functions is None or begins is None or begins.order != 1 or not watched.reached:
@@ -278,7 +262,10 @@ class _Phase:
         return Margin(plan.place, plan.configuration, boundary, quantity, range_of(least).lower())
 
     def _speed(self, watched: Watched) -> Any:
-        """Speed at which a boundary is reached that is exactly zero at the end."""
+        """Return the speed with which the boundary is reached, proved to be positive.
+
+        The boundary function has to be exactly zero at the end.
+        """
         name = watched.name
         if any(watched.ends):
             value = evaluate(watched.ends, self.behind)
@@ -295,7 +282,10 @@ class _Phase:
     def _distance(
         self, functions: EventFunctions, watched: Watched, zeros: ExactZeros
     ) -> arb | None:
-        """Prove that a boundary is not reached inside the phase; by how much, if anything."""
+        """Prove that a boundary is not reached inside the phase.
+
+        It returns a lower bound of the distance, or None if no positive one is proved.
+        """
         place, name = self.plan.place, watched.name
         grazing = OpenInequality("grazing", place, name, "inside")
         together = OpenInequality("simultaneous", place, name, "end")
@@ -329,14 +319,17 @@ class _Phase:
         return None
 
     def _follows(self) -> None:
-        """Prove that in every order what follows first is the itinerary's transition."""
+        """Prove that in every order the itinerary's transition is the first to follow."""
         for followers in self.plan.orders:
             left = self._left(followers)
             if left is not None:
                 self._first(left)
 
     def _left(self, followers: Sequence[Follower]) -> list[Follower] | None:
-        """What may follow if open conditions are as is assumed; None where one is not."""
+        """Return the followers that remain if the assumed conditions are as assumed.
+
+        None if a condition is undecided and not assumed.
+        """
         opens = self._open_conditions(followers)
         left = [(which, target) for which, target in opens if which not in self.assumed]
         if left:
@@ -350,7 +343,7 @@ class _Phase:
         ]
 
     def _first(self, followers: Sequence[Follower]) -> None:
-        """Prove that of these the first whose conditions hold is wanted."""
+        """Prove that the first follower whose conditions hold is the itinerary's."""
         follower, trouble = first_following(followers, self._sign)
         if follower is not None and trouble is not None:
             raise Undecided(f"whether {follower.target} follows")
@@ -364,10 +357,10 @@ class _Phase:
         raise _Refuted(f"{last.target} does not follow: its conditions do not hold")
 
     def _open_conditions(self, followers: Sequence[Follower]) -> list[tuple[OpenInequality, str]]:
-        """Conditions that alone decide whether what is wanted follows, and cannot be told.
+        """Return the undecided conditions on which alone the itinerary's transition depends.
 
-        Of each transition at most one: all its others hold. Where one changes another
-        transition follows, or none.
+        Each comes with its transition's target. A transition has at most one: all its other
+        conditions hold, so where it changes, another transition follows, or none.
         """
         if len(self.plan.orders) > 1 or any(follower.doubt for follower in followers):
             return []
@@ -392,7 +385,7 @@ class _Phase:
         return found
 
     def _sign(self, behind: Derivative | None) -> int:
-        """Sign of a function behind the end; 0 for none."""
+        """Return the sign of a function just behind the phase's end; 0 for the zero function."""
         if behind is None:
             return 0
         return 1 if _signed(behind, self.behind, "it") > 0 else -1
@@ -403,13 +396,7 @@ def _crossed(name: str, time: arb) -> str:
 
 
 def _signed(derivative: Derivative, state: Sequence[Any], told: str) -> Any:
-    """The value of a derivative, which is not zero.
-
-    Raises
-    ------
-    Undecided
-        If it cannot be told from zero.
-    """
+    """Return the value of a derivative, and raise `Undecided` if its ball contains zero."""
     value = evaluate(derivative.row, state)
     if value > 0 or value < 0:
         return value

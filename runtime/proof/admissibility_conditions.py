@@ -20,69 +20,40 @@ __all__ = ["Condition", "Derivative", "Follower", "Plan", "Watched", "plan_of"]
 
 
 class Derivative(NamedTuple):
-    """The first derivative of an affine function along a field that is not known to be zero.
+    """The first derivative of an affine function along a field that is not known to be zero."""
 
-    Attributes
-    ----------
-    order : int
-        Those below it are zero.
-    row : Row
-        Its value at a state.
-    """
-
-    order: int
-    row: Row
+    order: int  # all derivatives of lower order are zero
+    row: Row  # affine function of the state that gives its value
 
 
 class Watched(NamedTuple):
-    """A boundary of a phase.
-
-    Attributes
-    ----------
-    name : str
-    row : Row
-    begins : Derivative or None
-        Where the phase begins; None if it stays exactly zero.
-    follows : int
-        The order of the first derivative there, beyond that one, that is not known to be zero.
-    still : bool
-        Whether the function does not change along the phase.
-    reached : bool
-        Whether it ends the phase.
-    ends, speed : Row
-        Value and rate where the phase ends.
-    """
+    """A boundary of a phase's configuration, as the judgement of the phase needs it."""
 
     name: str
     row: Row
-    begins: Derivative | None
+    begins: Derivative | None  # at the phase's start; None if the function stays exactly zero
+    # order of the next derivative there, beyond `begins`, that is not known to be zero
     follows: int
-    still: bool
-    reached: bool
-    ends: Row
-    speed: Row
+    still: bool  # whether the function is constant along the phase
+    reached: bool  # whether the boundary ends the phase
+    ends: Row  # value at the phase's end
+    speed: Row  # rate at the phase's end
 
 
 class Condition(NamedTuple):
-    """A condition of a transition: the sign of a derivative behind the end; None is no sign."""
+    """A condition of a transition: the sign of a derivative just behind the phase's end."""
 
-    behind: Derivative | None
-    expected: bool
+    behind: Derivative | None  # None if the function stays zero: then it has no sign
+    expected: bool  # whether it has to be positive
 
 
 class Follower(NamedTuple):
-    """A transition that is declared for what is reached where a phase ends.
+    """A transition that is declared for the boundaries that are reached where a phase ends.
 
-    Attributes
-    ----------
-    target : str
-    wanted : bool
-        Whether it is the itinerary's, or the same there where stops act in several orders.
-    conditions : tuple of Condition
-    doubt : str
-        What stays open where it follows and is not wanted, or the reverse; empty where that
-        refutes the itinerary: by a law of contacts other steps may lead to the same target,
-        and what orders of impacts do not agree on is left open.
+    `wanted` says that it is the itinerary's transition, or, where stops act in several orders, one
+    that does the same there. `doubt` says what stays open where an unwanted one follows or a
+    wanted one does not: by a law of contacts other steps may lead to the same target, and the
+    orders of impacts need not agree. If it is empty, that refutes the itinerary.
     """
 
     target: str
@@ -92,42 +63,21 @@ class Follower(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """A phase, and what may follow it.
-
-    Attributes
-    ----------
-    place : int
-    configuration : str
-    starts, ends : Invariants
-    held : tuple of Row
-        What the configuration holds, as far as it is not known to be zero.
-    watched : tuple of Watched
-    orders : tuple of tuple of Follower
-        For each order in which stops may act that are reached together, what may follow, up to
-        the last that is wanted; one where they need no order, none where nothing is reached.
-    """
+    """What has to be proved of one phase of a cycle, and the transitions that may follow it."""
 
     place: int
     configuration: str
     starts: Invariants
     ends: Invariants
-    held: tuple[Row, ...]
+    held: tuple[Row, ...]  # what the configuration holds, as far as it is not known to be zero
     watched: tuple[Watched, ...]
+    # for each order in which stops that are reached together may act, the transitions that may
+    # follow, up to the last wanted one; a single order where none is needed, none where nothing is
+    # reached
     orders: tuple[tuple[Follower, ...], ...]
 
     def at(self, number: Callable[[Any], Any]) -> Plan:
-        """The same with numbers in place of exact entries, but for exact zeros.
-
-        Parameters
-        ----------
-        number : callable
-            Maps exact entries to numbers: balls or Taylor models.
-
-        Returns
-        -------
-        Plan
-            With rows of numbers.
-        """
+        """Return the plan with `number` applied to its exact entries; exact zeros stay 0."""
 
         def numbers(row: Row) -> Any:
             return tuple(number(x) if x else 0 for x in row)
@@ -170,21 +120,9 @@ _OPEN = Derivative(0, _ZERO)  # of no sign that could be told
 
 
 def plan_of(tables: Tables, cycle: ItineraryShape, invariants: CycleInvariants) -> tuple[Plan, ...]:
-    """What has to be shown, for each phase of a cycle of a system whose numbers are exact.
+    """Return for each phase of a cycle what has to be proved of it, from exact tables.
 
-    Parameters
-    ----------
-    tables : Tables
-        Exact.
-    cycle : ItineraryShape
-        The itinerary, with its system's structure.
-    invariants : CycleInvariants
-        What vanishes where the phases begin and end.
-
-    Returns
-    -------
-    tuple of Plan
-        One for each phase.
+    `invariants` are the functions that vanish where the phases begin and end.
     """
     return tuple(_plan(tables, cycle, invariants, place) for place in range(len(cycle)))
 
@@ -234,7 +172,7 @@ def _plan(tables: Tables, cycle: ItineraryShape, invariants: CycleInvariants, pl
 def _followers(
     tables: Tables, cycle: ItineraryShape, place: int, order: int, ends: Invariants
 ) -> tuple[Follower, ...]:
-    """What may follow in an order in which stops act, 0 where there is but one."""
+    """Return the transitions that may follow for one order of acting; 0 is the only order."""
     structure, wanted = cycle.structure, cycle.transitions[place]
     configuration = cycle.configurations[place]
     boundaries = structure.boundaries[configuration]
@@ -273,7 +211,11 @@ def _decided(
     transition: TransitionShape,
     conditions: tuple[Condition, ...],
 ) -> tuple[Condition, ...]:
-    """Steps of the law before the last are decided by their own functions, or not at all."""
+    """Return a law transition's conditions, left open where only a derivative could decide them.
+
+    That concerns the stages of the contact law before the last: they are decided by the values of
+    their functions at the phase's end, not by the derivatives.
+    """
     law, path = structure.law, transition.path
     assert law is not None
     assert path is not None
@@ -289,13 +231,13 @@ def _decided(
 
 
 def _puts_nothing(reset: Matrix, invariants: Invariants) -> bool:
-    """Whether a reset leaves the state alone for which the invariants hold."""
+    """Whether a reset is the identity on all states for which the invariants hold."""
     size = len(reset)
     return invariants.agree(reset, [[int(j == k) for j in range(size)] for k in range(size)])
 
 
 def _first(row: Row, field: Matrix, invariants: Invariants, order: int = 0) -> Derivative | None:
-    """The first derivative from an order on that is not known to be zero."""
+    """Return the first derivative, from order `order` on, that is not known to be zero."""
     functions = map(invariants.reduce, derivatives(row, field, len(row), product))
     found = leading(functions, lambda _, reduced: any(reduced), order)
     return None if found is None else Derivative(found.order, found.derivative)

@@ -49,28 +49,13 @@ class Unknown:
 
 @dataclass(frozen=True, eq=False)
 class Stated(Enclosure):
-    """An enclosure with the decimal texts by which it is stated."""
+    """An enclosure with the decimal texts of middle and radius by which a file states it."""
 
     texts: tuple[str, str]
 
     @staticmethod
     def of(middle: str, radius: str, bits: int) -> Stated:
-        """The enclosure that two decimal texts state.
-
-        Parameters
-        ----------
-        middle : str
-            Decimal.
-        radius : str
-            Decimal, not negative.
-        bits : int
-            Precision of the enclosures.
-
-        Returns
-        -------
-        Stated
-            A ball that contains what the texts state.
-        """
+        """Return a ball that contains what two decimal texts, middle and radius, state exactly."""
         from flint import arb
 
         with flint_precision(2 * bits + 64):
@@ -79,24 +64,7 @@ class Stated(Enclosure):
 
     @staticmethod
     def around(ball: arb, bits: int, digits: int = 3) -> Stated:
-        """An enclosure that decimal texts state: a little wider than a ball.
-
-        The radius has so many digits.
-
-        Parameters
-        ----------
-        ball : arb
-            What has to be enclosed.
-        bits : int
-            Precision of the enclosures.
-        digits : int, default 3
-            Of the radius.
-
-        Returns
-        -------
-        Stated
-            A ball that contains the given one.
-        """
+        """Return a stated ball, a bit wider than a given one, whose radius has `digits` digits."""
         return Stated.of(*decimals(ball, bits, digits), bits)
 
     def _decimals(self) -> tuple[str, str]:
@@ -243,34 +211,18 @@ class Certificate(Kept):
 
 
 def file_json(found: Any) -> dict[str, Any]:
-    """What a file states of an orbit, a map, a branch or an event, but for the system's data.
+    """Return a result's JSON with the declaration of its system and its closing.
 
-    Parameters
-    ----------
-    found : Certificate, BoxCertificate, CertifiedBranch or EventCertificate
-        What is proved.
-
-    Returns
-    -------
-    dict
-        Its JSON, and the system as it was taken.
+    `found` is a `Certificate`, `BoxCertificate`, `CertifiedBranch` or `EventCertificate`.
     """
     own = {"declaration": dict(found.declaration), "closing": dict(found.closing)}
     return {**found.to_json(), "tables": None, **own}
 
 
 def orbit_json(found: Any) -> dict[str, Any]:
-    """Which orbit a certificate, a map, a census or an event is of, as JSON.
+    """Return the JSON that names an orbit: orbit, system, parameters as texts, and itinerary.
 
-    Parameters
-    ----------
-    found : Certificate, BoxCertificate, Census or EventCertificate
-        What is proved of the orbit.
-
-    Returns
-    -------
-    dict
-        Orbit, system, parameters as texts, and itinerary.
+    `found` is a `Certificate`, `BoxCertificate`, `Census` or `EventCertificate`.
     """
     return {
         "orbit": found.orbit,
@@ -281,16 +233,5 @@ def orbit_json(found: Any) -> dict[str, Any]:
 
 
 def balls_json(enclosures: Mapping[str, Enclosure]) -> dict[str, dict[str, str]]:
-    """Enclosures by name as JSON.
-
-    Parameters
-    ----------
-    enclosures : dict of str to Enclosure
-        By name.
-
-    Returns
-    -------
-    dict of str to dict
-        "mid" and "rad" of each, as decimal texts.
-    """
+    """Return enclosures by name as decimal texts "mid" and "rad"."""
     return {name: enclosure.to_json() for name, enclosure in enclosures.items()}

@@ -113,7 +113,10 @@ def certify(
 
 
 def _without(found: Certificate, left: Mapping[str, str]) -> Certificate:
-    """A certificate without claims, by the reason of each; without existence there is no other."""
+    """Return a certificate without the claims in `left`, each with the reason why.
+
+    Without existence no other claim is left.
+    """
     by = (*found.directions, *found.no_derivatives)
     if "existence" in left:
         return replace(
@@ -160,7 +163,7 @@ def _proved(
     by: Sequence[str],
     begin: Callable[[str], object],
 ) -> Certificate:
-    """What is proved of an orbit."""
+    """Return the certificate of an orbit as it is proved, before the checker sees it."""
     work = bits + GUARD
     with flint_precision(work):
         region = None
@@ -190,14 +193,17 @@ def _proved(
 
 
 def _with_vanishing(region: Region, root: IsolatedOrbit, dwell: Sequence[arb]) -> Region:
-    """The region with what vanishes along this orbit alone, because it closes."""
+    """Return the region with functions that vanish along this orbit alone, because it closes."""
     closing, start = region.closing, root.linearised.shooting.starts[0].entries()[:-1]
     found = vanishing_along(region.tables, region.cycle, closing.translations, start, dwell)
     return replace(region, closing=replace(closing, vanishing=found))
 
 
 def _admissible(region: Region, root: IsolatedOrbit, dwell: Sequence[arb], work: int) -> Judgement:
-    """Judge the orbit, with few bits first: that it is as sharp as it is does not matter here."""
+    """Judge whether the orbit is admissible, with few bits first and with all bits if these fail.
+
+    The width of the orbit's own enclosure hardly matters for the inequalities.
+    """
     found: Judgement | None = None
     for bits in sorted({min(_ENOUGH, work), work}):
         with flint_precision(bits):
@@ -219,7 +225,7 @@ def _certificate(
     judgement: Judgement | None = None,
     found: ProvedDerivatives = _NOTHING,
 ) -> Certificate:
-    """Everything by name."""
+    """Return the certificate with all claims, enclosures and margins by name."""
     claims = dict.fromkeys(CLAIMS, "undecided")
     reasons: dict[str, str] = {}
     enclosures: dict[str, Stated] = {}
@@ -280,7 +286,10 @@ def _certificate(
 
 
 def _statement(region: Region, found: ProvedDerivatives) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Declaration and closing as the file states them: over the parameters that move, if any do."""
+    """Return declaration and closing as the file states them.
+
+    They are functions of the parameters of which derivatives are proved, if there are any.
+    """
     subject, tables = region.subject, region.tables
     closing = region.closing if found.closing is None else found.closing
     cycle, timed = subject.cycle, closing.kind == "period"
@@ -294,23 +303,10 @@ def _statement(region: Region, found: ProvedDerivatives) -> tuple[dict[str, Any]
 
 
 def stated(ball: arb, bits: int, size: arb | int = 0) -> Stated:
-    """A wider ball than was found: the check computes it anew, with other roundings.
+    """Return a stated ball, somewhat wider than a given one.
 
-    A number that is computed from others of a size may be much smaller than these.
-
-    Parameters
-    ----------
-    ball : arb
-        What was found.
-    bits : int
-        Precision of the enclosures.
-    size : int or arb, default 0
-        How large the numbers are that it is computed from.
-
-    Returns
-    -------
-    Stated
-        A ball that contains the given one.
+    The checker computes it anew, with other roundings. `size` is the size of the numbers that the
+    ball is computed from, which may be much larger than the ball's own middle.
     """
     from flint import arb
 
@@ -331,7 +327,7 @@ def _margin(margin: Margin) -> dict[str, Any]:
 
 
 def _uncovered(orbit: Orbit, bits: int, reason: str, by: Sequence[str]) -> Certificate:
-    """The certificate of an orbit that no proof can be about."""
+    """Return the undecided certificate of an orbit that the method cannot be applied to."""
     reasons = {CLAIMS[0]: reason} | dict.fromkeys(CLAIMS[1:], NO_ORBIT)
     claims = dict.fromkeys(CLAIMS, "undecided")
     return Certificate(

@@ -17,20 +17,7 @@ __all__ = ["kernels_with", "law_json", "steps_json"]
 
 
 def steps_json(law: Law, path: Path) -> list[dict[str, Any]]:
-    """The steps of a path: which contacts have their kinetic limit, and what each does.
-
-    Parameters
-    ----------
-    law : Law
-        The system's law of contacts.
-    path : Path
-        Stages, one after the other.
-
-    Returns
-    -------
-    list of dict
-        "kinetic" and "regimes" of each stage.
-    """
+    """Return for each stage of a path the contacts at their "kinetic" limit and all "regimes"."""
     return [
         {
             "kinetic": [law.contacts[i].name for i in sorted(stage.reached)],
@@ -41,21 +28,10 @@ def steps_json(law: Law, path: Path) -> list[dict[str, Any]]:
 
 
 def law_json(law: Law, cycle: ItineraryShape, row: Callable[[int], list[Any]]) -> dict[str, Any]:
-    """What the law is told, as far as an itinerary concerns it; `row` writes one.
+    """Return the contact law as JSON, as far as an itinerary concerns it.
 
-    Parameters
-    ----------
-    law : Law
-        The system's law of contacts.
-    cycle : ItineraryShape
-        The itinerary, with its system's structure.
-    row : callable
-        Writes the row of a number as a list.
-
-    Returns
-    -------
-    dict
-        Contacts, coupling, arrivals, limits, configurations, and the rows of free contacts.
+    It holds contacts, coupling, arrivals, limits, configurations and the rows of free contacts;
+    `row` writes the row of a number as a list.
     """
     places = sorted(set(cycle.configurations))
     others = dict.fromkeys(law.others[c] for c in places)
@@ -87,24 +63,10 @@ def law_json(law: Law, cycle: ItineraryShape, row: Callable[[int], list[Any]]) -
 
 
 def kernels_with(kernels: SystemKernels, declaration: Mapping[str, Any]) -> SystemKernels:
-    """Kernels in which the routes of a certificate's declaration are listed.
+    """Return kernels that list the routes in a certificate's declaration.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-        The system's generated functions.
-    declaration : dict
-        As a certificate's file states it.
-
-    Returns
-    -------
-    SystemKernels
-        The same kernels where the system has no law of contacts.
-
-    Raises
-    ------
-    InputError
-        If the declaration holds no steps of a contact law.
+    Without a law of contacts the kernels are returned unchanged. A declaration without steps of a
+    contact law is refused.
     """
     law = structure_of(kernels).law
     if law is None:

@@ -27,16 +27,16 @@ _SHARES = (0.5, 0.7, 0.85)  # of the bits: radii of the boxes that are tried
 
 
 class IsolatedOrbit(NamedTuple):
-    """The orbit in its box, at the working precision."""
+    """An orbit that is proved to be the only one in a box, at the working precision."""
 
     equations: Equations
     contraction: Contraction
-    linearised: Linearised
+    linearised: Linearised  # over the contraction's image
     box: tuple[Unknown, ...]
 
 
 class Missing(Exception):
-    """Existence is not proved: "refuted" or "undecided", and why."""
+    """Existence is not proved: it is "refuted" or "undecided", for a stated reason."""
 
     def __init__(self, verdict: str, reason: str, box: tuple[Unknown, ...] = ()) -> None:
         super().__init__(reason)
@@ -44,24 +44,10 @@ class Missing(Exception):
 
 
 def locate(region: Region, bits: int) -> IsolatedOrbit:
-    """Find the orbit and prove that it is the only one in a box, at the working precision.
+    """Return an orbit with a box in which it is proved to be the only one.
 
-    Parameters
-    ----------
-    region : Region
-        Of one parameter point.
-    bits : int
-        Of the enclosures; the working precision is larger.
-
-    Returns
-    -------
-    IsolatedOrbit
-        The box, the image in it, and the equations there.
-
-    Raises
-    ------
-    Missing
-        If that is refuted, or cannot be proved.
+    The region is one parameter point, and `bits` is the precision of the enclosures, below the
+    working precision. If existence is refuted or cannot be proved, `Missing` is raised.
     """
     from flint import arb
 
@@ -101,7 +87,10 @@ def locate(region: Region, bits: int) -> IsolatedOrbit:
 
 
 def _sizes(equations: Equations, point: Sequence[arb]) -> list[arb]:
-    """Units of the unknowns: how large they and their changes are along the cycle."""
+    """Return units of the unknowns: the largest values of states and dwell times along the cycle.
+
+    The changes of a state along the phases count too.
+    """
     from flint import arb
 
     now = equations.linearised(point, equations.near(point)).shooting
@@ -121,7 +110,7 @@ def _sizes(equations: Equations, point: Sequence[arb]) -> list[arb]:
 def _box(
     names: Sequence[str], centre: Sequence[arb], radii: Sequence[Any], bits: int
 ) -> tuple[tuple[Unknown, ...], list[arb], list[arb]]:
-    """A box with decimal middles and radii, and these in balls."""
+    """Return a box with decimal middles and radii, and these middles and radii as balls."""
     from flint import arb
 
     box = tuple(
@@ -132,19 +121,6 @@ def _box(
 
 
 def unknown_names(subject: Subject, closing: ClosureConditions) -> list[str]:
-    """Names of the unknowns of the equations.
-
-    Parameters
-    ----------
-    subject : Subject
-        The orbit that is to be proved.
-    closing : ClosureConditions
-        How the cycle closes.
-
-    Returns
-    -------
-    list of str
-        Free states at the start, the forcing's time, the dwell times.
-    """
+    """Return the unknowns' names: free states at the start, the forcing's time, dwell times."""
     free = [name for k, name in enumerate(subject.start_names) if k not in closing.forced]
     return [*free, *(["forcing time"] if closing.pairs else []), *subject.dwell_names]

@@ -42,72 +42,45 @@ _LARGEST_DENOMINATOR = 10**6  # of a direction
 
 @dataclass(frozen=True)
 class ClosureConditions:
-    """How a cycle closes.
+    """How a cycle closes: by its state, by a given period and the energy, or by the forcing."""
 
-    Attributes
-    ----------
-    kind : {"state", "period", "forcing"}
-    period : Value, fmpq, RationalFunction or None
-        What the dwell times sum up to, for "period": over a box of parameters exactly.
-    dropped : int
-        The coordinate whose closure follows from the energy; -1 for none.
-    form : SymplecticForm or None
-    speeds : tuple of fmpq or RationalFunction
-        Angular frequencies of the forcings.
-    turns : int
-        How often the first forcing turns in one period.
-    pairs : tuple of (int, int)
-        States of the forcings.
-    translations : tuple of Row
-        Directions along which nothing changes, in echelon form; the cycle closes up to these.
-    vanishing : tuple of Row
-        Functions that are zero where the orbit begins, because it closes.
-    """
-
-    kind: str
+    kind: str  # "state", "period" or "forcing"
+    # for "period" the sum of the dwell times; over a box of parameters an exact function
     period: Any = None
-    dropped: int = -1
+    dropped: int = -1  # coordinate whose closure follows from the energy; -1 for none
     form: SymplecticForm | None = None
-    speeds: tuple[Any, ...] = ()
-    turns: int = 0
+    speeds: tuple[Any, ...] = ()  # angular frequencies of the forcings, exact
+    turns: int = 0  # turns of the first forcing in one period
+    # numbers of the cosine and sine states of each forcing
     pairs: tuple[tuple[int, int], ...] = field(default=())
+    # directions along which nothing changes, in echelon form; the cycle closes up to these
     translations: tuple[Row, ...] = ()
+    # functions that are zero where the orbit begins, because it closes
     vanishing: tuple[Row, ...] = ()
 
     @property
     def timed(self) -> bool:
-        """Whether the orbit is a function of time: the map is that at fixed times."""
+        """Whether the orbit is a function of time, so that its map is the one at fixed times."""
         return self.kind == "forcing"
 
     @property
     def forced(self) -> tuple[int, ...]:
-        """The states of all forcings."""
+        """The cosine and sine states of all forcings."""
         return tuple(state for pair in self.pairs for state in pair)
 
     @property
     def stability(self) -> str:
-        """What is claimed of the multipliers: "stable", or "neutral" of a conservative one."""
+        """The stability that is claimed: "stable", or "neutral" for a conservative orbit."""
         return "stable" if self.form is None else "neutral"
 
 
 def exact_translations(
     tables: Tables, structure: Structure, near: Sequence[Sequence[float]]
 ) -> tuple[Row, ...]:
-    """Directions along which a system does not change, exactly: none, unless all of them are.
+    """Return the exact directions (each N) along which a system does not change.
 
-    Parameters
-    ----------
-    tables : Tables
-        Of the system.
-    structure : Structure
-        Of the system.
-    near : sequence of sequences of float
-        What `translations_of` gives in double precision.
-
-    Returns
-    -------
-    tuple of Row, each of length N
-        Empty if one of them cannot be shown exactly.
+    `near` are these directions in double precision, as `translations_of` gives them. If one of
+    them cannot be shown exactly, none is returned.
     """
     if not len(near) or not tables.exact:
         return ()
@@ -123,21 +96,9 @@ def exact_translations(
 
 
 def projection(translations: Sequence[Row], size: int) -> Matrix:
-    """Matrix (N + 1, N + 1), on (y, 1), after which the translations' first coordinates are zero.
+    """Return the matrix on (y, 1) that makes the first coordinates of translations zero.
 
-    Exact, as `nonsmooth.runtime.shooting.translations.projection_along`.
-
-    Parameters
-    ----------
-    translations : sequence of Row
-        Directions along which the system does not change.
-    size : int
-        The number N of states.
-
-    Returns
-    -------
-    Matrix (N + 1, N + 1)
-        With exact entries.
+    It is (N + 1, N + 1) and exact, as `nonsmooth.runtime.shooting.translations.projection_along`.
     """
     found = np.eye(size + 1, dtype=object)
     if len(translations):
@@ -146,19 +107,9 @@ def projection(translations: Sequence[Row], size: int) -> Matrix:
 
 
 def projected(reset: Matrix, translations: Sequence[Row]) -> Matrix:
-    """A reset, and then the projection along translations.
+    """Return a reset followed by the projection along translations: (N + 1, N + 1), exact.
 
-    Parameters
-    ----------
-    reset : Matrix (N + 1, N + 1)
-        With exact entries.
-    translations : sequence of Row
-        Directions along which the system does not change.
-
-    Returns
-    -------
-    Matrix (N + 1, N + 1)
-        The reset itself without translations.
+    Without translations that is the reset itself.
     """
     if not translations:
         return reset
@@ -166,19 +117,9 @@ def projected(reset: Matrix, translations: Sequence[Row]) -> Matrix:
 
 
 def forcing_speeds(tables: Tables, cycle: ItineraryShape) -> tuple[Any, ...] | str:
-    """Frequencies of the forcings, exactly the same in every phase; or why there are none.
+    """Return the exact angular frequencies of the forcings, or the reason as a text.
 
-    Parameters
-    ----------
-    tables : Tables
-        Of the system.
-    cycle : ItineraryShape
-        The itinerary, with its system's structure.
-
-    Returns
-    -------
-    tuple or str
-        Exact, in the system's units; or the reason as a text.
+    They have to be the same in every phase, and no transition may reset a forcing.
     """
     found: list[Any] = []
     for cosine, sine in cycle.structure.forcing:

@@ -44,12 +44,7 @@ Number = Callable[[Any], Any]  # from an exact entry to a ball or a model
 
 
 class NotRational(Exception):
-    """A declaration takes a root or a sine of its parameters.
-
-    Attributes
-    ----------
-    function : str
-    """
+    """The declaration takes `function`, a root or a sine say, of its parameters."""
 
     def __init__(self, function: str) -> None:
         super().__init__(f"the declaration takes {function} of its parameters")
@@ -58,38 +53,19 @@ class NotRational(Exception):
 
 @dataclass(frozen=True, eq=False)
 class Tables:
-    """Fields, rows and resets; fields and resets act on (y, 1).
-
-    Attributes
-    ----------
-    fields, resets : tuple of Matrix
-    rows : tuple of Row
-    exact : bool
-        Whether the entries are rational numbers or functions; else they are balls.
-    constants : tuple of Value
-        Irrational numbers that do not vary: the last of which entries are functions.
-    """
+    """The numbers of a system: fields and resets (N + 1, N + 1) on (y, 1), and rows (N + 1)."""
 
     fields: tuple[Matrix, ...]
     rows: tuple[Row, ...]
     resets: tuple[Matrix, ...]
-    exact: bool
+    exact: bool  # entries are rational numbers or functions; else they are balls
+    # irrational numbers that do not vary: the last variables of the entries' functions
     constants: tuple[Value, ...] = ()
 
     def number_at(self, values: Sequence[Any] = ()) -> Number:
-        """The map from entries to numbers, at values of the parameters that vary.
+        """Return the map from exact entries to numbers, at `values` of the parameters that vary.
 
-        Numbers are balls of the working precision, or Taylor models where values are.
-
-        Parameters
-        ----------
-        values : sequence of arb or TaylorModel, optional
-            Of the parameters that vary.
-
-        Returns
-        -------
-        callable
-            From an exact entry to its number.
+        Numbers are balls of the working precision, or Taylor models where the values are.
         """
         from flint import arb, ctx
 
@@ -108,25 +84,15 @@ class Tables:
         return number
 
     def near(self, entry: Any, values: Sequence[Any] = ()) -> float:
-        """An entry, about.
-
-        Parameters
-        ----------
-        entry : fmpq, RationalFunction or Value
-            Of the tables.
-        values : sequence of arb, optional
-            Of the parameters that vary.
-
-        Returns
-        -------
-        float
-            The middle of its ball.
-        """
+        """Return the middle of an entry's ball, at values of the parameters that vary."""
         return float(middle_of(self.number_at(values)(entry)))
 
 
 class _Rationals:
-    """What rational kernels ask of an arithmetic, with irrational numbers as they are known."""
+    """The arithmetic that exact kernels need: rationals, and irrational numbers that are known.
+
+    Any other function that a kernel asks for raises `NotRational`.
+    """
 
     def __init__(self, known: Irrationals | None = None) -> None:
         self._known = known
@@ -147,24 +113,10 @@ class _Rationals:
 
 
 def tables_of(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tables:
-    """Tables of a system at the values of all its parameters, in their order.
+    """Return the tables of a system at the values of all its parameters, in their order.
 
-    Exact where all values are rational and the declaration takes no roots; else balls of
-    the working precision, of so many bits.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-        The system's generated functions.
-    values : sequence of Value
-        All parameters of the system.
-    bits : int
-        The working precision.
-
-    Returns
-    -------
-    Tables
-        Of fields and resets (N + 1, N + 1) and of rows (N + 1).
+    They are exact where all values are rational and the declaration takes no roots; else their
+    entries are balls of the working precision, which is `bits`.
     """
     exactly = tuple(value.exact for value in values)
     if None not in exactly:
@@ -174,21 +126,9 @@ def tables_of(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tab
 
 
 def exact_tables(kernels: SystemKernels, values: Sequence[Value], bits: int) -> Tables:
-    """As `tables_of`, but exact in irrational numbers too: entries are functions of them.
+    """Return the tables as `tables_of`, but exact in irrational numbers too: functions of these.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-        The system's generated functions.
-    values : sequence of Value
-        All parameters of the system, in their order.
-    bits : int
-        The working precision, where the declaration takes a root or a sine.
-
-    Returns
-    -------
-    Tables
-        Of fields and resets (N + 1, N + 1) and of rows (N + 1).
+    Where the declaration takes a root or a sine of its parameters, the entries are balls of `bits`.
     """
     if declared_constants(kernels) or any(value.exact is None for value in values):
         with suppress(NotRational, ArithmeticError):
@@ -205,55 +145,21 @@ def _symbolic(kernels: SystemKernels, values: tuple[Value, ...]) -> Tables:
 
 @lru_cache(maxsize=64)
 def declared_constants(kernels: SystemKernels) -> tuple[str, ...]:
-    """The irrational numbers that a declaration holds.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-        The system's generated functions.
-
-    Returns
-    -------
-    tuple of str
-        As `nonsmooth.runtime.core.values.parse` takes them.
-    """
+    """Return the texts of the irrational numbers in a declaration, as `parse` takes them."""
     saved = saved_of(kernels)
     functions = [] if saved is None else [saved.functions[k] for k in ("fields", "rows", "resets")]
     return tuple(dict.fromkeys(text for function in functions for text in function.constants))
 
 
 def irrational_texts(kernels: SystemKernels, values: Iterable[Value]) -> list[str]:
-    """Irrational numbers that a proof meets: those that are given and those of the declaration.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-        The system's generated functions.
-    values : iterable of Value
-        What is given.
-    """
+    """Return the texts of all irrational numbers of a proof: given values and the declaration's."""
     return [*(value.text for value in values if value.exact is None), *declared_constants(kernels)]
 
 
 def constants_over(names: Sequence[str], texts: Iterable[str]) -> Irrationals:
-    """Irrational numbers beside parameters that vary.
+    """Return irrational numbers, given as texts, beside parameters that vary.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Of the parameters that vary.
-    texts : iterable of str
-        The numbers, as values are given.
-
-    Returns
-    -------
-    Irrationals
-        Parameters, numbers and what these are made of.
-
-    Raises
-    ------
-    ArithmeticError
-        If a number divides by what may be zero, or a literal is enormous.
+    `ArithmeticError` is raised if a number divides by what may be zero, or a literal is enormous.
     """
     return irrationals(names, texts, lambda text: parse(text).ball(_SHARP))
 
@@ -263,25 +169,11 @@ def tables_over(
     values: Sequence[fmpq | RationalFunction],
     known: Irrationals | None = None,
 ) -> Tables:
-    """Tables of a system where some of its parameters stand for all their values.
+    """Return exact tables of a system some of whose parameters vary: rational functions of these.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    values : sequence of fmpq or RationalFunction
-        Of all its parameters, in their order.
-    known : Irrationals, optional
-        Irrational numbers, those of the declaration among them.
-
-    Returns
-    -------
-    Tables
-        Exact: entries are rational functions.
-
-    Raises
-    ------
-    NotRational
-        If the declaration takes a root or a sine of its parameters.
+    `values` holds all parameters in their order, `known` the irrational numbers that occur, those
+    of the declaration among them. `NotRational` is raised if the declaration takes a root or a sine
+    of its parameters.
     """
     constants = () if known is None else tuple(map(parse, known.generators))
     return replace(_tables(kernels, values, _Rationals(known), exact=True), constants=constants)
@@ -289,41 +181,15 @@ def tables_over(
 
 @lru_cache(maxsize=64)
 def rational_tables(kernels: SystemKernels, fractions: tuple[Any, ...]) -> Tables:
-    """Tables of a system whose parameters have rational values, in their order.
+    """Return the exact tables of a system whose parameters have the rational values `fractions`.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-        The system's generated functions.
-    fractions : tuple of Fraction
-        Of all its parameters.
-
-    Returns
-    -------
-    Tables
-        Exact: entries are rational numbers.
-
-    Raises
-    ------
-    NotRational
-        If the declaration takes a root or a sine of its parameters.
+    `NotRational` is raised if the declaration takes a root or a sine of its parameters.
     """
     return _tables(kernels, list(map(rational_of, fractions)), _Rationals(), exact=True)
 
 
 def rational_of(value: Fraction) -> fmpq:
-    """The same number for FLINT.
-
-    Parameters
-    ----------
-    value : Fraction
-        The number.
-
-    Returns
-    -------
-    fmpq
-        Exactly.
-    """
+    """Return a fraction as FLINT's rational number."""
     from flint import fmpq
 
     return fmpq(value.numerator, value.denominator)
@@ -350,18 +216,5 @@ def _tables(kernels: SystemKernels, point: Sequence[Any], lib: Any, *, exact: bo
 
 
 def numbers(rows: Sequence[Sequence[Any]], number: Number) -> Any:
-    """A matrix of balls, or of models where numbers are, at the working precision.
-
-    Parameters
-    ----------
-    rows : sequence of rows
-        Exact entries.
-    number : callable
-        Maps exact entries to numbers: balls or Taylor models.
-
-    Returns
-    -------
-    arb_mat or a matrix of TaylorModel
-        Of the same shape.
-    """
+    """Return a matrix of balls, or of Taylor models, by applying `number` to all exact entries."""
     return matrix([list(map(number, row)) for row in rows])

@@ -16,18 +16,12 @@ __all__ = ["Expansion", "Window"]
 
 
 class Expansion:
-    """An affine function of the state along one segment of time.
+    """An affine function of the state along a segment of time, as a polynomial and an error.
 
-    Time is counted by u from -1 to 1 over the segment, derivatives are those by u.
-
-    Parameters
-    ----------
-    start, half : arb
-        Of the segment: its start, and half of its length. Exact.
-    polynomial : arb_poly
-    error : function of the order of a derivative, optional
-        A ball around what the polynomial's derivative leaves out; nothing where its last
-        coefficient is a ball that holds that.
+    The place u runs from -1 to 1 over the segment, and derivatives are those by u. The segment is
+    given by its start and half of its length, both exact. `error` gives a ball around what a
+    derivative of the polynomial leaves out, by the derivative's order. Without it nothing is left
+    out: then the last coefficient is a ball that holds the remainder.
     """
 
     def __init__(
@@ -43,19 +37,9 @@ class Expansion:
         self._errors: list[arb] = []
 
     def at(self, order: int, u: arb) -> arb:
-        """A derivative at a place in [-1, 1], or over a ball of places.
+        """Return an enclosure of a derivative at a place or over a ball of places.
 
-        Parameters
-        ----------
-        order : int
-            Of the derivative by the place; 0 for the function.
-        u : arb
-            The place, nondimensional.
-
-        Returns
-        -------
-        arb
-            An enclosure, with the error of the expansion.
+        The derivative of order 0 is the function itself.
         """
         while len(self._derivatives) <= order:
             self._derivatives.append(self._derivatives[-1].derivative())
@@ -67,62 +51,23 @@ class Expansion:
         return value + self._errors[order]
 
     def over(self, places: arb) -> Window:
-        """The function over a ball of places.
-
-        Parameters
-        ----------
-        places : arb
-            In [-1, 1], nondimensional.
-
-        Returns
-        -------
-        Window
-            The part of the function there.
-        """
+        """Return the function over a ball of places in [-1, 1]."""
         return Window(self, places)
 
     def time(self, u: arb) -> arb:
-        """Time at a place.
-
-        Parameters
-        ----------
-        u : arb
-            The place in [-1, 1].
-
-        Returns
-        -------
-        arb
-            From the start of the phase, in the system's units.
-        """
+        """Return the time at a place, from the start of the phase."""
         return self.start + self.half * (1 + u)
 
     def raised(self, height: arb) -> Expansion:
-        """The function and a constant.
-
-        Parameters
-        ----------
-        height : arb
-            The constant, in the function's units.
-
-        Returns
-        -------
-        Expansion
-            On the same segment, with the same error.
-        """
+        """Return the function plus a constant, with the same error."""
         return Expansion(self.start, self.half, self._derivatives[0] + height, self._error)
 
 
 class Window:
-    """A function over a ball of places.
+    """A function over a ball of places, bounded by value and slope in the middle and its curvature.
 
-    Attributes
-    ----------
-    middle : arb
-        Exact.
-    rate : arb
-        Its derivative there.
-    curve : arb
-        Its second derivative over the window.
+    `middle` is exact, `rate` is the derivative there, and `curve` is the second derivative over the
+    window.
     """
 
     __slots__ = ("_away", "_function", "curve", "middle", "rate")
@@ -134,12 +79,12 @@ class Window:
 
     @property
     def value(self) -> arb:
-        """The function in the middle."""
+        """The function in the middle of the window."""
         return self._function.at(0, self.middle)
 
     @property
     def rates(self) -> arb:
-        """Its derivative over the window."""
+        """The derivative over the window."""
         return self.rate + self.curve * self._away
 
     @property

@@ -18,7 +18,7 @@ __all__ = ["CycleInvariants", "invariants_of"]
 
 
 class CycleInvariants(NamedTuple):
-    """Invariants of each phase: at its start, those that last, and at its end."""
+    """The invariants of each phase: at its start, those that last along it, and at its end."""
 
     starts: tuple[Invariants, ...]
     lasting: tuple[Invariants, ...]
@@ -31,25 +31,11 @@ def invariants_of(
     translations: Sequence[Row] = (),
     vanishing: Sequence[Row] = (),
 ) -> CycleInvariants:
-    """Invariants of a cycle that closes up to translations, of a system whose numbers are exact.
+    """Return the invariants of a cycle of a system with exact numbers, phase by phase.
 
-    What vanishes where it begins by `vanishing_along` is true of the orbit alone.
-
-    Parameters
-    ----------
-    tables : Tables
-        Of the system.
-    cycle : ItineraryShape
-        The itinerary, with its system's structure.
-    translations : sequence of Row, optional
-        Directions along which the system does not change.
-    vanishing : sequence of Row, optional
-        What vanishes where the orbit begins.
-
-    Returns
-    -------
-    CycleInvariants
-        Those of the starts, of the whole phases and of the ends, by phase.
+    The cycle closes up to `translations`, directions along which the system does not change. What
+    `vanishing` adds where the cycle begins, as `vanishing_along` gives it, holds for the orbit
+    alone, not for motions nearby.
     """
     resets = [tables.resets[t.reset] for t in cycle.transitions]
     resets[-1] = projected(resets[-1], translations)

@@ -39,81 +39,36 @@ _ALIKE = 30  # bits to which numbers of one orbit agree, at least
 
 
 class Solvable(Protocol):
-    """Equations, as many as unknowns: those of a cycle, or others that have their form."""
+    """Equations, as many as unknowns, that the tests below can be applied to."""
 
     def near(self, point: Sequence[Any]) -> Any:
-        """What `linearised` takes near a point.
-
-        Parameters
-        ----------
-        point : sequence of arb or TaylorModel
-
-        Returns
-        -------
-        object
-        """
+        """Return what `linearised` needs near a point."""
 
     def mapped(self, change: Callable[[Any], Any]) -> Solvable:
-        """The same equations in other numbers.
-
-        Parameters
-        ----------
-        change : callable
-        """
+        """Return the same equations with all numbers changed."""
 
     def linearised(self, unknowns: Sequence[Any], flows: Any) -> Linearised:
-        """Left-hand sides and their Jacobian.
-
-        Parameters
-        ----------
-        unknowns : sequence of arb or TaylorModel
-        flows : object
-            As `near` gives it.
-        """
+        """Return left-hand sides and Jacobian at the unknowns; `flows` is as `near` gives it."""
 
 
 class Contraction(NamedTuple):
-    """Krawczyk's test on a box.
-
-    Attributes
-    ----------
-    box, image : list of arb or TaylorModel
-        The image contains every root of the box.
-    radii : sequence of arb
-        Half of each side of the box, around its middle.
-    unique : bool
-        The image lies inside: the box contains exactly one root, and that is regular.
-    empty : bool
-        Image and box are apart: the box contains no root.
-    flows : object
-        As the equations give it near the box's middle.
-    """
+    """The result of Krawczyk's test on a box."""
 
     box: list[Any]
-    image: list[Any]
-    unique: bool
-    empty: bool
-    flows: Any
-    radii: Sequence[arb] = ()
+    image: list[Any]  # contains every root of the box
+    unique: bool  # image inside the box: it contains exactly one root, and that is regular
+    empty: bool  # image and box are apart: the box contains no root
+    flows: Any  # what `near` gives at the box's middle
+    radii: Sequence[arb] = ()  # half of each side of the box
 
 
 def newton(
     equations_at: Callable[[], Solvable], guess: Sequence[arb], bits: int
 ) -> list[arb] | None:
-    """Find a point near a root, by Newton's method with growing precision; nothing is proved.
+    """Return a point near a root, by Newton's method with growing precision up to `bits`.
 
-    Parameters
-    ----------
-    equations_at : function
-        Gives the equations at the working precision.
-    guess : sequence of arb
-    bits : int
-        To which the point is found.
-
-    Returns
-    -------
-    list of arb or None
-        None where the method does not converge.
+    Nothing is proved. None is returned where the method does not converge. `equations_at` gives
+    the equations at the working precision.
     """
     point, steps = list(guess), [bits]
     while steps[-1] > 2 * _DOUBLE:
@@ -141,23 +96,10 @@ def newton(
 
 
 def krawczyk(equations: Solvable, centre: Sequence[arb], radii: Sequence[arb]) -> Contraction:
-    """Test a box, and make the image of one that has a root as small as rounding lets it be.
+    """Test a box for a root (Krawczyk, 1969), and shrink the image of one that has one root.
 
-    The test is that of Krawczyk (1969).
-
-    Parameters
-    ----------
-    equations : Solvable
-        As many as unknowns.
-    centre : sequence of arb
-        Middle of the box, as for `Krawczyk`; in the system's units.
-    radii : sequence of arb
-        Half of each side of the box, in the system's units.
-
-    Returns
-    -------
-    Contraction
-        The image, and whether the box has one root or none.
+    The image becomes about as small as rounding allows. `centre` and `radii`, half of each side,
+    are in the system's units.
     """
     test = Krawczyk(equations, centre)
     found = test(radii)
@@ -165,17 +107,14 @@ def krawczyk(equations: Solvable, centre: Sequence[arb], radii: Sequence[arb]) -
 
 
 class Krawczyk:
-    """K(X) = x - Y F(x) + (I - Y F'(X)) (X - x), with boxes X around x (Krawczyk, 1969).
+    """The map K(X) = x - Y F(x) + (I - Y F'(X)) (X - x) for boxes X around x (Krawczyk, 1969).
 
-    Y is an approximate inverse of F'(x), its rounding errors are forgotten: K contains all
+    Y is an approximate inverse of F'(x), whose rounding errors do not matter: K contains all
     roots of X whatever Y is, and if K is inside X then Y and all of F'(X) are regular.
 
-    Parameters
-    ----------
-    equations : Solvable
-    centre : sequence of arb or TaylorModel
-        Balls around the exact numbers that they stand for, or polynomials of parameters:
-        then all is shown for each of their values, with boxes around those of the polynomials.
+    The centre holds balls around the exact numbers that they stand for, or polynomials of
+    parameters (Taylor models): then all is shown for each of the parameters' values, with boxes
+    around the values of the polynomials.
     """
 
     def __init__(self, equations: Solvable, centre: Sequence[Any]) -> None:
@@ -188,11 +127,11 @@ class Krawczyk:
 
     @property
     def missed(self) -> list[Any]:
-        """How far the middles are from the root, about: -Y F(x)."""
+        """The Newton step -Y F(x): about how far the middles are from the root."""
         return [] if self.inverse is None else list((-(self.inverse * self.at.residual)).entries())
 
     def __call__(self, radii: Sequence[arb]) -> Contraction:
-        """Test the box with these radii."""
+        """Test the box around the centre with these radii."""
         from flint import arb
 
         centre = self.centre
@@ -206,17 +145,9 @@ class Krawczyk:
         return Contraction(box, image, unique, empty, self.flows, radii)
 
     def sharpened(self, found: Contraction) -> Contraction:
-        """The same with a smaller image: once more, from the middle of it.
+        """Return the result with a smaller image of the same root.
 
-        Parameters
-        ----------
-        found : Contraction
-            With one root.
-
-        Returns
-        -------
-        Contraction
-            With an image of the same root.
+        The map is applied once more, around the image's middle.
         """
         points = [x.mid() for x in found.image]
         offsets = [x - point for x, point in zip(found.image, points, strict=True)]
@@ -225,7 +156,10 @@ class Krawczyk:
         return found._replace(image=[x + d for x, d in zip(points, moved, strict=True)])
 
     def _moved(self, at: Linearised, box: list[Any], offsets: list[Any]) -> list[Any]:
-        """K(X) - x; X is x and offsets around 0, so that F'(X) is known between x and all of X."""
+        """Return K(X) - x, where X is x plus offsets that contain 0.
+
+        So F'(X) holds the derivatives on all segments from x to points of X.
+        """
         from flint import arb_mat
 
         over = self.equations.linearised(box, self.flows)
@@ -237,19 +171,9 @@ class Krawczyk:
 
 
 def joined(equations: Solvable, found: Sequence[arb], numbers: Sequence[arb]) -> bool:
-    """Whether one box holds both of two points, and one root.
+    """Whether two enclosures of all unknowns are proved to lie in one box with exactly one root.
 
-    Parameters
-    ----------
-    equations : Solvable
-        Of the unknowns.
-    found, numbers : sequence of arb
-        Two enclosures of all unknowns.
-
-    Returns
-    -------
-    bool
-        True if that is proved: if both contain roots they are one.
+    Then roots in both of them are the same.
     """
     from flint import arb
 
@@ -264,22 +188,11 @@ def joined(equations: Solvable, found: Sequence[arb], numbers: Sequence[arb]) ->
 def followed(
     equations: Solvable, guess: Sequence[arb], space: Space, orders: Sequence[int] = (1,)
 ) -> list[Any] | None:
-    """Polynomials near the orbit, by Newton's method; nothing is proved of them.
+    """Return polynomials of the parameters near the orbit, by Newton's method, or None if it fails.
 
-    Parameters
-    ----------
-    equations : Solvable
-        Of the unknowns; in Taylor models of the space.
-    guess : sequence of arb
-        The unknowns about, in the middle.
-    space : Space
-    orders : sequence of int, optional
-        Of the steps before the last: each step doubles the order that is right, and more.
-
-    Returns
-    -------
-    list of TaylorModel or None
-        None where Newton's method fails.
+    Nothing is proved of them. The equations are in Taylor models of `space`, `guess` is near the
+    orbit in the middle of it, and `orders` are those of the steps before the last one: a step at
+    least doubles the order up to which the polynomials are right.
     """
     middle = equations.mapped(middle_of)
     found = newton(lambda: middle, guess, _CLOSE)
@@ -301,13 +214,7 @@ def followed(
 
 
 def contracted(test: Krawczyk) -> Contraction | None:
-    """A box around the polynomials that Krawczyk's map takes into itself, if there is one.
-
-    Parameters
-    ----------
-    test : Krawczyk
-        About the polynomials.
-    """
+    """Return a box around the polynomials that Krawczyk's map takes into itself, or None."""
     from flint import arb
 
     unit = arb(2) ** -_CLOSE
@@ -332,7 +239,7 @@ def _step(now: Linearised) -> list[arb] | None:
 
 
 def _unit(bits: int, point: Sequence[arb]) -> arb:
-    """What a last digit of the largest unknown is worth."""
+    """Return the size of a unit in the last place of the largest unknown."""
     from flint import arb
 
     largest = max((abs(x) for x in point), key=float, default=arb(1))

@@ -39,24 +39,11 @@ def reduced_map(
     closing: ClosureConditions,
     number: Number,
 ) -> Any:
-    """The product of the phases' maps on the smallest section that is known.
+    """Return the product of the phases' maps (N, N) on the smallest section that is known: (n, n).
 
-    Its other multipliers are exactly zero.
-
-    Parameters
-    ----------
-    maps : sequence of matrices (N, N)
-    invariants : CycleInvariants or None
-    closing : ClosureConditions
-        Where the maps are at fixed times, only invariants that last hold for changes, and the
-        states of forcings do not change from period to period.
-    number : function
-        From the invariants' exact entries to the maps' numbers.
-
-    Returns
-    -------
-    matrix (n, n)
-        Of the maps' numbers, n at most N.
+    The multipliers that it leaves out are exactly zero. Where the maps are at fixed times, only the
+    lasting invariants hold for changes, and the states of forcings do not change from period to
+    period. `number` maps the invariants' exact entries to the maps' numbers.
     """
     size = maps[0].nrows()
     places: Sequence[Invariants] = [Invariants((), ())] * len(maps)
@@ -76,20 +63,10 @@ def reduced_map(
 
 
 def inside_circle(mapping: Any) -> bool | None:
-    """Whether all eigenvalues lie strictly inside the unit circle; None if undecided.
+    """Whether all eigenvalues of a matrix (n, n) lie strictly inside the unit circle, or None.
 
-    Of two, trace and determinant tell. Else some power has a norm below 1, or a trace above
-    its dimension in absolute value.
-
-    Parameters
-    ----------
-    mapping : matrix (n, n)
-        Of balls or Taylor models.
-
-    Returns
-    -------
-    bool or None
-        True or False where it is proved.
+    None is undecided. For two eigenvalues trace and determinant decide. Else the answer is True if
+    some power has a norm below 1, and False if the trace of one exceeds n in absolute value.
     """
     from flint import arb
 
@@ -118,21 +95,12 @@ def inside_circle(mapping: Any) -> bool | None:
 
 
 def neutral_pairs(section: arb_mat, trace: arb) -> tuple[bool | None, tuple[acb, ...] | None]:
-    """Whether the pairs of a symplectic map lie on the unit circle, apart from each other.
+    """Decide whether the pairs of a symplectic map lie on the unit circle, apart from each other.
 
-    The section map has one multiplier 1, one that is 0, and pairs m, 1/m. It is neutral
-    where every m + 1/m is proved to be real and inside (-2, 2).
-
-    Parameters
-    ----------
-    section : arb_mat (N, N)
-    trace : arb
-        Of it: with one pair, m + 1/m = trace - 1.
-
-    Returns
-    -------
-    tuple of (bool or None, tuple of acb or None)
-        The verdict, and both multipliers of each pair where they are known.
+    The section map (N, N) has one multiplier 1, one that is 0, and pairs m, 1/m. It is neutral
+    where every m + 1/m is proved to be real and inside (-2, 2); with one pair m + 1/m is its trace
+    minus 1. The verdict, None if undecided, comes with both multipliers of each pair where these
+    are known.
     """
     from flint import acb, acb_poly, arb_poly
 
@@ -170,24 +138,11 @@ def neutral_pairs(section: arb_mat, trace: arb) -> tuple[bool | None, tuple[acb,
 
 
 def apart(multipliers: Sequence[acb], size: int, *, trivial: bool) -> tuple[acb, ...]:
-    """Those that are clear roots of the map's characteristic polynomial.
+    """Return the multipliers that are clearly simple roots of the map's characteristic polynomial.
 
-    Its slope there is the product of the distances to the others: to the trivial 1, where there
-    is one, and to zero, which is all the rest. The check cannot tell those that are too near.
-
-    Parameters
-    ----------
-    multipliers : sequence of acb
-        Nontrivial ones that are enclosed.
-    size : int
-        Dimension of the map.
-    trivial : bool
-        Whether the map has a multiplier that is exactly 1.
-
-    Returns
-    -------
-    tuple of acb
-        In their order.
+    The polynomial's slope at a root is the product of the distances to the other roots: to a
+    `trivial` multiplier 1, where there is one, and to zero, which all the rest are. The checker
+    cannot tell apart roots that are too near. `size` is the dimension of the map.
     """
     from flint import acb
 
@@ -204,21 +159,11 @@ def apart(multipliers: Sequence[acb], size: int, *, trivial: bool) -> tuple[acb,
 
 
 def others_below(section: arb_mat, known: Sequence[acb]) -> float:
-    """About what no eigenvalue but the known ones exceeds in absolute value.
+    """Return an approximate bound on the absolute values of all eigenvalues but the known ones.
 
-    The characteristic polynomial divided by the known roots has roots that are no larger than
-    twice the largest k-th root of its k-th coefficient (M. Fujiwara, Tohoku Math. J. 10, 1916).
-
-    Parameters
-    ----------
-    section : arb_mat (n, n)
-    known : sequence of acb
-        Simple eigenvalues, at most n.
-
-    Returns
-    -------
-    float
-        Zero where all are known.
+    The characteristic polynomial of the section map (n, n), divided by the known simple roots, has
+    roots no larger than twice the largest k-th root of its k-th coefficient (M. Fujiwara, Tohoku
+    Math. J. 10, 1916). The bound is zero where all are known.
     """
     from flint import acb
 
@@ -234,7 +179,7 @@ def others_below(section: arb_mat, known: Sequence[acb]) -> float:
 
 
 def _divided(coefficients: Sequence[arb]) -> list[arb]:
-    """A polynomial whose root 1 is known, divided by x - 1."""
+    """Return the coefficients of a polynomial with the root 1 divided by x - 1."""
     found: list[Any] = []
     carried = 0 * coefficients[-1]
     for coefficient in reversed(coefficients[1:]):
@@ -244,7 +189,7 @@ def _divided(coefficients: Sequence[arb]) -> list[arb]:
 
 
 def _of_sums(polynomial: arb_poly) -> arb_poly:
-    """A reciprocal polynomial of degree 2m as one of degree m in x + 1/x."""
+    """Return a reciprocal polynomial of degree 2m as one of degree m in x + 1/x."""
     from flint import arb_poly
 
     coefficients = polynomial.coeffs()
@@ -260,7 +205,10 @@ def _of_sums(polynomial: arb_poly) -> arb_poly:
 def _tangent(
     invariants: Invariants, forced: Sequence[int], size: int
 ) -> tuple[list[int], list[list[Any]]]:
-    """Free coordinates of a section, and how a change moves along it by theirs: (N, free)."""
+    """Return the free coordinates of a section and the basis (N, free) of its tangent space.
+
+    The column of a free coordinate is the change of all coordinates with it.
+    """
     from flint import fmpq
 
     rows = [(*row[:-1], fmpq(0)) for row in invariants.rows]
@@ -274,18 +222,7 @@ def _tangent(
 
 
 def product_of(maps: Sequence[Any]) -> Any:
-    """The maps one after the other.
-
-    Parameters
-    ----------
-    maps : sequence of matrices (N, N)
-        In the order in which they act.
-
-    Returns
-    -------
-    matrix (N, N)
-        The last map stands first.
-    """
+    """Return the product of maps (N, N) that act one after the other: the last one stands first."""
     product = maps[0]
     for behind in maps[1:]:
         product = behind * product
@@ -293,36 +230,14 @@ def product_of(maps: Sequence[Any]) -> Any:
 
 
 def trace_of(square: Any) -> Any:
-    """Sum of the diagonal.
-
-    Parameters
-    ----------
-    square : matrix (n, n)
-        Of balls or Taylor models.
-
-    Returns
-    -------
-    arb or TaylorModel
-        The trace.
-    """
+    """Return the sum of the diagonal of a square matrix."""
     from flint import arb
 
     return sum((square[k, k] for k in range(square.nrows())), arb(0))
 
 
 def eigenvalues_of(square: arb_mat) -> tuple[acb, ...] | None:
-    """Eigenvalues; None if the balls do not tell them apart.
-
-    Parameters
-    ----------
-    square : arb_mat (n, n)
-        The matrix.
-
-    Returns
-    -------
-    tuple of acb or None
-        All n of them.
-    """
+    """Return all eigenvalues of a matrix (n, n), or None if the balls do not tell them apart."""
     from flint import acb, acb_mat
 
     if square.nrows() == 1:

@@ -46,39 +46,19 @@ NOT_CONSERVED = "the energy does not give the coordinate that is left out"
 
 
 class MapClaim(NamedTuple):
-    """What is proved of an orbit's multipliers.
+    """What is proved of an orbit's multipliers."""
 
-    Attributes
-    ----------
-    verdict : {"proved", "refuted", "undecided"}
-    reason : str
-        Why it is not proved.
-    trace : arb, TaylorModel or None
-        None where a boundary may be reached tangentially.
-    section : matrix or None
-        The Poincare map's derivative on the smallest section that is known.
-    pairs : tuple of acb
-        Nontrivial multipliers of a conservative orbit, where they are told apart.
-    """
-
-    verdict: str
-    reason: str
-    trace: Any = None
-    section: Any = None
+    verdict: str  # "proved", "refuted" or "undecided"
+    reason: str  # why it is not proved
+    trace: Any = None  # None where a boundary may be reached tangentially
+    section: Any = None  # derivative of the Poincare map on the smallest section that is known
+    # nontrivial multipliers of a conservative orbit, where they are told apart
     pairs: tuple[acb, ...] = ()
 
     def multipliers(self, region: Region) -> tuple[acb, ...]:
-        """Those that are clearly apart, the largest first; none where the map has a corner.
+        """Return the nontrivial multipliers that are clearly simple, the largest first.
 
-        Parameters
-        ----------
-        region : Region
-            The orbit's cycle, its tables and its closure.
-
-        Returns
-        -------
-        tuple of acb
-            Nontrivial ones.
+        There are none where the map has a corner.
         """
         if not self._enclosed(region):
             return ()
@@ -90,11 +70,14 @@ class MapClaim(NamedTuple):
         return tuple(sorted(found, key=lambda m: -float(abs(m).mid())))
 
     def _enclosed(self, region: Region) -> bool:
-        """Whether the map has one derivative."""
+        """Whether the map's derivative is enclosed and has no corner."""
         return self.section is not None and not region.cycle.one_sided
 
     def others_below(self, region: Region, known: Sequence[acb]) -> str:
-        """What no nontrivial multiplier but the known ones exceeds: a decimal, rounded up."""
+        """Return a bound on the absolute values of the nontrivial multipliers that are not known.
+
+        It is a decimal, rounded up; an empty text stands for no known bound.
+        """
         from flint import acb
 
         if not self._enclosed(region):
@@ -106,23 +89,10 @@ class MapClaim(NamedTuple):
 
 
 def claim_of_map(region: Region, number: Number, equations: Equations, now: Shooting) -> MapClaim:
-    """Enclose trace and multipliers, and tell on which side of the unit circle they are.
+    """Enclose the trace of the Poincare map and decide on which side of the circle multipliers are.
 
-    Parameters
-    ----------
-    region : Region
-        The orbit's cycle, its tables and its closure.
-    number : callable
-        Maps exact entries to numbers: balls or Taylor models.
-    equations : Equations
-        Of the orbit.
-    now : Shooting
-        The cycle, passed once over the enclosures.
-
-    Returns
-    -------
-    MapClaim
-        The verdict, why it is that, and the trace.
+    `now` is the passage through the cycle over the enclosures. The claim is that all multipliers
+    are inside the circle, or, for a conservative cycle, that all nontrivial ones are on it.
     """
     closing = region.closing
     maps = equations.maps(now)
@@ -150,31 +120,13 @@ def claim_of_map(region: Region, number: Number, equations: Equations, now: Shoo
 def unstable_if_reached(
     region: Region, number: Number, equations: Equations, now: Shooting, place: int
 ) -> bool:
-    """Whether orbits that reach a boundary with a positive speed, however low, are unstable.
+    """Whether orbits that reach a boundary with any positive speed are proved to be unstable.
 
     The map has that speed in its denominator. Multiplied by it the map is regular, and has rank
-    one where the speed is zero. If its trace is above n times the speed, a multiplier lies outside
-    the unit circle: next to the grazing of a rigid stop it grows beyond all bounds (A. Nordmark,
-    Non-periodic motion caused by grazing incidence in an impact oscillator, J. Sound Vib. 145,
-    1991).
-
-    Parameters
-    ----------
-    region : Region
-        The orbit's cycle, its tables and its closure.
-    number : callable
-        Maps exact entries to numbers: balls or Taylor models.
-    equations : Equations
-        Of the orbit.
-    now : Shooting
-        The cycle, passed once over the enclosures.
-    place : int
-        The phase that the boundary ends, counted from 0.
-
-    Returns
-    -------
-    bool
-        True if that is proved.
+    one where the speed is zero. If the absolute value of its trace is above n times the speed, a
+    multiplier lies outside the unit circle: next to the grazing of a rigid stop it grows beyond all
+    bounds (A. Nordmark, Non-periodic motion caused by grazing incidence in an impact oscillator,
+    J. Sound Vib. 145, 1991). `place` is the phase, counted from 0, that the boundary ends.
     """
     if region.closing.form is not None or region.cycle.one_sided:
         return False
@@ -197,25 +149,8 @@ def judged(
 ) -> Judgement:
     """Judge whether an orbit is a motion of the system, in the numbers of its phases.
 
-    Parameters
-    ----------
-    region : Region
-        The orbit's cycle, its tables and its closure.
-    number : callable
-        Maps exact entries to numbers: balls or Taylor models.
-    phases : sequence of Phase
-        In the numbers.
-    now : Shooting
-        The cycle, passed once over the enclosures.
-    dwell : sequence of arb or TaylorModel
-        Dwell times of the phases, in the system's units.
-    assumed : collection of OpenInequality, optional
-        Inequalities that are taken to hold.
-
-    Returns
-    -------
-    Judgement
-        "undecided" where the cycle's invariants are not known.
+    It is "undecided" where the cycle's invariants are not known. Inequalities in `assumed` are
+    taken to hold.
     """
     if region.invariants is None:
         reason = "the declaration takes a root or a sine: what is exactly zero is not known"
@@ -226,25 +161,9 @@ def judged(
 def named_numbers(
     region: Region, equations: Equations, now: Shooting, dwell: Sequence[Any], trace: Any
 ) -> dict[str, Any]:
-    """Trace, period, dwell times and start by name, in the equations' numbers.
+    """Return trace, period, dwell times and start by name, in the system's units.
 
-    Parameters
-    ----------
-    region : Region
-        The orbit's cycle, its tables and its closure.
-    equations : Equations
-        Of the orbit.
-    now : Shooting
-        The cycle, passed once over the enclosures.
-    dwell : sequence of arb or TaylorModel
-        Dwell times of the phases, in the system's units.
-    trace : arb, TaylorModel or None
-        Of the Poincare map's Jacobian.
-
-    Returns
-    -------
-    dict of str to arb or TaylorModel
-        In the system's units; the trace is nondimensional.
+    A trace None is left out.
     """
     subject, period = region.subject, equations.period
     named = {} if trace is None else {"trace": trace}
@@ -255,21 +174,9 @@ def named_numbers(
 
 
 def conserved(region: Region, number: Number, now: Shooting) -> bool:
-    """Whether the energy returns the coordinate whose closure was dropped, if one was.
+    """Whether energy conservation is proved to give the coordinate whose closure was dropped.
 
-    Parameters
-    ----------
-    region : Region
-        The orbit's cycle, its tables and its closure.
-    number : callable
-        Maps exact entries to numbers: balls or Taylor models.
-    now : Shooting
-        The cycle, passed once over the enclosures.
-
-    Returns
-    -------
-    bool
-        True if that is proved, or the cycle keeps no energy.
+    It is True for a cycle that keeps no energy: then nothing was dropped.
     """
     closing, first, last = region.closing, now.starts[0], now.starts[-1]
     if closing.form is None:

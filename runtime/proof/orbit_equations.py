@@ -33,23 +33,10 @@ __all__ = ["Equations", "Flows", "Linearised", "ShortPhase", "equations_in", "ph
 def phases_of(
     tables: Tables, cycle: ItineraryShape, number: Number, translations: Sequence[Row] = ()
 ) -> tuple[Phase, ...]:
-    """Phases of a cycle that closes up to translations, at the working precision.
+    """Return the phases of a cycle, with matrices (N + 1, N + 1) and rows (1, N + 1) of numbers.
 
-    Parameters
-    ----------
-    tables : Tables
-        Of the system.
-    cycle : ItineraryShape
-        The itinerary, with its system's structure.
-    number : callable
-        Maps exact entries to numbers: balls or Taylor models.
-    translations : sequence of Row, optional
-        Directions along which the system does not change.
-
-    Returns
-    -------
-    tuple of Phase
-        With matrices (N + 1, N + 1) and rows (1, N + 1).
+    The cycle closes up to `translations`, directions along which the system does not change:
+    behind the last reset the state is projected along them.
     """
     resets = [tables.resets[t.reset] for t in cycle.transitions]
     resets[-1] = projected(resets[-1], translations)
@@ -64,7 +51,7 @@ def phases_of(
 
 
 class Flows:
-    """Matrix exponentials of the phases over boxes of times near given ones."""
+    """The matrix exponentials of all phases, for times near given ones."""
 
     def __init__(self, phases: Sequence[Phase], times: Sequence[Any]) -> None:
         self.fields = [phase.field for phase in phases]
@@ -72,7 +59,10 @@ class Flows:
         self.near = [(b * t).exp() for b, t in zip(self.fields, self.centres, strict=True)]
 
     def __call__(self, place: int, time: Any) -> Any:
-        """Flow of a phase; over a box of times the wide factor has a small exponent."""
+        """Return the flow of a phase over a time or a box of times.
+
+        Over a box the factor whose entries are wide has a small exponent.
+        """
         rest = time - self.centres[place]
         if not isinstance(rest, TaylorModel) and rest.is_zero():
             return self.near[place]
@@ -80,50 +70,28 @@ class Flows:
 
 
 class Linearised(NamedTuple):
-    """Left-hand sides of the equations and their Jacobian, and what they come from.
+    """The left-hand sides of the equations and their Jacobian, with the passage they come from."""
 
-    Attributes
-    ----------
-    residual : matrix (n, 1)
-    jacobian : matrix (n, n)
-    shooting : Shooting
-        Flows (N + 1, N + 1), and columns (N + 1, 1).
-    """
-
-    residual: Any
-    jacobian: Any
-    shooting: Shooting
+    residual: Any  # (n, 1)
+    jacobian: Any  # (n, n)
+    shooting: Shooting  # flows (N + 1, N + 1) and columns (N + 1, 1)
 
 
 class ShortPhase(NamedTuple):
-    """A phase that may vanish.
+    """A phase whose dwell time may be zero.
 
-    If it begins and ends on one boundary its switching condition is divided by its dwell time:
-    what is left is regular where the dwell time is zero, and elsewhere it has the same solutions.
-
-    Attributes
-    ----------
-    place : int
-        Counted from 0.
-    saltations : tuple
-        For each phase a column (N + 1, 1): the jump of the velocity at its end over the rate of
-        the boundary function, where that is a number though both may be zero; else None.
-    divided : bool
-        Whether its switching condition is divided.
+    If it begins and ends on one boundary, its switching condition is divided by its dwell time:
+    the quotient is regular where the dwell time is zero, and elsewhere it has the same solutions.
     """
 
-    place: int
+    place: int  # counted from 0
+    # for each phase a column (N + 1, 1), the jump of the velocity at its end over the rate of the
+    # boundary function, where that is known though both may be zero; else None
     saltations: tuple[Any, ...]
-    divided: bool
+    divided: bool  # whether its switching condition is divided
 
     def at(self, number: Number) -> ShortPhase:
-        """The same with numbers in place of exact entries.
-
-        Parameters
-        ----------
-        number : callable
-            Maps exact entries to numbers: balls or Taylor models.
-        """
+        """Return the phase with `number` applied to its exact entries."""
         columns = [
             None if column is None else numbers([[entry] for entry in column], number)
             for column in self.saltations
@@ -132,20 +100,11 @@ class ShortPhase(NamedTuple):
 
 
 class Equations:
-    """Equations of a cycle that closes in its way, at the working precision.
+    """The n equations of a cycle in balls or Taylor models: switching conditions, closure, period.
 
-    Parameters
-    ----------
-    phases : sequence of Phase
-    closing : ClosureConditions
-    period : arb, TaylorModel or None
-        What the dwell times sum up to, where the closing says so.
-    speeds : sequence of arb or TaylorModel
-        Of the closing's forcings, in the phases' numbers.
-    projection : matrix (N + 1, N + 1), optional
-        Along the closing's translations, where it has any.
-    short : ShortPhase, optional
-        The phase whose switching condition is divided by its dwell time.
+    The period is what the dwell times sum up to, where the closing says so, and the speeds are the
+    angular frequencies of the closing's forcings. The projection (N + 1, N + 1) is that along the
+    closing's translations, if it has any. `short` is the phase that may vanish.
     """
 
     def __init__(
@@ -173,33 +132,11 @@ class Equations:
             self._marks.append(mark)
 
     def near(self, point: Sequence[Any]) -> Flows:
-        """Flows for dwell times near those of a point.
-
-        Parameters
-        ----------
-        point : sequence of arb or TaylorModel
-            All n unknowns, in the system's units.
-
-        Returns
-        -------
-        Flows
-            What `linearised` takes near it.
-        """
+        """Return the flows that `linearised` needs for dwell times near those of a point."""
         return Flows(self.phases, self.dwell(point))
 
     def mapped(self, change: Callable[[Any], Any]) -> Equations:
-        """The same equations in other numbers.
-
-        Parameters
-        ----------
-        change : callable
-            From a number or matrix to the other numbers.
-
-        Returns
-        -------
-        Equations
-            Of the same cycle.
-        """
+        """Return the same equations with all numbers and matrices changed."""
         period = self.period
         return Equations(
             [Phase(*map(change, phase)) for phase in self.phases],
@@ -210,32 +147,13 @@ class Equations:
         )
 
     def dwell(self, unknowns: Sequence[Any]) -> Sequence[Any]:
-        """The dwell times among the unknowns.
-
-        Parameters
-        ----------
-        unknowns : sequence of arb or TaylorModel
-            All n of them, in the system's units.
-
-        Returns
-        -------
-        sequence of arb or TaylorModel
-            One for each phase, in the system's units.
-        """
+        """Return the dwell times among the unknowns, one for each phase."""
         return unknowns[self.first :]
 
     def start(self, unknowns: Sequence[Any]) -> tuple[Any, Any]:
-        """Start (N + 1, 1) of a cycle and its derivative (N + 1, n) by the unknowns.
+        """Return the start (N + 1, 1) of a cycle and its derivative (N + 1, n) by the unknowns.
 
-        Parameters
-        ----------
-        unknowns : sequence of arb or TaylorModel
-            All n of them, in the system's units.
-
-        Returns
-        -------
-        tuple of (matrix, matrix)
-            State with a last entry 1, and its derivative.
+        The last entry of the start is 1.
         """
         state: list[list[Any]] = [[0] for _ in range(self.size)] + [[1]]
         slope: list[list[Any]] = [[0] * self.count for _ in state]
@@ -249,19 +167,9 @@ class Equations:
         return matrix(state), matrix(slope)
 
     def linearised(self, unknowns: Sequence[Any], flows: Callable[[int, Any], Any]) -> Linearised:
-        """Pass once through the cycle, with derivatives by the unknowns.
+        """Pass once through the cycle and return residual (n, 1), Jacobian (n, n) and the passage.
 
-        Parameters
-        ----------
-        unknowns : sequence of arb or TaylorModel
-            All n of them, in the system's units.
-        flows : Flows or another function
-            Gives the flow of a phase for a time.
-
-        Returns
-        -------
-        Linearised
-            Residual (n, 1), Jacobian (n, n), and the passage.
+        `flows` gives the flow of a phase, by its number, over a time.
         """
         start, slope = self.start(unknowns)
         passed = [flows(place, time) for place, time in enumerate(self.dwell(unknowns))]
@@ -283,7 +191,7 @@ class Equations:
         return Linearised(matrix([[v] for v in values]), matrix(rows), now)
 
     def _from_frames(self, flows: Sequence[Any], start: Any, slope: Any) -> Shooting:
-        """The passage, computed in frames that turn with the states of a long cycle."""
+        """Return the passage, computed in frames that turn with the states of a long cycle."""
         fields, rows, resets = (list(x) for x in zip(*self.phases, strict=True))
         seen = framed_phases(fields, rows, resets, list(flows))
         phases = [Phase(*parts) for parts in zip(*seen[:3], strict=True)]
@@ -297,10 +205,10 @@ class Equations:
         return now._replace(flows=flows, starts=starts, ends=ends, velocities=velocities)
 
     def _divided(self, unknowns: Sequence[Any]) -> list[Ahead | None] | None:
-        """The short phase's condition over its dwell time t, by the phase's start.
+        """Return the short phase's condition divided by its dwell time t, and its rate, as rows.
 
-        With its field B and boundary n that is n phi1(B t) B, and its rate
-        n (phi1 - phi2)(B t) B B, where phi1(z) = (e^z - 1) / z and phi2(z) = (phi1(z) - 1) / z
+        The rows act on the phase's start. With its field B and boundary n they are n phi1(B t) B
+        and n (phi1 - phi2)(B t) B B, where phi1(z) = (e^z - 1) / z and phi2(z) = (phi1(z) - 1) / z
         (N. Higham, Functions of Matrices, 2008, 10.7.4).
         """
         if self.short is None or not self.short.divided:
@@ -322,12 +230,10 @@ class Equations:
 
     @property
     def closure_rows(self) -> list[tuple[int, int]]:
-        """Which equations compare the cycle's end with its start, and with which unknown of it.
+        """The equations that compare the cycle's end with its start, each with its unknown.
 
-        Returns
-        -------
-        list of (int, int)
-            Each equation has minus this unknown, or the forcing's time, as what is compared.
+        Each of them subtracts its unknown, a state or the forcing's time at the start, from what it
+        is at the cycle's end.
         """
         count = len(self.phases)
         found = [(count + row, self.free.index(k)) for row, k in enumerate(self.closed)]
@@ -336,54 +242,25 @@ class Equations:
         return found
 
     def maps(self, now: Shooting, slow: int | None = None) -> list[Any]:
-        """Derivative (N, N) of each phase's start by that before it, as the cycle closes.
+        """Return the derivative (N, N) of each phase's start by the start of the phase before it.
 
-        Parameters
-        ----------
-        now : Shooting
-            The cycle, passed once over the enclosures.
-        slow : int, optional
-            A phase, counted from 0, whose map is multiplied by the speed at which its boundary is
-            reached: the product is regular where that is zero.
-
-        Returns
-        -------
-        list of matrices (N, N)
-            One for each phase.
+        It is taken at fixed times for an orbit that is a function of time, else on the sections.
+        The map of phase `slow`, counted from 0, is multiplied by the speed at which its boundary is
+        reached: the product is regular where that speed is zero.
         """
         return self.timed_maps(now, slow) if self.closing.timed else self.section_maps(now, slow)
 
     def section_maps(self, now: Shooting, slow: int | None = None) -> list[Any]:
-        """Derivative (N, N) of each phase's start by that before it, on the sections.
+        """Return the derivatives that `maps` gives, (N, N) for each phase, on the sections.
 
-        Parameters
-        ----------
-        now : Shooting
-            The cycle, passed once over the enclosures.
-        slow : int, optional
-            A phase whose map is multiplied by its speed.
-
-        Returns
-        -------
-        list of matrices (N, N)
-            One for each phase.
+        The map of phase `slow` is multiplied by its speed.
         """
         return self._maps(now, [None] * len(self.phases), slow)
 
     def timed_maps(self, now: Shooting, slow: int | None = None) -> list[Any]:
-        """Derivative (N, N) of each phase's start by that before it, at fixed times.
+        """Return the derivatives that `maps` gives, (N, N) for each phase, at fixed times.
 
-        Parameters
-        ----------
-        now : Shooting
-            The cycle, passed once over the enclosures.
-        slow : int, optional
-            A phase whose map is multiplied by its speed.
-
-        Returns
-        -------
-        list of matrices (N, N)
-            One for each phase.
+        The map of phase `slow` is multiplied by its speed.
         """
         fields = [phase.field for phase in (*self.phases[1:], self.phases[0])]
         behind = [field * start for field, start in zip(fields, now.starts[1:], strict=True)]
@@ -391,19 +268,7 @@ class Equations:
         return self._maps(now, behind, slow)
 
     def speed(self, now: Shooting, place: int) -> Any:
-        """The speed at which a phase's boundary is reached.
-
-        Parameters
-        ----------
-        now : Shooting
-            The cycle, passed once over the enclosures.
-        place : int
-            The phase, counted from 0.
-
-        Returns
-        -------
-        arb or TaylorModel
-        """
+        """Return the speed at which a phase, counted from 0, reaches its boundary."""
         return (self.phases[place].row * now.velocities[place])[0, 0]
 
     def _maps(self, now: Shooting, behind: Sequence[Any], slow: int | None) -> list[Any]:
@@ -421,13 +286,13 @@ class Equations:
         return found
 
     def _linear(self, whole: Any) -> Any:
-        """The part that acts on changes of the state."""
+        """Return the block (N, N) of a matrix that acts on changes of the state."""
         size = self.size
         return matrix([[whole[i, j] for j in range(size)] for i in range(size)])
 
 
 def _salted(phase: Phase, flow: Any, jump: Any) -> Any:
-    """The map at fixed times of a phase whose jump over the boundary's rate is known."""
+    """Return the map at fixed times of a phase whose jump over the boundary's rate is known."""
     return phase.reset * flow + jump * (phase.row * flow)
 
 
@@ -438,23 +303,10 @@ def equations_in(
     period: Any,
     short: ShortPhase | None = None,
 ) -> Equations:
-    """The equations of a cycle in the numbers of its phases.
+    """Return the equations of a cycle in the numbers of its phases.
 
-    Parameters
-    ----------
-    phases : sequence of Phase
-    closing : ClosureConditions
-    number : function
-        From the closing's exact entries to the phases' numbers.
-    period : arb, TaylorModel or None
-        What the dwell times sum up to, where it is given.
-    short : ShortPhase, optional
-        The phase whose switching condition is divided by its dwell time.
-
-    Returns
-    -------
-    Equations
-        With the period of the forcing, where the cycle has one.
+    `number` maps the closing's exact entries to these numbers. A given period is replaced by that
+    of the forcing where the cycle has one.
     """
     from flint import arb
 

@@ -46,98 +46,44 @@ _MOST_TURNS = 1000
 
 
 class NotCovered(Exception):
-    """What this proof cannot be about; the message is the reason."""
+    """The method cannot be applied; the message is the reason."""
 
 
 @dataclass(frozen=True, eq=False)
 class Subject:
-    """An orbit of a system, and about where it is.
-
-    Attributes
-    ----------
-    label : str
-    kernels : SystemKernels
-    values : dict of str to Value
-        All parameters of the system.
-    chosen : tuple of str
-        Parameters that the orbit leaves open and that were chosen.
-    cycle : ItineraryShape
-    period : Value or None
-        Where it was given.
-    start, dwell : list of arb
-        Exact; nothing is proved of them.
-    start_names, dwell_names : tuple of str
-    """
+    """An orbit that is to be proved: its system, parameters and cycle, and about where it is."""
 
     label: str
     kernels: SystemKernels
-    values: dict[str, Value]
-    chosen: tuple[str, ...]
+    values: dict[str, Value]  # all parameters of the system
+    chosen: tuple[str, ...]  # parameters that the orbit leaves open and that were chosen
     cycle: ItineraryShape
-    period: Value | None
-    start: list[arb]
-    dwell: list[arb]
+    period: Value | None  # where it was given
+    start: list[arb]  # exact numbers of which nothing is proved
+    dwell: list[arb]  # exact numbers of which nothing is proved
     start_names: tuple[str, ...]
     dwell_names: tuple[str, ...]
 
 
 def subject_of(orbit: Orbit) -> Subject:
-    """The subject of a proof about an orbit.
+    """Return the subject of a proof about an orbit; one that has not converged is refused.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        The orbit in floating point.
-
-    Returns
-    -------
-    Subject
-        With its system's parameters, and balls around start and dwell times.
-
-    Raises
-    ------
-    InputError
-        If it has not converged.
-    NotCovered
-        If a parameter is an unknown of it.
+    `NotCovered` is raised if a parameter is an unknown of the orbit, or if the system's parameters
+    do not follow from it.
     """
     check_converged(orbit, "certified")
     return subject_near(orbit)
 
 
 def system_of(orbit: Orbit) -> str:
-    """Name of the system that it is an orbit of.
-
-    Parameters
-    ----------
-    orbit : Orbit
-        The orbit in floating point.
-
-    Returns
-    -------
-    str
-        As the system is declared.
-    """
+    """Return the name of the system that an orbit belongs to."""
     return orbit.system.name
 
 
 def subject_near(orbit: Orbit) -> Subject:
-    """As `subject_of`, where the orbit's equations may be singular too.
+    """Return the subject as `subject_of`, also where the orbit's equations are singular.
 
-    Parameters
-    ----------
-    orbit : Orbit
-        The orbit in floating point.
-
-    Returns
-    -------
-    Subject
-        With its system's parameters, and balls around start and dwell times.
-
-    Raises
-    ------
-    NotCovered
-        If a parameter was solved for, or the physical parameters do not follow.
+    `NotCovered` is raised as there.
     """
     problem = orbit.problem
     solved_for = ", ".join(name for name in orbit.unknowns if name in problem.all_parameters)
@@ -166,24 +112,9 @@ def subject_near(orbit: Orbit) -> Subject:
 
 
 def physical_values(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[str, Value]:
-    """All parameters of the system from those of an orbit and the ones that it leaves open.
+    """Return all parameters of the system from those of an orbit and those that it leaves open.
 
-    Parameters
-    ----------
-    kernels : OrbitKernels
-        The orbit's generated functions.
-    given : dict of str to Value
-        Parameters of the orbit, and those that it leaves open.
-
-    Returns
-    -------
-    dict of str to Value
-        By name.
-
-    Raises
-    ------
-    NotCovered
-        If they are not values that the system takes.
+    `NotCovered` is raised if the system does not take these values.
     """
     try:
         return complete_system(kernels, given).values
@@ -192,19 +123,9 @@ def physical_values(kernels: OrbitKernels, given: Mapping[str, Value]) -> dict[s
 
 
 def translations_in(subject: Subject, tables: Tables) -> tuple[Row, ...]:
-    """Directions along which the subject's system does not change, as the tables show.
+    """Return the exact directions along which the subject's system does not change.
 
-    Parameters
-    ----------
-    subject : Subject
-        The orbit that is to be proved.
-    tables : Tables
-        Of the system.
-
-    Returns
-    -------
-    tuple of Row
-        Exact; empty if one of them cannot be shown.
+    There are none if one of them cannot be shown by the tables.
     """
     near = translations_of(piecewise(subject.kernels, subject.values)).tolist()
     return exact_translations(tables, subject.cycle.structure, near)
@@ -216,28 +137,12 @@ def closing_of(
     centre: Any,
     at: Sequence[Any] = (),
 ) -> ClosureConditions:
-    """How the subject's cycle closes.
+    """Return how the subject's cycle closes: by the forcing, by the state, or by period and energy.
 
-    Parameters
-    ----------
-    subject : Subject
-        The orbit that is to be proved.
-    tables : Tables
-        Of the system.
-    centre : floats (N)
-        About where it starts: the coordinate whose closure the energy gives is chosen by it.
-    at : sequence of arb
-        Values at the orbit of what the tables are functions of.
-
-    Returns
-    -------
-    ClosureConditions
-        By the forcing, by the state, or by a period and an energy.
-
-    Raises
-    ------
-    NotCovered
-        If it closes in another way, or its numbers are not rational where they have to be.
+    `centre` (N) is about where the cycle starts: it chooses the coordinate whose closure follows
+    from the energy. `at` holds the values at the orbit of what the tables are functions of.
+    `NotCovered` is raised if the cycle closes in another way, or if its numbers are not rational
+    where they have to be.
     """
     cycle, near = subject.cycle, partial(tables.near, values=at)
     shifts = translations_in(subject, tables)
@@ -289,21 +194,9 @@ def closing_of(
 def guess_of(
     subject: Subject, closing: ClosureConditions, near: Callable[[Any], float]
 ) -> list[arb]:
-    """Unknowns of the equations, about.
+    """Return the unknowns of the equations, about: free states, the forcing's time, dwell times.
 
-    Parameters
-    ----------
-    subject : Subject
-        The orbit that is to be proved.
-    closing : ClosureConditions
-        How the cycle closes.
-    near : callable
-        Gives an exact entry as a float.
-
-    Returns
-    -------
-    list of arb
-        Free states, the forcing's time, dwell times; in the system's units.
+    `near` gives an exact entry as a float.
     """
     if closing.kind != "forcing":
         return [*subject.start, *subject.dwell]

@@ -53,38 +53,24 @@ _GRAZING = "a boundary may be reached tangentially: there no derivative is claim
 
 @dataclass(frozen=True, eq=False)
 class ProvedDerivatives:
-    """Derivatives of an orbit by some of what was given for it.
+    """The enclosed derivatives of an orbit by some of the numbers that were given for it."""
 
-    Attributes
-    ----------
-    rates : dict of str to dict of str to arb
-        Of each quantity by each parameter.
-    directions : dict of str to Direction
-        How the system's parameters move with each, of which there are derivatives.
-    missing : dict of str to str
-        Why there are none by the others.
-    closing : ClosureConditions or None
-        How the cycle closes, as functions of the parameters that move.
-    moving : tuple of str
-        These.
-    constants : tuple of str
-        Irrational numbers, whose functions the entries of the closing are behind these.
-    """
-
+    # of each quantity by each given number
     rates: Mapping[str, Mapping[str, arb]] = field(default_factory=dict)
+    # how the system's parameters move with each number by which there are derivatives
     directions: Mapping[str, Direction] = field(default_factory=dict)
-    missing: Mapping[str, str] = field(default_factory=dict)
+    missing: Mapping[str, str] = field(default_factory=dict)  # why there are none by the others
+    # how the cycle closes, as functions of the moving parameters
     closing: ClosureConditions | None = None
+    # parameters of the system that move, in the order of the closing's variables
     moving: tuple[str, ...] = ()
+    # irrational numbers: the variables of the closing behind the moving ones
     constants: tuple[str, ...] = ()
 
     def size(self, name: str) -> arb:
-        """A small share of the largest derivative by a number: zeros are computed from such.
+        """Return a small share of the largest derivative by a given number.
 
-        Parameters
-        ----------
-        name : str
-            Of the number.
+        Derivatives that are zero are computed from numbers of such a size.
         """
         from flint import arb
 
@@ -93,23 +79,9 @@ class ProvedDerivatives:
 
 
 def asked_parameters(orbit: Orbit, by: Sequence[str] | str | bool | None) -> tuple[str, ...]:
-    """Names by which derivatives are asked for.
+    """Return the names of the given numbers by which derivatives are asked for, each once.
 
-    Parameters
-    ----------
-    orbit : Orbit
-    by : sequence of str, str, bool or None
-        What was given for the orbit: True for all of it, None or False for nothing.
-
-    Returns
-    -------
-    tuple of str
-        Each once.
-
-    Raises
-    ------
-    InputError
-        For what was not given.
+    True stands for all that was given, None and False for nothing. What was not given is refused.
     """
     if by is None or isinstance(by, bool):
         return tuple(orbit.given) if by else ()
@@ -123,17 +95,9 @@ def asked_parameters(orbit: Orbit, by: Sequence[str] | str | bool | None) -> tup
 
 
 def directions(orbit: Orbit, chosen: Iterable[str], by: Iterable[str]) -> dict[str, Direction]:
-    """How the system's parameters, and the period, move with each number that was given.
+    """Return how the system's parameters, and the period, move with each given number in `by`.
 
-    The others that were given, and those that were chosen, stay.
-
-    Parameters
-    ----------
-    orbit : Orbit
-    chosen : iterable of str
-        Parameters that the orbit leaves open and that were chosen.
-    by : iterable of str
-        What was given.
+    The other given numbers, and the parameters in `chosen`, which the orbit leaves open, stay.
     """
     problem = orbit.problem
     known = {*orbit.given, *orbit.opened, *chosen, *problem.required}
@@ -161,20 +125,8 @@ def derivatives_along(
 ) -> ProvedDerivatives:
     """Enclose the derivatives of a proved orbit along directions, at the working precision.
 
-    Parameters
-    ----------
-    region : Region
-        Of one parameter point.
-    root : IsolatedOrbit
-        The orbit there.
-    multipliers : sequence of acb
-        Simple ones, each apart from the others.
-    along : dict of str to Direction
-
-    Returns
-    -------
-    ProvedDerivatives
-        Where there are none along a direction it says why.
+    The region is one parameter point. The multipliers have to be simple, each apart from the
+    others. Where there are no derivatives along a direction, the result says why.
     """
     reason = _without(region, root)
     if reason:
@@ -211,7 +163,7 @@ def derivatives_along(
 
 
 def _without(region: Region, root: IsolatedOrbit) -> str:
-    """Why an orbit has no derivatives by anything; empty if it may have."""
+    """Return why an orbit has no derivatives at all, or an empty text if it may have some."""
     if region.cycle.one_sided:
         return CORNER
     maps = root.equations.maps(root.linearised.shooting)
@@ -220,12 +172,9 @@ def _without(region: Region, root: IsolatedOrbit) -> str:
 
 
 def _moving_region(region: Region, names: Sequence[str]) -> Region:
-    """The region with tables and closure as functions of parameters of the system.
+    """Return the region with tables and closing as functions of the named parameters.
 
-    Raises
-    ------
-    NotCovered
-        If they are none, or the cycle closes in another way.
+    `NotCovered` is raised if they are no such functions, or if the cycle closes in another way.
     """
     subject = region.subject
     kernels, values = subject.kernels, subject.values
@@ -260,7 +209,10 @@ def _bits() -> int:
 
 
 def _sharper(region: Region, root: IsolatedOrbit) -> IsolatedOrbit:
-    """The same orbit at a higher precision: Krawczyk's image of a box contains all its roots."""
+    """Return the same orbit at the working precision, which is higher now.
+
+    That is sound because Krawczyk's image of a box contains all its roots.
+    """
     equations = region.equations(region.tables.number_at())
     image = root.contraction.image
     test = Krawczyk(equations, [x.mid() for x in image])
@@ -270,7 +222,7 @@ def _sharper(region: Region, root: IsolatedOrbit) -> IsolatedOrbit:
 
 
 def _values(subject: Subject, names: Iterable[str]) -> list[Any]:
-    """Values of parameters of the system and of the period."""
+    """Return the values of named parameters; `PERIOD` is the name of the orbit's period."""
     return [subject.period if name == PERIOD else subject.values[name] for name in names]
 
 
@@ -281,7 +233,7 @@ def _rates(
     multipliers: Sequence[acb],
     direction: Direction,
 ) -> dict[str, arb]:
-    """Derivatives along one direction of all that is enclosed."""
+    """Return the derivatives along one direction of all quantities that are enclosed."""
     from flint import arb
 
     balls = [value.ball(_bits()) for value in _values(region.subject, names)]
@@ -303,15 +255,16 @@ def _rates(
 
 
 def _linearised(equations: Equations, unknowns: Sequence[Any]) -> Linearised:
-    """Pass once through the cycle."""
+    """Pass once through the cycle, with flows near the unknowns' own dwell times."""
     flows = Flows(equations.phases, equations.dwell(unknowns))
     return equations.linearised(unknowns, flows)
 
 
 def _section(equations: Equations, now: Shooting) -> Any:
-    """The whole Poincare map but for the forcings, which do not change from period to period.
+    """Return the whole Poincare map on the states that are not forcings.
 
-    What the smallest section leaves out has multipliers that are zero at all parameters.
+    Forcings do not change from period to period. What the smallest section leaves out has
+    multipliers that are zero at all parameters.
     """
     whole = product_of(equations.maps(now))
     return matrix([[whole[i, j] for j in equations.free] for i in equations.free])
@@ -320,9 +273,10 @@ def _section(equations: Equations, now: Shooting) -> Any:
 def _of_multipliers(
     section: arb_mat, change: arb_mat, multipliers: Sequence[acb]
 ) -> dict[str, arb]:
-    """Derivatives of simple multipliers of a map M: tr(A M') / tr(A), A the adjugate of m - M.
+    """Return the derivatives tr(A M') / tr(A) of simple multipliers m of a map M.
 
-    C. G. J. Jacobi (1841). The imaginary part of a real one is left out.
+    A is the adjugate of m - M. The formula is by C. G. J. Jacobi (1841). The imaginary part of a
+    real multiplier is left out.
     """
     from flint import acb, acb_poly, arb_mat
 

@@ -39,29 +39,11 @@ def system_declaration(
     *,
     timed: bool,
 ) -> dict[str, Any]:
-    """The declaration over all parameters of the system, and the period where that is given.
+    """Return the declaration over all parameters of the system, as `declaration_json` gives it.
 
-    Where it takes a root or a sine of these there are no such functions: it is that of the tables.
-
-    Parameters
-    ----------
-    kernels : SystemKernels
-        The system's generated functions.
-    cycle : ItineraryShape
-        The itinerary, with its system's structure.
-    tables : Tables
-        At the orbit's parameters.
-    start : sequence of str
-        Names of the states at the start.
-    dwell : sequence of str
-        Names of the phases' dwell times.
-    timed : bool
-        Whether the period is given.
-
-    Returns
-    -------
-    dict
-        As `declaration_json` gives it.
+    If `timed`, the given period is one more parameter. Where the declaration takes a root or a sine
+    of its parameters there are no such functions: then it is that of the tables, which hold the
+    numbers at the orbit's parameters. `start` and `dwell` are names of states and dwell times.
     """
     names = tuple(table.name for table in kernels.parameters) + (PERIOD,) * timed
     texts = tuple(irrational_texts(kernels, tables.constants if timed else ()))
@@ -80,34 +62,12 @@ def orbit_declaration(
     dwell: Sequence[str],
     texts: Iterable[str],
 ) -> dict[str, Any]:
-    """The declaration over parameters of an orbit, from which the system's follow.
+    """Return the declaration over parameters of an orbit, as `declaration_json` gives it.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-        The system's generated functions.
-    orbit : OrbitKernels or None
-        The orbit's generated functions, where its parameters are not the system's.
-    cycle : ItineraryShape
-        The itinerary, with its system's structure.
-    names : sequence of str
-        Parameters that the entries are functions of.
-    start : sequence of str
-        Names of the states at the start.
-    dwell : sequence of str
-        Names of the phases' dwell times.
-    texts : iterable of str
-        Irrational numbers: those of the declaration, and of the parameters.
-
-    Returns
-    -------
-    dict
-        As `declaration_json` gives it.
-
-    Raises
-    ------
-    NotRational
-        If the declaration takes a root or a sine of its parameters.
+    `orbit` holds the orbit's functions where its parameters are not the system's, which follow from
+    them. `names` are the parameters that the entries are functions of, and `texts` the irrational
+    numbers of the declaration and of the parameters. `NotRational` is raised if the declaration
+    takes a root or a sine of its parameters.
     """
     tables = _tables(kernels, orbit, tuple(names), tuple(texts))
     return declaration_json(tables, cycle, names, start, dwell)

@@ -25,23 +25,11 @@ def accepted(
     without: Callable[[Found, Mapping[str, str]], Found],
     check: Callable[[Found], object],
 ) -> Found:
-    """What the checker proves of what was found: parts that it refuses are left out.
+    """Return a record with only those parts that the checker accepts.
 
-    Parameters
-    ----------
-    found : record
-        With all its parts.
-    parts : sequence of str
-        What may be left out; all of them rest on the first one.
-    without : callable
-        Gives the record without some parts, by the reason of each.
-    check : callable
-        The check of a file, of what a record would write to it.
-
-    Returns
-    -------
-    record
-        Undecided where parts are left out, with the reasons of the checker.
+    All parts rest on the first one: if that is refused, all are left out. `without` gives the
+    record without some parts, by the reason of each, and `check` has the checker test the file
+    that a record would write.
     """
     reason = refusal(partial(check, found))
     if not reason:
@@ -60,18 +48,7 @@ def accepted(
 
 
 def refusal(check: Callable[[], object]) -> str:
-    """Why the checker does not prove something.
-
-    Parameters
-    ----------
-    check : callable
-        Of the checker, with what is stated.
-
-    Returns
-    -------
-    str
-        Its reason; "" where it proves that.
-    """
+    """Return the reason why a check by the checker fails, or an empty text if it succeeds."""
     try:
         with flint_precision(_BITS):
             check()
@@ -83,27 +60,12 @@ def refusal(check: Callable[[], object]) -> str:
 
 
 def as_file(told: Mapping[str, Any]) -> dict[str, Any]:
-    """Entries as the checker reads them of a file.
-
-    Parameters
-    ----------
-    told : mapping of str to object
-        All but format, version, package and checksum.
-
-    Returns
-    -------
-    dict
-    """
+    """Return entries as the checker reads them from a file, with format, version and checksum."""
     content = as_read({**_HEAD, **told})
     return {**content, "sha256": checksum_of(content)}
 
 
 def as_read(told: Mapping[str, Any]) -> dict[str, Any]:
-    """Entries as they are read of what is written.
-
-    Returns
-    -------
-    dict
-    """
+    """Return entries as they are read back after they were written as JSON."""
     found: dict[str, Any] = json.loads(json.dumps(told))
     return found

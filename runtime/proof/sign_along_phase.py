@@ -31,7 +31,7 @@ _CLOSE = "it comes closer to zero than the digits tell"
 
 
 class Crossed(Exception):
-    """A function is proved to be positive at a time inside the phase."""
+    """A function is proved to be positive at a `time` inside the phase."""
 
     def __init__(self, time: arb) -> None:
         super().__init__()
@@ -39,38 +39,19 @@ class Crossed(Exception):
 
 
 class ExactZeros(NamedTuple):
-    """Where a function is exactly zero.
+    """Where a function along a phase is exactly zero: at the start, at the end or at neither."""
 
-    Attributes
-    ----------
-    order : int
-        At the start its derivatives below that order vanish; 0 where it does not itself.
-    last : int
-        At the end: 1 where it rises to it, 2 where its rate is not negative there; 0 where it
-        is not.
-    falls : bool
-        Whether the derivative of that order is known to be negative at the start.
-    """
-
-    order: int
+    order: int  # at the start the derivatives of lower orders vanish; 0 if the function does not
+    # at the end: 1 if it rises to zero, 2 if its rate is not negative there; 0 if it is not zero
     last: int
-    falls: bool = False
+    falls: bool = False  # whether the derivative of that order is known to be negative at the start
 
 
 class EventFunctions:
-    """The affine functions along one phase, at the working precision.
+    """The affine functions along one phase, expanded segment by segment at the working precision.
 
-    Parameters
-    ----------
-    field : arb_mat (N + 1, N + 1)
-    start : arb_mat (N + 1, 1)
-    dwell : arb
-        Positive.
-
-    Raises
-    ------
-    Undecided
-        If there are too many segments.
+    The field is (N + 1, N + 1) and the start (N + 1, 1), both for (y, 1); the dwell time is
+    positive. `Undecided` is raised if there are too many segments.
     """
 
     def __init__(self, field: arb_mat, start: arb_mat, dwell: arb) -> None:
@@ -97,18 +78,7 @@ class EventFunctions:
             self.middles.append((state, over * state))
 
     def function(self, row: arb_mat) -> list[Expansion]:
-        """Expand an affine function on each segment.
-
-        Parameters
-        ----------
-        row : arb_mat (1, N + 1)
-            The affine function, acting on (y, 1).
-
-        Returns
-        -------
-        list of Expansion
-            One for each segment of the phase.
-        """
+        """Return the expansion on each segment of an affine function (1, N + 1) of (y, 1)."""
         from flint import arb_poly
 
         last = row * _diagonal(self.scales)
@@ -127,39 +97,20 @@ class EventFunctions:
         ]
 
     def largest(self, function: list[Expansion]) -> arb:
-        """About the largest value: of some that are looked at, nothing is proved.
-
-        Parameters
-        ----------
-        function : list of Expansion
-            One for each segment.
-
-        Returns
-        -------
-        arb
-            In the function's units.
-        """
+        """Return the largest of some sampled values of a function; nothing is proved."""
         values = [value.mid() for _, value in self._sampled(function)]
         return max(values, key=float)
 
     def crossed(self, function: list[Expansion]) -> arb | None:
-        """A time inside the phase at which a function is proved to be positive, if one is seen.
+        """Return a time inside the phase at which a function is proved to be positive, or None.
 
-        Parameters
-        ----------
-        function : list of Expansion
-            One for each segment.
-
-        Returns
-        -------
-        arb or None
-            None where none of those that are looked at is one: nothing is proved.
+        Only some times are looked at, so None proves nothing.
         """
         found = (time for time, value in self._sampled(function) if value > 0)
         return next((time for time in found if time > 0 and time < self.dwell), None)
 
     def _sampled(self, function: list[Expansion]) -> Iterator[tuple[arb, arb]]:
-        """Times, and the function's values there."""
+        """Yield some times with the function's values there."""
         from flint import arb
 
         for number, expansion in enumerate(function):
@@ -171,46 +122,17 @@ class EventFunctions:
     def stays_negative(self, function: list[Expansion], zeros: ExactZeros) -> None:
         """Prove that a function is negative inside the phase.
 
-        Parameters
-        ----------
-        function : list of Expansion
-            One for each segment.
-        zeros : ExactZeros
-            Where the function is exactly zero: at the start, or at the end.
-
-        Raises
-        ------
-        Crossed
-            If it is positive somewhere.
-        Undecided
-            If its sign cannot be told somewhere.
+        `Crossed` is raised if it is positive somewhere, `Undecided` if its sign cannot be decided.
         """
         self._decided(function, zeros, touching=False)
 
     def touched(self, function: list[Expansion], zeros: ExactZeros) -> tuple[int, arb, arb] | None:
-        """One window of time about a maximum, but for which a function is negative.
+        """Return the one window of time, about a maximum, outside of which a function is negative.
 
-        Where it is negative in that window too it is so inside the phase. There it is concave,
-        and rises at its beginning and falls at its end.
-
-        Parameters
-        ----------
-        function : list of Expansion
-            One for each segment.
-        zeros : ExactZeros
-            Where the function is exactly zero: at the start, or at the end.
-
-        Returns
-        -------
-        tuple of (int, arb, arb) or None
-            Number of the segment and places in it; None if there is no such window.
-
-        Raises
-        ------
-        Crossed
-            If it is positive outside of such windows.
-        Undecided
-            If its sign cannot be told elsewhere.
+        The window is the number of a segment and two places in it. There the function is concave,
+        rises at the beginning and falls at the end. If it is negative there too, it is negative
+        inside the phase. None is returned if there is no such window. `Crossed` is raised if the
+        function is positive outside of such windows, `Undecided` if its sign there is not decided.
         """
         left = [
             (number, begin, end)
@@ -232,7 +154,10 @@ class EventFunctions:
     def _decided(
         self, function: list[Expansion], zeros: ExactZeros, *, touching: bool
     ) -> list[tuple[int, arb, arb]]:
-        """Windows that are left, by segment and places: those about a maximum, if it may touch."""
+        """Return the windows about maxima that stay undecided, by segment and places.
+
+        There are none unless `touching` allows them: all other windows have to be decided.
+        """
         from flint import arb
 
         found = []
@@ -249,7 +174,7 @@ class EventFunctions:
         return found
 
     def _place(self, time: arb, number: int) -> arb:
-        """The place u of a time in a segment."""
+        """Return the place u of a time in a segment."""
         return time / self.half - (2 * number + 1)
 
     def _segment(
@@ -296,7 +221,7 @@ class EventFunctions:
 
 
 def _stays_below(function: Expansion, begin: arb, end: arb) -> bool:
-    """Whether a function that is concave in a window is negative and moves away from zero."""
+    """Whether value and slope at an end show that a function, concave in a window, is negative."""
     if function.at(0, begin) < 0 and function.at(1, begin) < 0:
         return True
     return bool(function.at(0, end) < 0 and function.at(1, end) > 0)
@@ -312,20 +237,11 @@ def _diagonal(entries: Sequence[float]) -> arb_mat:
 
 
 def scales_of(field: arb_mat) -> tuple[list[float], float]:
-    """Powers of two as units of the states that make the field small, and its norm in them.
+    """Return units of the states, powers of two, that make the field small, and its norm in them.
 
-    They are found in floating point and only choose how time is cut: the matrix is balanced
+    The field is (N + 1, N + 1) on (y, 1), the units are N + 1, and the norm is per unit of time.
+    They are computed in floating point and only choose how time is cut: the matrix is balanced
     (Parlett & Reinsch, 1969).
-
-    Parameters
-    ----------
-    field : arb_mat (N + 1, N + 1)
-        Acts on (y, 1).
-
-    Returns
-    -------
-    tuple of (list of float, float)
-        The N + 1 units, and the norm per unit of time.
     """
     size = field.nrows()
     entries = [[abs(float(field[i, j].mid())) for j in range(size)] for i in range(size)]

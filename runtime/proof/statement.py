@@ -20,23 +20,9 @@ _RADIUS = 3  # digits that a radius needs
 
 
 def decimals(ball: arb, bits: int, digits: int = _RADIUS) -> tuple[str, str]:
-    """Middle and radius of a decimal ball around a ball: as many digits as count.
+    """Return middle and radius of a decimal ball around a ball, with as many digits as count.
 
-    So many bits are enough of an exact number.
-
-    Parameters
-    ----------
-    ball : arb
-        What has to be enclosed.
-    bits : int
-        Precision of the enclosures.
-    digits : int, default 3
-        Of the radius.
-
-    Returns
-    -------
-    tuple of (str, str)
-        Middle and radius.
+    The radius has `digits` digits. Of an exact number `bits` bits are kept.
     """
     if ball.is_zero():
         return "0e0", "0e0"
@@ -60,22 +46,10 @@ def declaration_json(
     start: Sequence[str],
     dwell: Sequence[str],
 ) -> dict[str, Any]:
-    """Configurations and transitions that the proof is about, with all their numbers.
+    """Return the configurations and transitions of a proof as JSON, with their numbers as texts.
 
-    Parameters
-    ----------
-    tables : Tables
-    cycle : ItineraryShape
-    parameters : sequence of str
-        What the entries of the tables are functions of, in the order of their exponents; the
-        constants of the tables follow.
-    start, dwell : sequences of str
-        Names of the states at the start, and of the phases' dwell times.
-
-    Returns
-    -------
-    dict
-        Ready for JSON: numbers are texts.
+    `parameters` are the variables of the tables' entries, in the order of their exponents; the
+    tables' constants follow. `start` and `dwell` are names of states and dwell times.
     """
     structure = cycle.structure
     needed = set(cycle.configurations)
@@ -147,23 +121,11 @@ def closing_json(
     variables: Sequence[str],
     period: str,
 ) -> dict[str, Any]:
-    """How the cycle closes; the energy's form where there is one.
+    """Return how a cycle closes, with the energy's form where there is one, as JSON with texts.
 
-    Parameters
-    ----------
-    closing : ClosureConditions
-    cycle : ItineraryShape
-    parameters : sequence of str
-        What the declaration is over, its constants too.
-    variables : sequence of str
-        Those of them that the form's entries are functions of, in the order of these.
-    period : str
-        The name among the parameters that the dwell times sum up to.
-
-    Returns
-    -------
-    dict
-        Ready for JSON: numbers are texts.
+    `parameters` are what the declaration is over, its constants too. `variables` are those of them
+    that the form's entries are functions of, in order. `period` names the parameter that the dwell
+    times sum up to.
     """
     told: dict[str, Any] = {"kind": closing.kind}
     if closing.kind == "forcing":
@@ -185,7 +147,7 @@ def closing_json(
 
 
 def _moved(number: Any, places: Sequence[int], count: int) -> Any:
-    """An entry whose variables have these places among so many."""
+    """Return an entry as a function of `count` variables, its own ones being at these places."""
     found = _entry(number)
     for terms in found.values() if isinstance(found, dict) else ():
         for term in terms:
@@ -197,7 +159,7 @@ def _moved(number: Any, places: Sequence[int], count: int) -> Any:
 
 
 def _terms(polynomial: Any) -> list[list[Any]]:
-    """Coefficients and exponents."""
+    """Return the coefficients and exponents of a polynomial."""
     terms = polynomial.to_dict().items()
     return [[str(c), [int(e) for e in exponents]] for exponents, c in terms]
 
@@ -207,7 +169,7 @@ def _row(row: Sequence[Any]) -> list[Any]:
 
 
 def _entry(number: Any) -> Any:
-    """A fraction as text, a rational function by its polynomials, a ball by middle and radius."""
+    """Return a number as JSON: a text, a quotient of polynomials, or a ball's middle and radius."""
     from flint import fmpq
 
     if isinstance(number, RationalFunction):

@@ -21,28 +21,15 @@ __all__ = ["SymplecticForm", "symplectic_form"]
 
 @dataclass(frozen=True, eq=False)
 class SymplecticForm:
-    """Omega (N, N) and the energies: E_c = (y, 1) H_c (y, 1) / 2, of the visited configurations."""
+    """A skew form Omega (N, N) and the energies E_c = (y, 1) H_c (y, 1) / 2 of configurations."""
 
     omega: Matrix
-    constants: dict[int, Any]
-    energies: dict[int, Matrix]
+    constants: dict[int, Any]  # last diagonal entry of H_c, by visited configuration
+    energies: dict[int, Matrix]  # H_c, by configuration
 
 
 def symplectic_form(tables: Tables, cycle: ItineraryShape) -> SymplecticForm | None:
-    """A nondegenerate form and energies that the cycle keeps exactly, if there are such.
-
-    Parameters
-    ----------
-    tables : Tables
-        Exact.
-    cycle : ItineraryShape
-        The itinerary, with its system's structure.
-
-    Returns
-    -------
-    SymplecticForm or None
-        The matrix (N, N) of the form, and the energies' gradients.
-    """
+    """Return a nondegenerate form and energies that a cycle keeps exactly, or None."""
     from flint import fmpq
 
     size = len(tables.fields[0]) - 1
@@ -64,7 +51,7 @@ def symplectic_form(tables: Tables, cycle: ItineraryShape) -> SymplecticForm | N
 def _form(
     tables: Tables, visited: Sequence[int], pairs: Sequence[tuple[int, int]], values: Sequence[Any]
 ) -> SymplecticForm:
-    """The form of given entries, and half of each energy's matrix: the lower rows follow."""
+    """Return the form of given entries, with the matrices of the energies that follow from it."""
     from flint import fmpq
 
     size = len(tables.fields[0]) - 1
@@ -82,7 +69,7 @@ def _form(
 
 
 def _missed(tables: Tables, cycle: ItineraryShape, form: SymplecticForm) -> list[Any]:
-    """What a form misses of being kept: linear in its entries."""
+    """Return what a form misses of being kept, linear in its entries: zero if it is kept."""
     missed: list[Any] = []
     for energy in form.energies.values():
         missed += _difference(energy, _transposed(energy))
@@ -106,7 +93,7 @@ def _missed(tables: Tables, cycle: ItineraryShape, form: SymplecticForm) -> list
 
 
 def _seen(form: Sequence[Row], rows: Sequence[Row]) -> Matrix:
-    """A bilinear form between vectors that are given as rows."""
+    """Return the matrix of a bilinear form between vectors that are given as rows."""
     return _times(_times(rows, form), _transposed(rows))
 
 

@@ -31,22 +31,10 @@ def vanishing_along(
     start: Sequence[Any],
     dwell: Sequence[Any],
 ) -> tuple[Row, ...]:
-    """Functions that are proved to vanish where an orbit begins, and that last; often none.
+    """Return functions that are proved to vanish where an orbit begins and to last; often none.
 
-    Parameters
-    ----------
-    tables : Tables
-        Exact.
-    cycle : ItineraryShape
-    translations : sequence of Row
-        Along which the cycle closes.
-    start, dwell : sequences of arb
-        Enclosures of the orbit.
-
-    Returns
-    -------
-    tuple of Row
-        Exact, each of length N + 1.
+    They are exact rows (N + 1). `tables` are exact, and the cycle closes up to `translations`.
+    `start` and `dwell` enclose the orbit.
     """
     from flint import arb_mat, fmpq
 
@@ -63,7 +51,7 @@ def vanishing_along(
 
 
 def _guessed(tables: Tables, field: Matrix, start: Sequence[float], dwell: float) -> Invariants:
-    """Rational functions that are about zero at instants of the first phase."""
+    """Return rational functions that are nearly zero at instants of the first phase."""
     from scipy.linalg import expm
 
     rates = np.array([[tables.near(x) for x in row] for row in field])
@@ -93,7 +81,10 @@ def _returned(
     invariants: Invariants,
     dwell: Sequence[Any],
 ) -> list[list[Any]] | None:
-    """What becomes of functions over one period, by their values; None where not they alone do."""
+    """Return the matrix that carries the functions' values over one period of the orbit.
+
+    None is returned where the functions behind the period are no combinations of themselves alone.
+    """
     from flint import arb, arb_mat
 
     number = tables.number_at()
@@ -130,12 +121,12 @@ def _returned(
 
 
 def _factors(row: Row, invariants: Invariants) -> list[Any]:
-    """A combination of invariants by its factors."""
+    """Return the factors of a row that is a combination of invariants."""
     return [row[pivot] for pivot in invariants.pivots]
 
 
 def _at_exit(row: Row, leaves: Row, lasting: Invariants) -> list[Any]:
-    """The same where it is a combination of invariants and of a function that is zero."""
+    """Return the factors where a row is a combination of invariants and a function that is zero."""
     rest, zero = lasting.reduce(row), lasting.reduce(leaves)
     for x, y in zip(rest, zero, strict=True):
         if y:

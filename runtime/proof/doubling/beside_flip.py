@@ -44,13 +44,7 @@ _SHARE = 0.75  # of the largest amplitude: where the doubled branch begins
 
 
 def covered(region: Region) -> str:
-    """Why flips of such a cycle are not gone beyond; empty if they are.
-
-    Parameters
-    ----------
-    region : Region
-        Of the cycle.
-    """
+    """Return why the method does not go beyond flips of a cycle, or an empty text if it does."""
     closing = region.closing
     if closing.form is not None or closing.kind == "period":
         return "the orbits of a conservative system, or of a given period, are not covered"
@@ -62,20 +56,12 @@ def covered(region: Region) -> str:
 
 
 def flip_with_direction(region: Region, point: Sequence[arb]) -> tuple[int, list[arb]] | None:
-    """A flip near a point, with the direction in which its orbit doubles.
+    """Return a flip near a point, with the direction in which its orbit doubles, or None.
 
-    Parameters
-    ----------
-    region : Region
-        Of the cycle, over one parameter.
-    point : sequence of arb
-        Its unknowns and the parameter, about.
-
-    Returns
-    -------
-    tuple of (int, list of arb) or None
-        The largest entry of the direction, which becomes 1; and the middle, the direction
-        without that entry, the parameter. None if no flip is proved to be there.
+    The region is over one parameter, and the point is about the cycle's unknowns and the parameter.
+    The largest entry of the direction becomes 1. Its number is returned, and enclosures of the
+    orbit's unknowns, of the direction without that entry, and of the parameter. None is returned
+    if no flip is proved to be there.
     """
     from flint import arb
 
@@ -94,7 +80,7 @@ def flip_with_direction(region: Region, point: Sequence[arb]) -> tuple[int, list
 
 
 def begin_of_branch(proved: ProvedTube) -> Fraction:
-    """A short decimal of the parameter in a tube, where the doubled branch begins."""
+    """Return a short decimal: the parameter, inside a tube, at which the doubled branch begins."""
     value = float(proved.flip[-1].mid())
     away = float(proved.rate.mid()) * (_SHARE * float(proved.tube.amplitude)) ** 2
     digits = max(0, 2 - math.floor(math.log10(abs(away))))
@@ -102,19 +88,7 @@ def begin_of_branch(proved: ProvedTube) -> Fraction:
 
 
 def doubled_guess(proved: ProvedTube, value: Fraction) -> list[arb]:
-    """The doubled orbit where the parameter has a value, about.
-
-    Parameters
-    ----------
-    proved : ProvedTube
-    value : Fraction
-        In the tube.
-
-    Returns
-    -------
-    list of arb
-        Unknowns of the doubled cycle's equations.
-    """
+    """Return the unknowns of the doubled orbit, about, at a value of the parameter in a tube."""
     from flint import arb
 
     with flint_precision(FLIP):
@@ -125,16 +99,10 @@ def doubled_guess(proved: ProvedTube, value: Fraction) -> list[arb]:
 
 
 def start_of(region: Region, guess: Sequence[arb], value: Fraction) -> list[float]:
-    """The state at which an orbit begins, about.
+    """Return the state at which an orbit begins, about, at a value of the parameter.
 
-    Parameters
-    ----------
-    region : Region
-        Of its cycle, or the half of it, over one parameter.
-    guess : sequence of arb
-        Unknowns of the equations.
-    value : Fraction
-        Of the parameter.
+    `guess` holds unknowns of the equations of the cycle, or of the doubled cycle, whose half the
+    region then is.
     """
     from flint import arb
 
@@ -145,19 +113,10 @@ def start_of(region: Region, guess: Sequence[arb], value: Fraction) -> list[floa
 
 
 def in_tile(curve: OrbitCurve, tile: BranchTile, flip: Sequence[arb]) -> bool:
-    """Whether a flip with its direction is the one of a branch's tile.
+    """Whether a flip with its direction is proved to be the one of a branch's tile.
 
-    Parameters
-    ----------
-    curve : OrbitCurve
-    tile : BranchTile
-    flip : sequence of arb
-        Enclosures of middle, direction without its entry 1, parameter.
-
-    Returns
-    -------
-    bool
-        True if that is proved. Of tiles whose equations are divided by a dwell time it is not.
+    `flip` encloses the unknowns, the direction without its entry 1, and the parameter. Of tiles
+    whose equations are divided by a dwell time it is never proved.
     """
     from flint import arb
 
@@ -171,22 +130,10 @@ def in_tile(curve: OrbitCurve, tile: BranchTile, flip: Sequence[arb]) -> bool:
 
 
 def begins_with(branch: CertifiedBranch, value: Fraction, orbit: Sequence[arb]) -> bool:
-    """Whether a branch begins with an orbit.
+    """Whether a branch is proved to begin with an orbit at a value of the parameter.
 
-    Parameters
-    ----------
-    branch : CertifiedBranch
-        With a tile.
-    value : Fraction
-        The orbit's parameter.
-    orbit : sequence of arb
-        Enclosures of its unknowns, and the parameter.
-
-    Returns
-    -------
-    bool
-        True if that is proved. Where the tile's equations are divided by a dwell time the orbit
-        solves them too, for that time is not zero.
+    `orbit` encloses its unknowns and the parameter. Where the tile's equations are divided by a
+    dwell time, the orbit solves them too, for that time is not zero.
     """
     tile = branch.tiles[0 if branch.start == 0 else -1]
     names = (*branch.unknown_names, branch.parameter)
@@ -199,26 +146,16 @@ def begins_with(branch: CertifiedBranch, value: Fraction, orbit: Sequence[arb]) 
 
 
 def _holds(tile: BranchTile, place: int, point: Sequence[arb]) -> bool:
-    """Whether a point between the ends is in the tube of a tile, at the working precision."""
+    """Whether a point between the ends of a tile is in its tube, at the working precision."""
     tube = BranchTube(place, tile.lower, tile.upper, tile.centre, tile.radii)
     return tube.holds(point[place], [*point[:place], *point[place + 1 :]])
 
 
 def in_tube(proved: ProvedTube, doubled: Region, orbit: Sequence[arb]) -> bool:
-    """Whether an orbit of the doubled cycle is one of a tube, at the working precision.
+    """Whether an orbit of the doubled cycle is proved to be one of a tube.
 
-    Parameters
-    ----------
-    proved : ProvedTube
-    doubled : Region
-        Of the doubled cycle, over the same parameter.
-    orbit : sequence of arb
-        Enclosures of its unknowns, and the parameter.
-
-    Returns
-    -------
-    bool
-        True if that is proved.
+    `doubled` is the region of the doubled cycle, over the same parameter, and `orbit` encloses the
+    unknowns of its equations and the parameter.
     """
     passage = CyclePassage(doubled, orbit)
     equations, half = passage.equations, len(passage.equations.phases) // 2
@@ -242,24 +179,12 @@ def in_tube(proved: ProvedTube, doubled: Region, orbit: Sequence[arb]) -> bool:
 def verdict_of(
     proved: ProvedTube, doubled: Region, value: Fraction
 ) -> tuple[str, str, list[arb] | None]:
-    """The verdict on all orbits of a tube whose amplitude is not zero.
+    """Return the verdict on all orbits of a tube whose amplitude is not zero.
 
-    No multiplier of theirs is 1, for the parameter changes all along the tube. Where none is -1
-    and no two have the product 1 as many are inside the unit circle as at one orbit.
-
-    Parameters
-    ----------
-    proved : ProvedTube
-    doubled : Region
-        Of the doubled cycle, over the same parameter.
-    value : Fraction
-        Of the parameter, in the tube.
-
-    Returns
-    -------
-    tuple of (str, str, list of arb or None)
-        "stable", "unstable" or "undecided", why it is that, and the orbit at the value if it is
-        proved to be in the tube.
+    None of their multipliers is 1, for the parameter changes all along the tube. Where none is -1
+    and no two have the product 1, as many are inside the unit circle as at one orbit. The verdict
+    "stable", "unstable" or "undecided" comes with the reason, and with the enclosed orbit at
+    `value` of the parameter if it is proved to be in the tube.
     """
     from flint import arb
 
@@ -284,7 +209,10 @@ def verdict_of(
 
 
 def _undecided_on(doubled: Region, point: Sequence[Any], depth: int = 0) -> str:
-    """Why a part of a tube is not decided: that its orbits are motions, and their multipliers."""
+    """Return why a part of a tube is not decided, or an empty text if it is.
+
+    Its orbits have to be motions of the system, and their multipliers apart from the unit circle.
+    """
     from flint import arb
 
     passage = CyclePassage(doubled, point)

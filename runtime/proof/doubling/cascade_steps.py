@@ -62,7 +62,7 @@ _LONGER = 4.0  # times as long takes each doubling as the one before
 
 
 class _Stopped(Exception):
-    """Why a cascade goes no further: the kind of its end, and the reason."""
+    """A cascade goes no further: the reason, and the kind of its end."""
 
     def __init__(self, reason: str, ended: Ended = "not proved") -> None:
         super().__init__(reason)
@@ -70,16 +70,16 @@ class _Stopped(Exception):
 
 
 class _Doubled(NamedTuple):
-    """One doubling, with the orbit of twice the period at which its branch begins."""
+    """A proved doubling, with the orbit of twice the period at which its branch begins."""
 
     doubling: CertifiedDoubling
-    value: Fraction
+    value: Fraction  # parameter at which the branch begins
     orbit: Orbit
-    sharp: list[arb]
+    sharp: list[arb]  # enclosures of the orbit's unknowns, and the parameter
 
 
 class CascadeSteps:
-    """From one flip to the next."""
+    """The work on a cascade, from one flip to the next."""
 
     def __init__(
         self,
@@ -103,7 +103,7 @@ class CascadeSteps:
 
     @cached_property
     def region(self) -> Region:
-        """Of the orbit that has the first flip."""
+        """The region, over the parameter, of the orbit that has the first flip."""
         return region_of(self.base, {self.parameter: self.interval})
 
     @property
@@ -112,7 +112,7 @@ class CascadeSteps:
         return self.stopped or time.monotonic() > self.until
 
     def begun(self, resume: CertifiedCascade | None) -> CertifiedCascade:
-        """The state from which it goes on, with its last branch proved to the end."""
+        """Return the state to go on from, with its last branch proved to the end."""
         asked = self.asked if resume is None else max(self.asked, len(resume.doublings))
         first = continue_orbit(self.base, self.parameter, _floats(self.interval))
 
@@ -141,7 +141,7 @@ class CascadeSteps:
         return replace(state, ended="complete") if complete else state
 
     def next(self, state: CertifiedCascade) -> CertifiedCascade:
-        """One doubling more, or the reason why there is none."""
+        """Return the state with one more doubling, or with the reason why there is none."""
         number, last = len(state.doublings) + 1, state.branches[-1]
         self._tell(number, 0.0)
         try:
@@ -161,7 +161,7 @@ class CascadeSteps:
         return replace(state, ended="complete") if complete else state
 
     def _tell(self, number: int, share: float) -> None:
-        """About which share of all doublings is done: those with long orbits take longest."""
+        """Report about which share of all doublings is done, where long orbits take longest."""
         before, whole = ((_LONGER**k - 1) / (_LONGER - 1) for k in (number, self.asked + 1))
         self.progress((before + share * _LONGER**number) / whole, max(0, number - 1))
 
@@ -173,7 +173,10 @@ class CascadeSteps:
         with_branch: Callable[[CertifiedBranch], CertifiedCascade],
         known: CertifiedBranch | None = None,
     ) -> CertifiedBranch:
-        """A branch, proved as far as the time goes: the first one, or that behind a doubling."""
+        """Return a branch, proved as far as the time allows.
+
+        Number 0 is the branch with the first flip, the others are those behind doublings.
+        """
         keep = self.keep
         from_tube = 0.5 if number else 0.0
         try:
@@ -191,7 +194,7 @@ class CascadeSteps:
             return cast(CertifiedBranch, stopped.partial)
 
     def _finished(self, state: CertifiedCascade) -> CertifiedCascade:
-        """The state with its last branch followed to its end, if it was not."""
+        """Return the state with its last branch followed to its ends."""
         number, last = len(state.doublings), state.branches[-1]
         if not number or all(last.ends):
             return state
@@ -212,7 +215,10 @@ class CascadeSteps:
         return with_last(self._certified(followed, last.interval, number, with_last, last))
 
     def _flip_in(self, branch: CertifiedBranch, number: int) -> int:
-        """The tile with the flip that is next."""
+        """Return the number of the tile that holds the next flip of a branch.
+
+        On the first branch it is the flip that was asked for, on the others the first one.
+        """
         flips = [
             (place, tile.event)
             for place, tile in enumerate(branch.tiles)
@@ -226,7 +232,11 @@ class CascadeSteps:
         return flips[0 if branch.start == 0 else -1][0]
 
     def _doubled(self, branch: CertifiedBranch, place: int, before: Fraction | None) -> _Doubled:
-        """The orbits of twice the period next to a flip; along a cascade they come closer."""
+        """Return the doubling at the flip in a branch's tile.
+
+        The largest amplitude is halved until a tube is proved and has a verdict. It begins below
+        `before`, that of the flip before: along a cascade doubled orbits come closer.
+        """
         tile = branch.tiles[place]
         orbit = self._orbit(branch, tile)
         region = region_of(orbit, {self.parameter: branch.interval})
@@ -264,7 +274,7 @@ class CascadeSteps:
     def _judged(
         self, region: Region, orbit: Orbit, place: int, proved: ProvedTube
     ) -> _Doubled | None:
-        """The doubled orbits of a tube with their verdict; None where none is known."""
+        """Return the doubled orbits of a tube with their verdict, or None if no orbit is known."""
         value = begin_of_branch(proved)
         low, high = self.interval
         if not low < value < high or not self._inside(proved):
@@ -300,7 +310,7 @@ class CascadeSteps:
         return _Doubled(doubling, value, other, sharp)
 
     def _inside(self, proved: ProvedTube) -> bool:
-        """Whether a tube's parameters are those of the interval."""
+        """Whether all parameters of a tube lie inside the interval."""
         from flint import arb
 
         low, high = (arb(rational_of(end)) for end in self.interval)
@@ -308,9 +318,9 @@ class CascadeSteps:
         return bool(reached > low and reached < high)
 
     def _branch(self, state: CertifiedCascade, doubled: _Doubled) -> CertifiedCascade:
-        """The state with a doubling, and its branch from inside the tube on.
+        """Return the state with a doubling and its branch, which begins inside the tube.
 
-        It is followed a bit beyond its own next flip, if it is found to have one.
+        The branch goes a bit beyond its own next flip, if the computed branch has one.
         """
         low, high = self.interval
         number = len(state.doublings) + 1
@@ -348,7 +358,10 @@ class CascadeSteps:
     def _to_next(
         self, state: CertifiedCascade, value: Fraction, followed: Branch
     ) -> Fraction | None:
-        """About how far the next flip is; by the flips before it where none is found."""
+        """Return about how far the next flip is, or None if nothing tells.
+
+        If no flip is computed, the distance is extrapolated from the flip before.
+        """
         flips = [abs(e.value - float(value)) for e in followed.events if e.kind == "flip"]
         if flips:
             return Fraction(f"{min(flips):.3g}")
@@ -358,7 +371,7 @@ class CascadeSteps:
         return Fraction(f"{abs(float(value) - known[-1]) / _RATIO:.3g}")
 
     def _orbit(self, branch: CertifiedBranch, tile: BranchTile) -> Orbit:
-        """An orbit of a branch near its flip, in floating point."""
+        """Return an orbit of a branch near the flip in a tile, in floating point."""
         if branch.itinerary == self.base.itinerary:
             return self.base
         assert tile.event is not None
@@ -366,7 +379,7 @@ class CascadeSteps:
         return self._solved(branch, Fraction(f"{at[-1]:.12g}"), at[:-1])
 
     def _solved(self, branch: CertifiedBranch, value: Fraction, near: Sequence[float]) -> Orbit:
-        """An orbit of a branch, in floating point, from about its unknowns."""
+        """Return an orbit of a branch in floating point, solved from about its unknowns."""
         from flint import arb
 
         found = solve_itinerary(
@@ -384,7 +397,11 @@ class CascadeSteps:
 def _accepted(
     doubling: CertifiedDoubling, branch: CertifiedBranch, beyond: CertifiedBranch
 ) -> CertifiedDoubling:
-    """A doubling as the checker proves it; _Stopped where it does not, even without a verdict."""
+    """Return a doubling as far as the checker accepts it.
+
+    If it refuses the verdict, that becomes undecided; if it refuses the doubling without a verdict
+    too, `_Stopped` is raised.
+    """
 
     def check(stated: CertifiedDoubling) -> None:
         told = [as_read(file_json(each)) for each in (branch, beyond)]

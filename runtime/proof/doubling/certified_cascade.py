@@ -28,38 +28,21 @@ Ended = Literal["complete", "unfinished", "no flip", "not covered", "not proved"
 class CertifiedDoubling:
     """The orbits of twice the period next to one flip of a branch.
 
-    The unknowns of the orbit's two halves are m + a w and m - a w. For each amplitude a up to
-    the largest there is exactly one such orbit in a tube around polynomials of a; where a is
-    zero it is the flip. The parameter changes in one direction all along it.
-
-    Attributes
-    ----------
-    tile : int
-        Of the branch with the flip: in which of its tiles that is, counted from 0.
-    scaled : str
-        The unknown whose entry of w is 1: its halves are 2 a apart.
-    amplitude : Fraction
-        The largest a.
-    side : {"above", "below"}
-        Of the flip's parameter, on which the doubled orbits are.
-    verdict : {"stable", "unstable", "undecided"}
-        Of all doubled orbits in the tube with an amplitude that is not zero.
-    reason : str
-        Why it is undecided.
-    rate : Stated
-        The derivative of the parameter by the square of a, at the flip.
-    centre : tuple of tuple of float
-        Coefficients by e = a / amplitude of m, of w without its entry 1, and of the parameter.
-    radii : tuple of float
+    The unknowns of the orbit's two halves are m + a w and m - a w. For each amplitude a up to the
+    largest there is exactly one such orbit in a tube around polynomials of a; where a is zero it
+    is the flip. The parameter changes in one direction all along it.
     """
 
-    tile: int
-    scaled: str
-    amplitude: Fraction
-    side: str
+    tile: int  # number of the tile of the flip's branch that holds the flip, from 0
+    scaled: str  # the unknown whose entry of w is 1: its halves are 2 a apart
+    amplitude: Fraction  # the largest a
+    side: str  # "above" or "below": of the flip's parameter, where the doubled orbits are
+    # "stable", "unstable" or "undecided": all doubled orbits in the tube whose amplitude is not
+    # zero
     verdict: str
-    reason: str
-    rate: Stated
+    reason: str  # why it is undecided
+    rate: Stated  # derivative of the parameter by the square of a, at the flip
+    # coefficients by e = a / amplitude of m, of w without its entry 1, and of the parameter
     centre: tuple[tuple[float, ...], ...] = field(repr=False)
     radii: tuple[float, ...] = field(repr=False)
 
@@ -204,13 +187,7 @@ class CertifiedCascade(DrawnOverParameter):
 
 
 def told_cascade_json(found: CertifiedCascade) -> dict[str, Any]:
-    """What follows from the doublings, as JSON: statement, flips, kinds and ratios.
-
-    Returns
-    -------
-    dict
-        Ready for `json.dumps`.
-    """
+    """Return what follows from the doublings as JSON: statement, flips with kinds, and ratios."""
     return {
         "statement": found.statement,
         "flips": [
@@ -225,7 +202,7 @@ def told_cascade_json(found: CertifiedCascade) -> dict[str, Any]:
 
 
 def _reach(branch: CertifiedBranch) -> tuple[float, float]:
-    """From where to where a doubled branch is proved, about."""
+    """Return the parameters, about, from which and up to which a doubled branch is proved."""
     if not branch.tiles:
         ends = [float(end) for end in branch.interval]
         return ends[0], ends[0]
@@ -237,13 +214,7 @@ def _reach(branch: CertifiedBranch) -> tuple[float, float]:
 
 
 def doubling_json(doubling: CertifiedDoubling) -> dict[str, Any]:
-    """Give a doubling as JSON.
-
-    Returns
-    -------
-    dict
-        Ready for `json.dumps`.
-    """
+    """Return a doubling as JSON, with its tile counted from 1."""
     return {
         "tile": doubling.tile + 1,
         "scaled": doubling.scaled,

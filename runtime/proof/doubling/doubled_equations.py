@@ -40,7 +40,7 @@ __all__ = ["DoubledEquations"]
 
 
 class _Parts(NamedTuple):
-    """Unknowns of the doubled equations."""
+    """The unknowns of the doubled equations: middle m, direction w with its entry 1, parameter."""
 
     middle: list[Any]
     away: list[Any]
@@ -48,50 +48,26 @@ class _Parts(NamedTuple):
 
 
 class DoubledEquations:
-    """Equations of the middle of two copies, their direction, and the parameter.
+    """The equations of the middle of two copies of a cycle, their direction, and the parameter.
 
-    Parameters
-    ----------
-    region : Region
-        Of the cycle that is doubled, over one parameter.
-    scaled : int
-        The unknown in which the copies are 2 a apart.
-    amplitude : TaylorModel or arb
-        The number a: a multiple of the one variable, or zero.
+    The region is that of the cycle, over one parameter, and the copies are 2 a apart in the unknown
+    with the number `scaled`. The amplitude a is a multiple of the one variable, or zero.
     """
 
     def __init__(self, region: Region, scaled: int, amplitude: Any) -> None:
         self.region, self.scaled, self.amplitude = region, scaled, amplitude
 
     def mapped(self, change: Callable[[Any], Any]) -> DoubledEquations:
-        """The same equations in other numbers.
-
-        Parameters
-        ----------
-        change : callable
-            From a number to the other numbers.
-        """
+        """Return the same equations with the amplitude changed."""
         return DoubledEquations(self.region, self.scaled, change(self.amplitude))
 
     def near(self, point: Sequence[Any]) -> None:
-        """Nothing is kept for points near others: the fields depend on them.
-
-        Parameters
-        ----------
-        point : sequence of arb or TaylorModel
-        """
+        """Return None: nothing can be kept for points nearby, because the fields depend on them."""
 
     def doubled(self, unknowns: Sequence[Any]) -> list[Any]:
-        """The unknowns of the doubled cycle's own equations, and the parameter.
+        """Return the unknowns of the doubled cycle's own equations, and the parameter.
 
-        Parameters
-        ----------
-        unknowns : sequence of arb or TaylorModel
-
-        Returns
-        -------
-        list of arb or TaylorModel
-            The start and the dwell times of the first copy, those of the second one.
+        These are start and dwell times of the first copy, and the dwell times of the second one.
         """
         here, a = self._parts(unknowns), self.amplitude
         first = [m + a * w for m, w in zip(here.middle, here.away, strict=True)]
@@ -100,19 +76,10 @@ class DoubledEquations:
         return [*first, *second[dwell:], here.parameter]
 
     def linearised(self, unknowns: Sequence[Any], flows: None = None) -> Linearised:
-        """Left-hand sides and their derivatives by the unknowns.
+        """Return residual (2 n, 1) and Jacobian (2 n, 2 n), with the passage between the copies.
 
-        Parameters
-        ----------
-        unknowns : sequence of arb or TaylorModel
-            Middle (n), direction without the entry that is 1 (n - 1), parameter.
-        flows : None
-            As `near` gives it.
-
-        Returns
-        -------
-        Linearised
-            Residual (2 n, 1), Jacobian (2 n, 2 n), and the passage between the copies in jets.
+        The unknowns are the middle (n), the direction without its entry 1 (n - 1), and the
+        parameter. The passage is in jets.
         """
         here = self._parts(unknowns)
         point, away, parameter = self._between(here)
@@ -150,19 +117,10 @@ class DoubledEquations:
         return Linearised(matrix(values), matrix(rows), by_parameter.shooting)
 
     def rates(self, unknowns: Sequence[Any]) -> list[Any] | None:
-        """Derivatives of the unknowns by the square of a, at enclosed solutions.
+        """Return derivatives of the unknowns by the square of a, at enclosed solutions, or None.
 
-        Those of the equations by a are a times even functions: the mean over s of F'' w w, and
-        that of (1 - s^2) / 2 F''' w w w, from an integration by parts.
-
-        Parameters
-        ----------
-        unknowns : sequence of arb or TaylorModel
-
-        Returns
-        -------
-        list of arb or TaylorModel, or None
-            None where they are not known.
+        Those of the equations by a are a times even functions: the mean over s of F'' w w, and that
+        of (1 - s^2) / 2 F''' w w w, from an integration by parts.
         """
         here = self._parts(unknowns)
         point, away, parameter = self._between(here)
@@ -189,7 +147,10 @@ class DoubledEquations:
         return _Parts(list(unknowns[:size]), away, unknowns[-1])
 
     def _between(self, here: _Parts) -> tuple[list[Any], list[Any], Any]:
-        """Points between the copies by one variable more, their direction, the parameter."""
+        """Return points between the copies, their direction and the parameter.
+
+        The place between the copies is one more variable.
+        """
         a = self.amplitude
         if not isinstance(a, TaylorModel):
             assert a.is_zero()
@@ -203,17 +164,7 @@ class DoubledEquations:
         return point, away, lifted(here.parameter, space)
 
     def closure(self, parameter: Any) -> Any:
-        """The matrix B that picks the start.
-
-        Parameters
-        ----------
-        parameter : arb
-            A value at which the system's numbers are finite.
-
-        Returns
-        -------
-        arb_mat (n, n)
-        """
+        """Return the matrix B (n, n) that picks the start, at any parameter with finite numbers."""
         from flint import arb_mat
 
         equations = self.region.equations(self.region.tables.number_at([parameter]))

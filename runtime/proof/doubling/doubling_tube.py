@@ -28,36 +28,21 @@ _SHARE = 0.6  # of the bits: half of the box around a flip
 
 @dataclass(frozen=True, eq=False)
 class DoublingTube:
-    """Polynomials of the amplitude, and how far the doubled orbit is from them.
+    """A tube around polynomials of the amplitude that holds the doubled orbits.
 
-    For each amplitude a between minus and plus its largest there is exactly one solution of
-    the doubled equations that is as near to the polynomials as the radii tell.
-
-    Attributes
-    ----------
-    scaled : int
-        The unknown in which the two copies are 2 a apart.
-    amplitude : Fraction
-        The largest a.
-    centre : tuple of tuple of float
-        Coefficients in e = a / amplitude: of the middle, the direction without the entry that
-        is 1, and the parameter.
-    radii : tuple of float
+    For each amplitude a between minus and plus its largest there is exactly one solution of the
+    doubled equations whose unknowns are within the radii of the polynomials.
     """
 
-    scaled: int
-    amplitude: Fraction
+    scaled: int  # the unknown in which the two copies are 2 a apart
+    amplitude: Fraction  # the largest a
+    # coefficients in e = a / amplitude of the middle, of the direction without its entry 1, and of
+    # the parameter
     centre: tuple[tuple[float, ...], ...]
     radii: tuple[float, ...]
 
     def equations(self, region: Region) -> DoubledEquations:
-        """The doubled equations for all of its amplitudes, at the working precision.
-
-        Parameters
-        ----------
-        region : Region
-            Of the cycle that is doubled.
-        """
+        """Return the doubled equations for all amplitudes of the tube, at the working precision."""
         from flint import arb
 
         space = space_of(1, ORDER)
@@ -65,25 +50,16 @@ class DoublingTube:
         return DoubledEquations(region, self.scaled, a)
 
     def models(self) -> list[TaylorModel]:
-        """The polynomials."""
+        """Return the polynomials as Taylor models."""
         from flint import arb
 
         space = space_of(1, ORDER)
         return [TaylorModel(space, tuple(map(arb, row))) for row in self.centre]
 
     def holds(self, amplitude: arb, solution: Sequence[arb]) -> bool:
-        """Whether a solution of the doubled equations is the one of the tube.
+        """Whether a solution at an amplitude is proved to be the one of the tube.
 
-        Parameters
-        ----------
-        amplitude : arb
-        solution : sequence of arb
-            Enclosures of its unknowns.
-
-        Returns
-        -------
-        bool
-            True if that is proved.
+        `solution` encloses the unknowns of the doubled equations.
         """
         from flint import arb
 
@@ -97,42 +73,21 @@ class DoublingTube:
 
 @dataclass(frozen=True, eq=False)
 class ProvedTube:
-    """A tube with what is enclosed in it.
-
-    Attributes
-    ----------
-    tube : DoublingTube
-    point : list of TaylorModel
-        Unknowns of the doubled cycle's equations, and the parameter.
-    flip : list of arb
-        The solution at the amplitude zero.
-    rate : arb
-        The derivative of the parameter by the square of the amplitude, at the flip. All along
-        the tube it has the same sign.
-    """
+    """A tube that is proved, with its enclosures."""
 
     tube: DoublingTube
-    point: list[Any]
-    flip: list[arb]
+    point: list[Any]  # unknowns of the doubled cycle's equations, and the parameter
+    flip: list[arb]  # solution at the amplitude zero
+    # derivative of the parameter by the square of the amplitude, at the flip; its sign is the same
+    # all along the tube
     rate: arb
 
 
 def flip_near(region: Region, scaled: int, guess: Sequence[arb]) -> list[arb] | None:
-    """A flip with its direction: the solution at the amplitude zero, at the working precision.
+    """Return an enclosed flip with its direction, or None if none is proved to be there.
 
-    Parameters
-    ----------
-    region : Region
-        Of the cycle, over one parameter.
-    scaled : int
-        The entry of the direction that is 1.
-    guess : sequence of arb
-        Middle, direction without that entry, parameter.
-
-    Returns
-    -------
-    list of arb or None
-        Enclosures; None if none is proved to be there.
+    It is the solution of the doubled equations at the amplitude zero: the unknowns, the direction
+    without its entry 1, whose number is `scaled`, and the parameter, as in `guess`.
     """
     from flint import arb
 
@@ -148,22 +103,10 @@ def flip_near(region: Region, scaled: int, guess: Sequence[arb]) -> list[arb] | 
 def proved_tube(
     region: Region, scaled: int, amplitude: Fraction, flip: Sequence[arb]
 ) -> ProvedTube | str:
-    """Prove that there is one doubled orbit for each amplitude, and where the parameter goes.
+    """Prove that there is one doubled orbit for each amplitude, and on which side of the flip.
 
-    Parameters
-    ----------
-    region : Region
-        Of the cycle, over one parameter.
-    scaled : int
-    amplitude : Fraction
-        The largest one.
-    flip : sequence of arb
-        The solution at the amplitude zero.
-
-    Returns
-    -------
-    ProvedTube or str
-        Why nothing is proved.
+    `amplitude` is the largest one, and `flip` the solution at the amplitude zero. A text says why
+    nothing is proved.
     """
     with flint_precision(region.bits):
         equations = DoublingTube(scaled, amplitude, (), ()).equations(region)

@@ -26,7 +26,7 @@ _LARGEST_MAP = 6  # multipliers
 
 
 class _Here(NamedTuple):
-    """The orbit near the event."""
+    """The orbit near the event, with the further unknowns."""
 
     region: Region
     number: Number
@@ -37,44 +37,23 @@ class _Here(NamedTuple):
 
 
 class Augmented(NamedTuple):
-    """Equations of an event.
+    """The equations of an event: those of the orbit, and what vanishes at the event."""
 
-    Attributes
-    ----------
-    region : Region
-        Over one parameter.
-    own : int
-        How many unknowns the orbit's equations have.
-    names : tuple of str
-        These, the parameter, and what else there is.
-    values : function of an orbit near the event
-        What vanishes there beside the orbit's equations.
-    """
-
-    region: Region
-    own: int
-    names: tuple[str, ...]
-    values: Callable[[_Here], list[Any]]
+    region: Region  # over one parameter
+    own: int  # number of unknowns of the orbit's equations
+    names: tuple[str, ...]  # of these unknowns, the parameter, and any further unknown
+    values: Callable[[_Here], list[Any]]  # what vanishes at the event, of an orbit near it
 
     def __call__(self, middles: Sequence[arb], halves: Sequence[arb]) -> list[Any]:
-        """The left-hand sides as models over a box, of the first order in its coordinates."""
+        """Return the left-hand sides over a box as Taylor models of first order in its place."""
         here = self._here(middles, halves)
         return [*here.now.residual.entries(), *self.values(here)]
 
     def closes(self, middles: Sequence[arb], halves: Sequence[arb]) -> bool:
-        """Whether what is no equation follows: the energy returns the coordinate left out.
+        """Whether energy conservation is proved to give the coordinate without closure equation.
 
-        Parameters
-        ----------
-        middles : sequence of arb
-            Middle of the enclosure of each unknown, in the system's units.
-        halves : sequence of arb
-            Half of the width of each, in the system's units.
-
-        Returns
-        -------
-        bool
-            True if that is proved, or nothing was left out.
+        It is True where nothing was left out. The box is given by the middle and half the width of
+        each unknown.
         """
         if self.region.closing.form is None:
             return True
@@ -96,25 +75,10 @@ class Augmented(NamedTuple):
 
 
 def augmented(region: Region, event: Event, names: Sequence[str]) -> Augmented:
-    """The equations of an event.
+    """Return the equations of an event, as many as unknowns.
 
-    Parameters
-    ----------
-    region : Region
-        Over the event's parameter.
-    event : Event
-    names : sequence of str
-        Unknowns of the orbit's equations.
-
-    Returns
-    -------
-    Augmented
-        As many equations as unknowns.
-
-    Raises
-    ------
-    NotCovered
-        For kinds of events that are no regular roots of such equations.
+    The region is over the event's parameter, and `names` are the unknowns of the orbit's equations.
+    `NotCovered` is raised for events that are no regular roots of such equations.
     """
     more: tuple[str, ...] = ()
     conservative = region.closing.form is not None
@@ -137,7 +101,7 @@ def augmented(region: Region, event: Event, names: Sequence[str]) -> Augmented:
 
 
 def _map(here: _Here, fewest: int) -> Any:
-    """The map on its section, where so many multipliers may differ from zero."""
+    """Return the map on its section, where at least `fewest` multipliers may differ from zero."""
     region = here.region
     if region.cycle.one_sided:
         raise NotCovered(CORNER)
@@ -151,7 +115,7 @@ def _map(here: _Here, fewest: int) -> Any:
 
 
 def _multiplier(sign: int) -> Callable[[_Here], list[Any]]:
-    """det(M + 1) = 0 or det(M - 1) = 0."""
+    """Return the function det(M + sign) of the map M: zero if a multiplier is minus the sign."""
 
     def values(here: _Here) -> list[Any]:
         found = _map(here, 1)
@@ -163,23 +127,19 @@ def _multiplier(sign: int) -> Callable[[_Here], list[Any]]:
 
 
 def _pair(here: _Here) -> list[Any]:
-    """Two multipliers with the product 1 that are not real, by the bialternate product."""
+    """Return what vanishes where two multipliers that are not real have the product 1.
+
+    It is `pair_products` of the map.
+    """
     found = _map(here, 2)
     check_pair(range_of(found))
     return [pair_products(found)]
 
 
 def pair_products(square: Any) -> Any:
-    """The product of m n - 1 over all pairs of multipliers: the bialternate product.
+    """Return the product of m n - 1 over all pairs of multipliers m, n of a square matrix.
 
-    Parameters
-    ----------
-    square : matrix (n, n)
-        Of balls, Taylor models or jets; n at least 2.
-
-    Returns
-    -------
-    arb, TaylorModel or Jet
+    It is the determinant of the bialternate product minus 1; the matrix is at least 2 by 2.
     """
     pairs = list(combinations(range(square.nrows()), 2))
 
@@ -191,17 +151,9 @@ def pair_products(square: Any) -> Any:
 
 
 def check_pair(found: arb_mat) -> None:
-    """Refuse a product 1 of real multipliers: every pair that may have it is not real.
+    """Raise `NotCovered` unless no two real eigenvalues of a matrix can have the product 1.
 
-    Parameters
-    ----------
-    found : arb_mat (n, n)
-        Whose eigenvalues they are.
-
-    Raises
-    ------
-    NotCovered
-        If that is not proved: it may be a neutral saddle.
+    Such a pair would be a neutral saddle.
     """
     from flint import acb_mat
 
@@ -217,16 +169,9 @@ def check_pair(found: arb_mat) -> None:
 
 
 def determinant(rows: Sequence[Sequence[Any]]) -> Any:
-    """By elimination, the largest pivot first: at an event only the last one is zero.
+    """Return the determinant by elimination with the largest pivot first.
 
-    Parameters
-    ----------
-    rows : sequence of sequence of arb, TaylorModel or Jet
-        A square of them.
-
-    Returns
-    -------
-    arb, TaylorModel or Jet
+    So at an event only the last pivot is zero.
     """
     left = [list(row) for row in rows]
     found: Any = None
@@ -247,17 +192,9 @@ def determinant(rows: Sequence[Sequence[Any]]) -> Any:
 
 
 def instant_of(event: Event) -> str:
-    """When in its phase an event happens: at the start, inside, or at the end.
+    """Return when in its phase an event happens: at the "start", "inside", or at the "end".
 
-    Parameters
-    ----------
-    event : Event
-        Of a branch.
-
-    Returns
-    -------
-    {"inside", "end", "start", ""}
-        Empty for events that have no such instant.
+    The text is empty for events that have no such instant.
     """
     if event.kind == "grazing":
         return "inside"
@@ -285,7 +222,10 @@ def _vanishing(event: Event) -> Callable[[_Here], list[Any]]:
 
 
 def _grazing(event: Event) -> Callable[[_Here], list[Any]]:
-    """A time inside the phase at which the boundary function and its rate are zero."""
+    """Return the equations of a time inside the phase at which a boundary is touched from inside.
+
+    There the boundary function and its rate are zero.
+    """
 
     def values(here: _Here) -> list[Any]:
         plan, watched = _watched(here, event)
@@ -303,7 +243,7 @@ def _grazing(event: Event) -> Callable[[_Here], list[Any]]:
 
 
 def _ending(event: Event) -> Callable[[_Here], list[Any]]:
-    """What is zero where the phase begins or ends."""
+    """Return the equation of what is zero at an event where a phase begins or ends."""
 
     def values(here: _Here) -> list[Any]:
         plan, watched = _watched(here, event)
@@ -318,7 +258,7 @@ def _ending(event: Event) -> Callable[[_Here], list[Any]]:
 
 
 def _condition(event: Event) -> Callable[[_Here], list[Any]]:
-    """Of the conditions of a phase's transitions the one that is nearest to zero."""
+    """Return the equation of that condition of a phase's transitions which is nearest to zero."""
 
     def values(here: _Here) -> list[Any]:
         plan = here.region.plans[_place(event)].at(here.number)

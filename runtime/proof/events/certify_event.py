@@ -117,29 +117,11 @@ def certify_events(
     known: Sequence[EventCertificate] = (),
     progress: Callable[[int], object] = lambda done: None,
 ) -> tuple[EventCertificate, ...]:
-    """Enclose all events of a branch, in their order.
+    """Enclose all events of a branch, in their order; `bits` is as for `certify_event`.
 
-    Parameters
-    ----------
-    branch : Branch
-    bits : int
-        As for `certify_event`.
-    known : sequence of EventCertificate
-        Those of its first events, from a call that was interrupted.
-    progress : callable
-        Told how many are done.
-
-    Returns
-    -------
-    tuple of EventCertificate
-        One for each event of the branch.
-
-    Raises
-    ------
-    InputError
-        As for `certify_event`, or if what is known is of something else.
-    Interrupted
-        By Ctrl-C; its `partial` are the certificates until then.
+    `known` are the certificates of its first events, from a call that was interrupted; those of
+    anything else are refused. `progress` is called with the number of events that are done. By
+    Ctrl-C `Interrupted` is raised, whose `partial` are the certificates until then.
     """
     for certificate, event in zip_longest(known, branch.events[: len(known)]):
         if event is None or not _is_of(certificate, _undecided(branch, event, bits)):
@@ -190,7 +172,7 @@ def _undecided(branch: Branch, event: Event, bits: int) -> EventCertificate:
 
 
 def _about(empty: EventCertificate, orbit: Orbit, event: Event, region: Region) -> EventCertificate:
-    """With all that the equations are made from."""
+    """Return the certificate with all that the equations are made from."""
     chosen = chosen_parameters(orbit)
     orbit = replace(orbit, opened={**orbit.opened, **chosen})
     declaration, closing = region.statement(orbit)
@@ -205,12 +187,12 @@ def _about(empty: EventCertificate, orbit: Orbit, event: Event, region: Region) 
 
 
 def _beside(orbit: Orbit, event: Event) -> dict[str, Value]:
-    """All that was given for an orbit, beside the branch's parameter."""
+    """Return all that was given for an orbit, except for the branch's parameter."""
     return {name: value for name, value in given_of(orbit).items() if name != event.parameter}
 
 
 def _region(orbit: Orbit, event: Event) -> Region:
-    """The orbit over values of the parameter around the event's."""
+    """Return the region of the orbit over values of the parameter around the event's."""
     if not float(orbit.residual) < _KNOWN:
         raise NotCovered(f"the orbit at the event is not known well enough: {orbit.message}")
     value, own = Fraction(event.value), orbit.given[event.parameter].exact
@@ -220,7 +202,7 @@ def _region(orbit: Orbit, event: Event) -> Region:
 
 
 def _problem(region: Region, event: Event) -> tuple[Augmented, list[arb]]:
-    """The event's equations, and their unknowns about."""
+    """Return the event's equations, and their unknowns about."""
     from flint import arb
 
     subject, known = region.subject, event.unknowns
@@ -241,7 +223,10 @@ def _problem(region: Region, event: Event) -> tuple[Augmented, list[arb]]:
 
 
 def _orbit_near(branch: Branch, event: Event) -> Orbit:
-    """The orbit at an event; where it has a phase of no duration, the next one of the branch."""
+    """Return the orbit at an event, or the nearest one of the branch.
+
+    The orbit at the event may have a phase of no duration, which is none of the branch's.
+    """
     places: list[Any] = sorted(range(len(branch)), key=lambda k: abs(k - event.place))
     for place in (event, *places[:_NEIGHBOURS]):
         try:
@@ -254,13 +239,7 @@ def _orbit_near(branch: Branch, event: Event) -> Orbit:
 def _enclosed(
     system: Augmented, guess: Sequence[arb], bits: int
 ) -> tuple[tuple[str, ...], list[arb], tuple[Unknown, ...]]:
-    """Names, enclosures and box of the root.
-
-    Raises
-    ------
-    NotCovered
-        If none is proved to be there.
-    """
+    """Return names, enclosures and box of the root, or raise `NotCovered` if none is proved."""
     from flint import arb
 
     sizes = [abs(x).mid() if abs(x) > 2.0**-10 else arb(1) for x in guess]
@@ -291,7 +270,7 @@ def _enclosed(
 
 
 def _newton(system: Augmented, guess: Sequence[arb], sizes: Sequence[arb], bits: int) -> list[arb]:
-    """A point near the root; nothing is proved of it."""
+    """Return a point near the root, by Newton's method; nothing is proved of it."""
     from flint import arb
 
     precisions = [bits + GUARD]
@@ -311,7 +290,7 @@ def _newton(system: Augmented, guess: Sequence[arb], sizes: Sequence[arb], bits:
 
 
 def _solved(system: Augmented, middles: Sequence[arb], halves: Sequence[arb]) -> list[arb] | None:
-    """-c/L over a box; None where that is not known."""
+    """Return -c/L over a box, or None where it is not known."""
     from flint import arb_mat
 
     values: list[Any] = system(middles, halves)

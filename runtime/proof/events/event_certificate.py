@@ -131,17 +131,6 @@ class EventCertificate(Shown):
 
 
 def events_claim(found: Sequence[EventCertificate]) -> dict[str, str]:
-    """What is claimed of all of them.
-
-    Parameters
-    ----------
-    found : sequence of EventCertificate
-        Of the events of a branch.
-
-    Returns
-    -------
-    dict of str to {"proved", "undecided"}
-        Of "events".
-    """
+    """Return the claim of all events: "proved" if each of them is, else "undecided"."""
     proved = all(certificate.proved for certificate in found)
     return {"events": "proved" if proved else "undecided"}

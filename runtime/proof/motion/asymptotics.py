@@ -22,24 +22,10 @@ __all__ = ["stays_negative"]
 def stays_negative(
     row: Row, field: Sequence[Row], lasting: Invariants, state: Sequence[arb], time: arb
 ) -> bool:
-    """Whether an affine function is proved to be negative from a time on.
+    """Whether an affine function is proved to be negative from a time on, for ever.
 
-    Parameters
-    ----------
-    row : Row
-    field : rows of fmpq
-        Acts on (y, 1).
-    lasting : Invariants
-        True along the motion.
-    state : sequence of arb
-        At time 0.
-    time : arb
-        Not negative, exact.
-
-    Returns
-    -------
-    bool
-        False if it is not proved.
+    `row` and `field` are exact and act on (y, 1). `lasting` holds along the motion, `state`
+    encloses it at time 0, and `time` is exact and not negative.
     """
     from flint import arb
 
@@ -61,7 +47,10 @@ def stays_negative(
 
 
 def _sequence(row: Row, field: Sequence[Row], lasting: Invariants) -> tuple[list[Row], Row]:
-    """Rows of the derivatives, as many as are independent, and what the next one is of them."""
+    """Return the rows of the independent derivatives, and the coefficients of the next one by them.
+
+    These are the coefficients of the function's minimal polynomial.
+    """
     rows = [lasting.reduce(row)]
     while not (kernel := left_kernel(rows)):
         rows.append(lasting.reduce(product(rows[-1], field)))
@@ -69,7 +58,7 @@ def _sequence(row: Row, field: Sequence[Row], lasting: Invariants) -> tuple[list
 
 
 def _exponents(minimal: Row) -> list[tuple[acb, int]]:
-    """Roots of a rational polynomial with their multiplicities; real parts 0 are exact."""
+    """Return a rational polynomial's roots with their multiplicities; real parts 0 are exact."""
     from flint import acb, fmpq_poly
 
     def roots(coefficients: Sequence[Any]) -> list[acb]:
@@ -92,7 +81,10 @@ def _exponents(minimal: Row) -> list[tuple[acb, int]]:
 def _coefficients(
     rows: Sequence[Row], exponents: Sequence[tuple[acb, int]], state: Sequence[arb]
 ) -> list[tuple[acb, list[acb]]] | None:
-    """For each exponent its c, by power; None if the digits do not tell exponents apart."""
+    """Return each exponent with the coefficients c of its terms, by the power of t.
+
+    None is returned if the digits do not tell the exponents apart.
+    """
     from flint import acb, acb_mat, arb
 
     size = len(rows)
@@ -115,7 +107,7 @@ def _coefficients(
 
 
 def _drift(coefficients: Sequence[arb], time: arb) -> arb | None:
-    """Value of a polynomial at a time from which it does not rise."""
+    """Return the value of a polynomial at a time from which it does not rise, else None."""
     derivatives = [
         sum((c * time**j / factorial(j) for j, c in enumerate(coefficients[k:])), 0 * time)
         for k in range(len(coefficients))
@@ -124,7 +116,7 @@ def _drift(coefficients: Sequence[arb], time: arb) -> arb | None:
 
 
 def _size(rate: arb, coefficients: Sequence[acb], time: arb) -> arb | None:
-    """Bound from a time on of the terms with one exponent that is not zero."""
+    """Return a bound, from a time on, of the terms with one exponent that is not zero, or None."""
     total = 0 * time
     for k, coefficient in enumerate(coefficients):
         if coefficient == 0:

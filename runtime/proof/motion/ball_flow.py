@@ -34,13 +34,8 @@ _KEPT = 64  # segments whose exponentials are kept for the next phase
 class AffineFlow:
     """The flow of one configuration, at the working precision at which it is made.
 
-    Parameters
-    ----------
-    field : rows of fmpq
-        B: square, acts on (y, 1).
-    rows : rows of fmpq
-        Affine functions of the state: n y + c as n and c.
-    bits : int
+    The field B is square and exact and acts on (y, 1). The rows are exact affine functions of the
+    state: n y + c as n and c.
     """
 
     def __init__(
@@ -72,46 +67,18 @@ class AffineFlow:
         return not any(self.minimal[:-1])
 
     def advance(self, state: Sequence[arb], time: arb) -> list[arb]:
-        """State after an exact time.
-
-        Parameters
-        ----------
-        state : sequence of arb, length N
-            At time 0, in the system's units.
-        time : arb
-            Exact, in the system's units.
-
-        Returns
-        -------
-        list of arb, length N
-            In the system's units.
-        """
+        """Return the state (N) after an exact time."""
         found: list[arb] = ((self.matrix * time).exp() * _column(state)).entries()
         return found[:-1]
 
     def crossing(
         self, row: int, state: Sequence[arb], times: arb, slope: arb
     ) -> tuple[arb, list[arb]]:
-        """When an affine function of the state is zero, and the state then.
+        """Return the time at which an affine function, by its number, is zero, and the state then.
 
-        The state is bounded together with the time: a change of the start moves both, and
-        what the boundary holds fixed does not grow wider.
-
-        Parameters
-        ----------
-        row : int
-            Number of the function.
-        state : sequence of arb, length N
-            At the start, in the system's units.
-        times : arb
-            Ball in which the function is zero once, in the system's units.
-        slope : arb
-            Derivative of the function over that ball, not zero.
-
-        Returns
-        -------
-        tuple of (arb, list of arb)
-            The time and the state (N), in the system's units.
+        The function has one zero in the ball `times`; its derivative over it, `slope`, is not zero.
+        The state is bounded together with the time: a change of the start moves both, and what the
+        boundary holds fixed does not grow wider.
         """
         from flint import arb
 
@@ -132,17 +99,10 @@ class AffineFlow:
         return time, entries[:-1]
 
     def segment(self, number: int) -> tuple[arb, arb]:
-        """Start and half of the length: all alike, or doubled where the motion only drifts.
+        """Return the start and half the length of a segment, counted from 0.
 
-        Parameters
-        ----------
-        number : int
-            Of the segment, from 0.
-
-        Returns
-        -------
-        tuple of (arb, arb)
-            Times in the system's units.
+        All segments have one length, but where the motion only drifts each is twice as long as the
+        one before.
         """
         from flint import arb
 
@@ -152,21 +112,9 @@ class AffineFlow:
         return 2 * self.half * number, self.half
 
     def expansion(self, row: int, number: int, state: Sequence[arb]) -> Expansion:
-        """An affine function of the state, by its number, along a segment.
+        """Return the expansion of an affine function, by its number, along a segment.
 
-        Parameters
-        ----------
-        row : int
-            Number of the function.
-        number : int
-            Of the segment, from 0.
-        state : sequence of arb, length N
-            At time 0, in the system's units.
-
-        Returns
-        -------
-        Expansion
-            In the place on the segment, with a bound of its error.
+        Segments are counted from 0, and `state` (N) is the one at time 0.
         """
         from flint import arb, arb_poly
 
@@ -183,7 +131,7 @@ class AffineFlow:
         return Expansion(start, half, arb_poly((rows * middle).entries()), error)
 
     def _flow(self, number: int) -> arb_mat:
-        """From the start of the phase to the middle of a segment."""
+        """Return the flow from the start of the phase to the middle of a segment."""
         start, half = self.segment(number)
         if self.drifts or number < _KEPT:
             return (self.matrix * (start + half)).exp()
@@ -191,11 +139,11 @@ class AffineFlow:
         return self._far(far) * self.flow(near)
 
     def _far_flow(self, count: int) -> arb_mat:
-        """Over so many times as many segments as are kept."""
+        """Return the flow over `count` times as many segments as are kept."""
         return (self.matrix * (self.half * (2 * _KEPT * count))).exp()
 
     def _error(self, order: int) -> arb:
-        """Remainder of a derivative in units of the bound of those beyond."""
+        """Return the remainder of a derivative in units of the bound of the derivatives beyond."""
         from flint import arb
 
         first = self.terms - order
@@ -203,7 +151,7 @@ class AffineFlow:
         return whole / (1 - arb(_GROWTH) / (first + 1))
 
     def _derivatives(self, row: int, half: arb) -> tuple[arb_mat, arb_mat]:
-        """Rows that give the Taylor coefficients of a function, and bound the others."""
+        """Return rows that give a function's Taylor coefficients, and rows that bound the rest."""
         from flint import arb_mat
 
         if row in self._taylor:
@@ -225,11 +173,11 @@ class AffineFlow:
         return len(self.minimal) - 1
 
     def _scaled(self, half: Any) -> list[Any]:
-        """The minimal polynomial for derivatives by u."""
+        """Return the minimal polynomial for derivatives by the place u on a segment."""
         return [a * half ** (self._degree - i) for i, a in enumerate(self.minimal)]
 
     def _half(self) -> Any:
-        """Half a segment: the largest power of 2 for which derivatives grow little enough."""
+        """Return half of a segment: the largest power of 2 with slowly growing derivatives."""
         from flint import fmpq
 
         def little(half: Any) -> bool:
@@ -244,7 +192,7 @@ class AffineFlow:
         return half
 
     def _terms(self) -> int:
-        """How many make the remainder about as small as rounding."""
+        """Return how many Taylor terms make the remainder about as small as rounding."""
         roots = np.roots([float(a) for a in reversed(self._scaled(self._unit))])
         radius = max(float(np.abs(roots).max()), 0.25)
         terms, size = 1, 1.0

@@ -35,70 +35,26 @@ __all__ = ["EnclosedSystem", "enclosed_system"]
 
 @dataclass(frozen=True, eq=False)
 class EnclosedSystem:
-    """A system at one parameter point: exact rows, and flows in balls of one precision.
-
-    Attributes
-    ----------
-    structure : Structure
-    values : dict of str to Value
-    bits : int
-    exact : Tables
-        Fields, rows and resets as rationals.
-    flows : tuple of AffineFlow
-        One for each configuration.
-    """
+    """A system at one parameter point: exact rows, and flows in balls of one precision."""
 
     structure: Structure
     values: dict[str, Value]
     bits: int
-    exact: Tables
-    flows: tuple[AffineFlow, ...]
+    exact: Tables  # fields, rows and resets as rationals
+    flows: tuple[AffineFlow, ...]  # one for each configuration
 
     def value(self, row: Row, invariants: Invariants, state: Sequence[arb]) -> Any:
-        """An affine function of a state: exact if the invariants give it, else a ball.
-
-        Parameters
-        ----------
-        row : Row, length N + 1
-            An affine function, acting on (y, 1).
-        invariants : Invariants
-            What is exactly true of the state.
-        state : sequence of arb, length N
-            Enclosure of the state, in the system's units.
-
-        Returns
-        -------
-        fmpq or arb
-            In the function's units.
-        """
+        """Return an affine function of a state: exact if the invariants give it, else a ball."""
         reduced = invariants.reduce(row)
         return evaluate(reduced, state) if any(reduced[:-1]) else reduced[-1]
 
     def leading(
         self, row: Row, configuration: int, invariants: Invariants, state: Sequence[arb]
     ) -> Leading[Row] | None:
-        """Find the first derivative of a row along a field that is not zero; None for none.
+        """Return the first nonzero derivative of a row along a configuration's field, or None.
 
-        Parameters
-        ----------
-        row : Row, length N + 1
-            An affine function, acting on (y, 1).
-        configuration : int
-            Whose field it is.
-        invariants : Invariants
-            What is exactly true of the state.
-        state : sequence of arb, length N
-            Enclosure of the state, in the system's units.
-
-        Returns
-        -------
-        Leading or None
-            Its order, its sign and its row.
-
-        Raises
-        ------
-        Undecided
-            If a ball contains zero.
+        The state (N) is known by its enclosure and by invariants that hold exactly. `Undecided` is
+        raised if the ball of a derivative contains zero.
         """
 
         def sign(order: int, derivative: Row) -> int:
@@ -140,24 +96,9 @@ def _enclosed(
 def enclosed_system(
     system: str | SystemKernels | DeclaredSystem, parameters: Any
 ) -> Callable[[int], EnclosedSystem]:
-    """A system at one parameter point, by bits of precision.
+    """Return a function from bits of precision to the system at one parameter point.
 
-    Parameters
-    ----------
-    system : str, SystemKernels or DeclaredSystem
-        The system, or its name.
-    parameters : dict of str to number
-        All physical parameters.
-
-    Returns
-    -------
-    callable
-        From bits of precision to the EnclosedSystem.
-
-    Raises
-    ------
-    InputError
-        As `piecewise_in`, and for a parameter that is not rational.
+    All physical parameters are given, and all have to be rational.
     """
     kernels = kernels_of(system)
     structure_of(kernels)

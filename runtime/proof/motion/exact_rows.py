@@ -20,33 +20,14 @@ Row = tuple["fmpq", ...]  # n y + c: n, then c
 
 @dataclass(frozen=True)
 class Invariants:
-    """Affine functions of a state that are exactly zero: independent rows, reduced.
+    """Affine functions of a state that are exactly zero, as independent rows."""
 
-    Attributes
-    ----------
-    rows : tuple of Row
-        In reduced echelon form.
-    pivots : tuple of int
-        The coordinate that each row gives in terms of the others.
-    """
-
-    rows: tuple[Row, ...]
-    pivots: tuple[int, ...]
+    rows: tuple[Row, ...]  # in reduced echelon form
+    pivots: tuple[int, ...]  # the coordinate that each row gives in terms of the others
 
     @staticmethod
     def of(rows: Sequence[Sequence[Any]]) -> Invariants:
-        """Invariants from rows that need not be independent.
-
-        Parameters
-        ----------
-        rows : sequence of rows of fmpq, each of length N + 1
-            Functions that are zero.
-
-        Returns
-        -------
-        Invariants
-            The same facts, independent.
-        """
+        """Return the invariants that rows (N + 1) state, which need not be independent."""
         if not rows:
             return Invariants((), ())
         reduced = [row for row in _echelon(rows) if any(row)]
@@ -57,21 +38,13 @@ class Invariants:
 
     @property
     def consistent(self) -> bool:
-        """Whether any state meets them."""
+        """Whether there are states that meet them."""
         return not self.rows or self.pivots[-1] < len(self.rows[-1]) - 1
 
     def reduce(self, row: Sequence[Any]) -> Row:
-        """The same function of the state without the coordinates that are known by others.
+        """Return the same function of the state without the pivot coordinates, (N + 1).
 
-        Parameters
-        ----------
-        row : sequence, length N + 1
-            An affine function, acting on (y, 1).
-
-        Returns
-        -------
-        Row, length N + 1
-            Zero where the facts make the function zero.
+        The row is zero where the invariants make the function zero.
         """
         found = list(row)
         for fact, pivot in zip(self.rows, self.pivots, strict=True):
@@ -80,17 +53,9 @@ class Invariants:
         return tuple(found)
 
     def lasting(self, field: Sequence[Row]) -> Invariants:
-        """Those that stay true along a field: the largest part that it maps into itself.
+        """Return the invariants that stay true along a field (N + 1, N + 1).
 
-        Parameters
-        ----------
-        field : sequence of Row, (N + 1, N + 1)
-            Acts on (y, 1).
-
-        Returns
-        -------
-        Invariants
-            True for all times, if these are true at one.
+        They are the largest part that the field maps into itself.
         """
         invariants = self
         while invariants.rows:
@@ -102,53 +67,18 @@ class Invariants:
         return invariants
 
     def reset(self, reset: Sequence[Row]) -> Invariants:
-        """What is true behind a reset of a state for which these are.
-
-        Parameters
-        ----------
-        reset : sequence of Row, (N + 1, N + 1)
-            Acts on (y, 1).
-
-        Returns
-        -------
-        Invariants
-            Of the state behind it.
-        """
+        """Return the invariants behind a reset (N + 1, N + 1) of a state for which these hold."""
         return Invariants.of(left_kernel([self.reduce(row) for row in reset]))
 
     def agree(self, first: Sequence[Sequence[Any]], second: Sequence[Sequence[Any]]) -> bool:
-        """Whether two resets take every state for which these are true to one state.
-
-        Parameters
-        ----------
-        first : sequence of Row, (N + 1, N + 1)
-            A reset.
-        second : sequence of Row, (N + 1, N + 1)
-            Another reset.
-
-        Returns
-        -------
-        bool
-            Exactly.
-        """
+        """Whether two resets (N + 1, N + 1) agree on all states for which these hold."""
         return not any(
             any(self.reduce([x - y for x, y in zip(*rows, strict=True)]))
             for rows in zip(first, second, strict=True)
         )
 
     def tighten(self, state: Sequence[arb]) -> list[arb]:
-        """Balls around the coordinates, smaller where a fact gives one by the others.
-
-        Parameters
-        ----------
-        state : sequence of arb, length N
-            Enclosure of the state, in the system's units.
-
-        Returns
-        -------
-        list of arb, length N
-            In the system's units.
-        """
+        """Return balls around the N coordinates, smaller where an invariant gives one."""
         found = list(state)
         for row, pivot in zip(self.rows, self.pivots, strict=True):
             given = evaluate(tuple(-x if j != pivot else 0 for j, x in enumerate(row)), state)
@@ -168,7 +98,7 @@ def _echelon(rows: Sequence[Sequence[Any]]) -> list[Row]:
 
 
 def _eliminated(rows: Sequence[Sequence[Any]]) -> list[Row]:
-    """The same in any field."""
+    """Return the reduced echelon form of rows with entries in any field."""
     from flint import fmpq
 
     left = [[fmpq(x) if isinstance(x, int) else x for x in row] for row in rows]
@@ -188,37 +118,16 @@ def _eliminated(rows: Sequence[Sequence[Any]]) -> list[Row]:
 
 
 def left_kernel(matrix: Sequence[Sequence[Any]]) -> list[Row]:
-    """Rows c with c M = 0.
-
-    Parameters
-    ----------
-    matrix : sequence of rows
-        Exact entries, at least one row.
-
-    Returns
-    -------
-    list of Row
-        A basis.
-    """
+    """Return a basis of the rows c with c M = 0, for an exact matrix with at least one row."""
     size, width = len(matrix), len(matrix[0])
     joined = [[*row, *(int(i == j) for j in range(size))] for i, row in enumerate(matrix)]
     return [row[width:] for row in _echelon(joined) if not any(row[:width])]
 
 
 def product(row: Sequence[Any], matrix: Sequence[Sequence[Any]]) -> Row:
-    """A row times a matrix: with a field, the row of the derivative.
+    """Return the exact product (m) of a row (n) and a matrix (n, m).
 
-    Parameters
-    ----------
-    row : sequence, length n
-        Exact entries.
-    matrix : sequence of rows, (n, m)
-        Exact entries.
-
-    Returns
-    -------
-    Row, length m
-        Exactly.
+    With a field it is the row of the function's derivative.
     """
     columns: Iterable[tuple[Any, ...]] = zip(*matrix, strict=True)
     return tuple(
@@ -228,20 +137,7 @@ def product(row: Sequence[Any], matrix: Sequence[Sequence[Any]]) -> Row:
 
 
 def evaluate(row: Sequence[Any], state: Sequence[Any]) -> Any:
-    """An affine function of a state, in its arithmetic.
-
-    Parameters
-    ----------
-    row : sequence, length N + 1
-        An affine function, acting on (y, 1).
-    state : sequence, length N
-        Balls or Taylor models, in the system's units.
-
-    Returns
-    -------
-    arb or TaylorModel
-        In the function's units.
-    """
+    """Return an affine function (N + 1) of a state (N) in balls or Taylor models."""
     from flint import arb
 
     total = row[-1] + arb(0)

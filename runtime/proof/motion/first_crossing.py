@@ -28,25 +28,15 @@ _LOOKS = frozenset(8 * 2**k for k in range(12))  # segments after which for ever
 
 
 class PhaseEnd(NamedTuple):
-    """The end of a phase.
+    """The end of a phase."""
 
-    Attributes
-    ----------
-    time : arb
-        Since its start.
-    boundaries : tuple of int
-        Those that are reached.
-    state : list of arb
-        In front of the transition.
-    """
-
-    time: arb
-    boundaries: tuple[int, ...]
-    state: list[arb]
+    time: arb  # since the phase's start
+    boundaries: tuple[int, ...]  # numbers of those that are reached
+    state: list[arb]  # in front of the transition
 
 
 class _WatchedBoundary:
-    """One boundary, and for how long it is proved not to be reached.
+    """One boundary with the time up to which it is proved not to be reached.
 
     The present window is part `index` of 2^`depth` equal parts of a segment of time.
     """
@@ -71,21 +61,21 @@ class _WatchedBoundary:
             self._leave(order)
 
     def _place(self, part: int) -> arb:
-        """Start, middle and end of the window among -1 to 1: parts 0, 1, 2."""
+        """Return the start, middle or end of the window in [-1, 1], for `part` 0, 1 or 2."""
         from flint import arb
 
         return arb(2 * self.index + part) * arb(2) ** -self.depth - 1
 
     def _window(self) -> tuple[arb, arb]:
-        """Middle and half of the length, exact."""
+        """Return the middle of the window and half of its length, exact."""
         from flint import arb
 
         return self._place(1), arb(2) ** -self.depth
 
     def _leave(self, order: int) -> None:
-        """Go on to where a boundary is left for sure that is zero at the start.
+        """Go on to where a boundary that is zero at the start is proved to be left.
 
-        Its derivatives below `order` are zero there and that one is negative.
+        The derivatives below `order` are zero there, and that one is negative.
         """
         from flint import arb
 
@@ -99,7 +89,7 @@ class _WatchedBoundary:
         self.index, self.depth = 2 * self.index, self.depth + 1
 
     def _pass(self) -> None:
-        """Go on to the next window, as long as the binary digits of its place allow."""
+        """Go on to the next window, the longest that the binary digits of its place allow."""
         self.index += 1
         while self.depth and self.index % 2 == 0:
             self.index, self.depth = self.index // 2, self.depth - 1
@@ -111,7 +101,10 @@ class _WatchedBoundary:
             self.time = self.function.time(self._place(0))
 
     def _contact(self) -> arb:
-        """About where the function is largest, by Newton's method on its slope, if close."""
+        """Return a ball of times about the function's maximum, or the window if none is close.
+
+        The maximum is approximated by Newton's method on the slope.
+        """
         start, end = self._place(0), self._place(2)
         place = start
         for _ in range(60):
@@ -127,7 +120,7 @@ class _WatchedBoundary:
         return self.function.time(start).union(self.function.time(end))
 
     def window(self) -> tuple[arb, list[arb]] | None:
-        """Decide one window; the time and the state of the crossing if it is in it."""
+        """Decide one window and return time and state of the crossing in it, or None."""
         from flint import arb
 
         places = arb(*self._window())
@@ -148,9 +141,10 @@ class _WatchedBoundary:
         return None
 
     def _about_end(self, slope: arb) -> tuple[arb, list[arb]] | None:
-        """The one crossing in a window and the next one, as long, over which it rises too.
+        """Return the one crossing in this window or the next one, as long, or None.
 
-        Of many states some cross in the one and some in the other, however short they are.
+        The function has to rise over both. Of many states some cross in the one and some in the
+        other, however short the windows are.
         """
         from flint import arb
 
@@ -168,7 +162,7 @@ class _WatchedBoundary:
         return self._crossing(times, rate, self.function, function)
 
     def _crossing(self, times: arb, rate: arb, *functions: Expansion) -> tuple[arb, list[arb]]:
-        """The time and the state of the one crossing in a ball of times, which some cover."""
+        """Return time and state of the one crossing in a ball of times that the functions cover."""
         while True:
             time, reached = self.flow.crossing(self.row, self.state, times, rate)
             if 2 * time.rad() >= times.rad():
@@ -178,7 +172,7 @@ class _WatchedBoundary:
                 return time, reached
 
     def _rate_over(self, times: arb, functions: Sequence[Expansion]) -> arb:
-        """Enclose the function's derivative by time over a ball, part by part of what it is in."""
+        """Enclose the function's derivative by time over a ball, on all segments that it meets."""
         from flint import arb
 
         rates = []
@@ -189,7 +183,7 @@ class _WatchedBoundary:
         return reduce(arb.union, rates)
 
     def _newton(self, places: arb, slope: arb) -> tuple[arb, list[arb]]:
-        """The one crossing in a ball of places over which the slope is positive."""
+        """Return the one crossing in a ball of places over which the slope is positive."""
         function = self.function
         while True:
             middle = places.mid()
@@ -216,30 +210,12 @@ def first_crossing(
     state: Sequence[arb],
     until: arb | None = None,
 ) -> PhaseEnd | None:
-    """When a phase ends, and which boundaries are reached then; None if it never does.
+    """Return the end of a phase with the boundaries that are reached, or None if it never ends.
 
-    Time 0 is for boundaries that the start is beyond, or on and about to pass.
-
-    Parameters
-    ----------
-    system : EnclosedSystem
-    configuration : int
-    invariants, lasting : Invariants
-        Of the start, and those that stay true along the phase.
-    state : sequence of arb
-        The start.
-    until : arb, optional
-        Nothing is looked for behind this time, exact: None if nothing is reached up to it.
-
-    Returns
-    -------
-    PhaseEnd or None
-        The time, the boundaries that are reached, and the state then.
-
-    Raises
-    ------
-    Undecided
-        If the balls cannot tell.
+    Time 0 stands for boundaries that the start is beyond, or on and about to pass. `invariants`
+    hold at the start, `lasting` all along the phase. Behind the exact time `until` nothing is
+    looked for: None is returned if nothing is reached up to it. `Undecided` is raised if balls
+    cannot tell.
     """
     from flint import arb
 
@@ -319,7 +295,7 @@ def _earliest(
 
 
 def _direction(row: Sequence[Any]) -> tuple[Any, ...]:
-    """A row up to a positive factor: what is zero at the same instants."""
+    """Return a row divided by a positive factor, the same for all multiples by positive numbers."""
     leading = next(entry for entry in row if entry)
     size = leading if leading > 0 else -leading
     return tuple((entry / size) for entry in row)

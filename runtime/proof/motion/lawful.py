@@ -34,25 +34,10 @@ def lawful(
     invariants: Invariants,
     state: Sequence[arb],
 ) -> int | None:
-    """Target behind an event of coupled contacts; None where that is not proved.
+    """Return the configuration behind an event of coupled contacts, or None if it is not proved.
 
-    Parameters
-    ----------
-    system : EnclosedSystem
-        At one parameter point.
-    source : int
-        The configuration that ends.
-    event : ContactEvent
-        What happens at its end.
-    invariants : Invariants
-        What is exactly true of the state.
-    state : sequence of arb, length N
-        Enclosure of the state, in the system's units.
-
-    Returns
-    -------
-    int or None
-        The configuration that follows.
+    `source` is the configuration that ends. The state (N) is known by its enclosure and by
+    invariants that hold exactly.
     """
     law, exact = system.structure.law, system.exact
     assert law is not None
@@ -86,7 +71,7 @@ def _floats(numbers: Any) -> np.ndarray:
 
 
 def _row(function: Combination, rows: Sequence[Row]) -> Row:
-    """A combination of declared rows."""
+    """Return the row of a combination of declared rows."""
     parts = [[factor * x for x in rows[k]] for k, factor in function.items()]
     if not parts:
         return tuple(0 * x for x in rows[0])

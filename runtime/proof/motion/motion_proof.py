@@ -163,24 +163,9 @@ class Proof(Shown):
 
 
 def exactly(number: object, name: str) -> Any:
-    """A rational number from a text, fraction or float, none of them rounded.
+    """Return the rational number that a text, fraction or float stands for, without rounding.
 
-    Parameters
-    ----------
-    number : str, Fraction, int or float
-        What was given.
-    name : str
-        For the message.
-
-    Returns
-    -------
-    fmpq
-        The number itself.
-
-    Raises
-    ------
-    InputError
-        For a number that is not rational, or none at all.
+    Any other number is refused; `name` is that of the number in the message.
     """
     from flint import fmpq
 

@@ -135,7 +135,7 @@ class _Motion:
                 raise InputError(f"the state is not in {name}, where {_equation(structure, row)}")
 
     def run(self, transitions: int) -> None:
-        """Prove that many transitions, or set `quiet` or `trouble`."""
+        """Prove so many transitions, or set `quiet` (no further one follows) or `trouble`."""
         immediate = 0
         try:
             while len(self.sets) < transitions and not self.quiet:
@@ -181,7 +181,7 @@ class _Motion:
         self.states.append(self.state)
 
     def proof(self) -> Proof:
-        """What was found, by name."""
+        """Return what is proved of the motion, by name."""
         system = self.system
         structure, bits = system.structure, system.bits
 
@@ -218,25 +218,10 @@ class _Motion:
 def transition_behind(
     system: EnclosedSystem, source: int, reached: tuple[int, ...], judge: BallJudge
 ) -> tuple[int, int]:
-    """Target and reset of what follows a set of boundaries, in whatever order its stops act.
+    """Return target and reset of the transition behind a set of boundaries reached in `source`.
 
-    Parameters
-    ----------
-    system : EnclosedSystem
-    source : int
-        The configuration in which they are reached.
-    reached : tuple of int
-    judge : BallJudge
-        What is known of the state.
-
-    Returns
-    -------
-    tuple of (int, int)
-
-    Raises
-    ------
-    Undecided
-        If it is not proved what follows.
+    Where stops may act in several orders all orders have to agree. `Undecided` is raised if it is
+    not proved what follows.
     """
     structure = system.structure
     choice = choose(structure, source, frozenset(reached), judge)
@@ -260,75 +245,31 @@ def transition_behind(
 
 @dataclass(frozen=True)
 class BallJudge:
-    """Judge in balls, with what is exactly known of the state.
-
-    Attributes
-    ----------
-    system : EnclosedSystem
-    source : int
-        The configuration in which boundaries are reached.
-    facts : Invariants
-        Of the state: a boundary that was reached is zero.
-    state : sequence of arb
-    """
+    """A `Judge` in balls, with what is exactly known of the state."""
 
     system: EnclosedSystem
-    source: int
-    facts: Invariants
+    source: int  # configuration in which boundaries are reached
+    facts: Invariants  # what is exactly true of the state: a boundary that was reached is zero
     state: Sequence[arb]
 
     def sign(self, row: int, along: int) -> int:
-        """Sign of the leading derivative of a row along a configuration's field, 0 for none.
+        """Return the proved sign of a row's leading derivative along a configuration's field.
 
-        Parameters
-        ----------
-        row : int
-            Number of the affine function.
-        along : int
-            The configuration whose field is taken.
-
-        Returns
-        -------
-        {-1, 0, 1}
-            Proved.
+        It is 0 if all derivatives are exactly zero.
         """
         exact = self.system.exact
         found = self.system.leading(exact.rows[row], along, self.facts, self.state)
         return 0 if found is None else found.sign
 
     def agree(self, resets: Sequence[int]) -> bool:
-        """Whether resets lead to one state by what is exactly known.
-
-        Parameters
-        ----------
-        resets : sequence of int
-            Their numbers, at least one.
-
-        Returns
-        -------
-        bool
-            Exactly.
-        """
+        """Whether resets lead to one state by what is exactly known."""
         first, *others = (self.system.exact.resets[reset] for reset in resets)
         return all(self.facts.agree(other, first) for other in others)
 
     def targets(self, event: ContactEvent) -> tuple[int, ...]:
-        """The configuration that is proved to follow by the contact law.
+        """Return the one configuration that is proved to follow by the contact law.
 
-        Parameters
-        ----------
-        event : ContactEvent
-            What happens where the phase ends.
-
-        Returns
-        -------
-        tuple of int
-            One configuration.
-
-        Raises
-        ------
-        Undecided
-            If that is not proved.
+        `Undecided` is raised if that is not proved.
         """
         target = lawful(self.system, self.source, event, self.facts, self.state)
         if target is None:
@@ -337,7 +278,7 @@ class BallJudge:
 
 
 def _start(structure: Structure, state: Mapping[str, object] | Sequence[object]) -> list[Any]:
-    """The start as rationals, in the order of the system."""
+    """Return the start as rationals, in the system's order of the states."""
     names = structure.states
     if isinstance(state, Mapping):
         for name in state:
@@ -353,9 +294,9 @@ def _start(structure: Structure, state: Mapping[str, object] | Sequence[object])
 
 
 def _held(system: EnclosedSystem, configuration: int) -> Invariants:
-    """What is true in a configuration whatever the motion: what resets into it set for good.
+    """Return what is true in a configuration by every reset into it, and stays true in it.
 
-    Nothing, if they contradict each other.
+    There are no such invariants if the resets contradict each other.
     """
     exact, none = system.exact, Invariants((), ())
     resets = {
@@ -370,7 +311,7 @@ def _held(system: EnclosedSystem, configuration: int) -> Invariants:
 
 
 def _equation(structure: Structure, row: Sequence[Any]) -> str:
-    """A fact as text: v1 = 1."""
+    """Return an invariant as text, such as v1 = 1."""
     terms = [
         f"{'' if x == 1 else f'{x} '}{name}"
         for x, name in zip(row, structure.states, strict=False)

@@ -32,18 +32,9 @@ _LEAST = 2.0**-40  # of a time: the radius of its window at least
 
 
 def with_time(rows: Sequence[Sequence[Any]], rate: int) -> arb_mat:
-    """A matrix that acts on (y, 1) as one that acts on (y, t, 1).
+    """Return a matrix (N + 1, N + 1) on (y, 1) as one on (y, t, 1): (N + 2, N + 2).
 
-    Parameters
-    ----------
-    rows : rows (N + 1, N + 1)
-        A field, whose time runs, or a reset, at which it stands.
-    rate : {0, 1}
-        1 for a field.
-
-    Returns
-    -------
-    arb_mat (N + 2, N + 2)
+    The time t runs at the rate 1 for a field and is kept by a reset, whose rate is 0.
     """
     from flint import arb_mat, fmpq_mat
 
@@ -55,62 +46,32 @@ def with_time(rows: Sequence[Sequence[Any]], rate: int) -> arb_mat:
 
 
 class AffineSet(NamedTuple):
-    """y = Z (1, e) + b with all entries of e in [-1, 1].
+    """The set of all y = Z (1, e) + b with the entries of e in [-1, 1] and b in a small box."""
 
-    Attributes
-    ----------
-    columns : arb_mat (N + 2, 1 + m)
-        Exact: the centre, then the sides, of states, time and 1.
-    rest : arb_mat (N + 2, 1)
-        Balls around zero in which b is.
-    tangents : tuple of AffineSet
-        Derivatives of the map that led here, in some directions, at every state that it was
-        applied to. Empty where they are not followed.
-    """
-
-    columns: arb_mat
-    rest: arb_mat
+    columns: arb_mat  # Z, (N + 2, 1 + m), exact: the centre, then the sides, of states, time and 1
+    rest: arb_mat  # (N + 2, 1): balls around zero that contain b
+    # derivatives of the map that led to this set, in some directions, at every state that it was
+    # applied to; empty where they are not followed
     tangents: tuple[AffineSet, ...] = ()
 
     def mapped(self, matrix: arb_mat) -> AffineSet:
-        """The image under a linear map of (y, t, 1).
-
-        Parameters
-        ----------
-        matrix : arb_mat (n, N + 2)
-
-        Returns
-        -------
-        AffineSet
-            Of n rows.
-        """
+        """Return the image under a linear map (n, N + 2) of (y, t, 1), a set of n rows."""
         tangents = tuple(tangent.mapped(matrix) for tangent in self.tangents)
         return affine_set(matrix * self.columns, matrix * self.rest, tangents)
 
     @property
     def ranges(self) -> list[arb]:
-        """Balls around all rows."""
+        """The balls that contain all points, row by row."""
         rows = zip(self.columns.tolist(), self.rest.entries(), strict=True)
         return [row[0] + _around(_total(row[1:])) + b for row, b in rows]
 
     def reach(self, field: arb_mat, row: arb_mat, window: arb) -> AffineSet:
-        """Every state where an affine function of it is zero.
+        """Return the set of states at which a function (1, N + 2) becomes zero along the field.
 
-        An interval Newton step shows that each state of the set gets there once about then, and
-        not only those that also meet what is exactly known of the motion.
-
-        Parameters
-        ----------
-        field : arb_mat (N + 2, N + 2)
-        row : arb_mat (1, N + 2)
-            The function.
-        window : arb
-            Times in which each state is proved to get there once.
-
-        Raises
-        ------
-        Undecided
-            If the function's rate may be zero, or the set is too large.
+        Each state of the set gets there once in the ball `window` of times. An interval Newton step
+        proves that of every state of the set, not only of those that also meet what is exactly
+        known of the motion. `Undecided` is raised if the function's rate may be zero, or if the
+        set is too large.
         """
         from flint import arb
 
@@ -135,21 +96,17 @@ class AffineSet(NamedTuple):
 
 
 def affine_set(columns: arb_mat, rest: arb_mat, tangents: tuple[AffineSet, ...] = ()) -> AffineSet:
-    """A set by columns that need not be exact: what is not certain of them goes to the box.
-
-    Parameters
-    ----------
-    columns : arb_mat (N + 2, 1 + m)
-    rest : arb_mat (N + 2, 1)
-    tangents : tuple of AffineSet, optional
-    """
+    """Return a set by columns (N + 2, 1 + m) in balls, whose radii are moved to the box."""
     middle = columns.mid()
     unsure = (columns - middle) * _ones(columns.ncols())
     return AffineSet(middle, rest + unsure, tangents)
 
 
 def _mean_value(states: AffineSet, change: arb_mat, centre: arb_mat) -> AffineSet:
-    """The image of a set under a map, by its derivative over the set and the centre's image."""
+    """Return the image of a set under a map by the mean value form.
+
+    `change` encloses the map's derivative over the set, and `centre` the image of its centre.
+    """
     middles, listed = change.mid(), states.columns.tolist()
     spread = [
         [_around(_total(entries[1:])) + b]
@@ -162,7 +119,10 @@ def _mean_value(states: AffineSet, change: arb_mat, centre: arb_mat) -> AffineSe
 
 
 def _kept_zero(row: arb_mat, matrix: arb_mat) -> arb_mat:
-    """A matrix in balls that is known to map to where a function is zero, and so in one row."""
+    """Return a matrix in balls with one row computed anew, so that it maps to a function's zeros.
+
+    The matrix has to be known to map to where the function `row` is zero.
+    """
     weights, rows = row.entries(), matrix.tolist()
     pivot = max(range(len(rows) - 1), key=lambda k: float(abs(weights[k])))
     others = [
@@ -177,14 +137,17 @@ def _kept_zero(row: arb_mat, matrix: arb_mat) -> arb_mat:
 
 
 def _varied(matrix: arb_mat, vectors: AffineSet) -> AffineSet:
-    """The images of vectors under all matrices in balls: what they vary by becomes sides."""
+    """Return the images of vectors under all matrices in a ball of matrices.
+
+    What they vary by becomes further sides.
+    """
     middle = matrix.mid()
     wide = ((matrix - middle) * _matrix([[x] for x in vectors.ranges])).entries()
     return affine_set(_with_sides(middle * vectors.columns, wide), middle * vectors.rest)
 
 
 def _with_sides(columns: arb_mat, wide: Sequence[arb]) -> arb_mat:
-    """Columns, and one more side for each coordinate that varies by itself."""
+    """Return columns with one more side for each coordinate that varies by itself."""
     added = [k for k, x in enumerate(wide) if not x.is_zero()]
     zero = 0 * columns[0, 0].mid()
     return _matrix([
@@ -194,7 +157,10 @@ def _with_sides(columns: arb_mat, wide: Sequence[arb]) -> arb_mat:
 
 
 def _late(field: arb_mat, row: arb_mat, hull: arb_mat, level: arb, late: arb) -> arb:
-    """Times in which each state of a hull gets to the function's zero, once, in a ball of times."""
+    """Return a ball of times at which each state of a hull reaches the function's zero, once.
+
+    `Undecided` is raised if that is not proved of times inside the ball `late`.
+    """
     from flint import arb
 
     first = late
@@ -211,7 +177,7 @@ def _late(field: arb_mat, row: arb_mat, hull: arb_mat, level: arb, late: arb) ->
 
 
 def _arrived(field: arb_mat, row: arb_mat, centre: arb_mat, late: arb) -> arb_mat:
-    """Where the centre gets to the function's zero, at a time that is inside a ball."""
+    """Return where the centre reaches the function's zero, at a time inside a ball."""
     for _ in range(_STEPS):
         middle = late.mid()
         there = (field * middle).exp() * centre
@@ -235,7 +201,7 @@ def _total(row: Sequence[arb]) -> arb:
 
 
 def _around(size: arb) -> arb:
-    """All numbers that are no larger."""
+    """Return the ball around zero with all numbers that are no larger in absolute value."""
     from flint import arb
 
     return arb(0, size.abs_upper())

@@ -56,54 +56,28 @@ _STEP = 0.125  # of the time in which the fastest motion goes half a radian
 
 
 class Leaves(NamedTuple):
-    """Where parts of sets come to on a section.
+    """The parts of the images of B sets on a section: L boxes in its d coordinates."""
 
-    Attributes
-    ----------
-    origin : array of int (L,)
-        Of which set each is a part.
-    low, high : array (L, d)
-        Bounds of the section's coordinates.
-    lost : array of bool (B,)
-        Sets of which not all leaves are known.
-    """
-
-    origin: NDArray[np.int_]
-    low: Floats
-    high: Floats
-    lost: NDArray[np.bool_]
+    origin: NDArray[np.int_]  # (L,): number of the set that each is a part of
+    low: Floats  # (L, d): lower bounds of the section's coordinates
+    high: Floats  # (L, d): upper bounds
+    lost: NDArray[np.bool_]  # (B,): sets of which not all leaves are known
 
 
 @dataclass
 class BranchingMap:
-    """The map from sets of states to a section, whatever ways the states go.
-
-    Attributes
-    ----------
-    system : EnclosedSystem
-    section : MapSection
-    scales : array (N,)
-        Of the states.
-    widest : float
-        Sets that are wider, in units of the scales, are divided on the way.
-    most : int
-        Parts of one set, at most.
-    longest : int
-        Transitions on one way, at most.
-    finest : float
-        Part of a window of time into which flow pipes are divided where they touch boundaries.
-        Small sets take 1/8; large ones become more parts by it, and hardly narrower.
-    passages : set of PassedTransition
-        All transitions that some set has passed.
-    """
+    """The map from sets of states to a section, along all ways that their states may go."""
 
     system: EnclosedSystem
     section: MapSection
-    scales: Floats
-    widest: float = np.inf
-    most: int = 400
-    longest: int = 40
+    scales: Floats  # sizes of the states (N,)
+    widest: float = np.inf  # sets that are wider, in units of the scales, are divided on the way
+    most: int = 400  # largest number of parts of one set
+    longest: int = 40  # largest number of transitions on one way
+    # part of a window of time into which flow pipes are divided where they touch boundaries: small
+    # sets take 1/8; large ones become more parts by it, and hardly narrower
     finest: float = 0.125
+    # all transitions that some set has passed
     passages: set[PassedTransition] = field(default_factory=set)
 
     def __post_init__(self) -> None:
@@ -123,12 +97,9 @@ class BranchingMap:
         self._phases: dict[StartKind, StartedPhase] = {}
 
     def leaves(self, starts: ManySets) -> Leaves:
-        """Boxes that contain where each state of each set comes to the section first.
+        """Return boxes that contain where each state of each set first comes to the section.
 
-        Parameters
-        ----------
-        starts : ManySets
-            In coordinates of the section and 1.
+        The sets are in the section's coordinates and 1.
         """
         facts = self.section.facts
         return self.leaves_of(starts.mapped(self.lift(facts)), self.section.configuration, facts)
@@ -140,18 +111,11 @@ class BranchingMap:
         facts: Invariants,
         wanted: Callable[[Floats, Floats], NDArray[np.bool_]] | None = None,
     ) -> Leaves:
-        """The same for states anywhere.
+        """Return the leaves of sets of states (y, t, 1) anywhere in a configuration.
 
-        Parameters
-        ----------
-        starts : ManySets
-            Of (y, t, 1), inside of the boundaries of a configuration or on the section.
-        configuration : int
-        facts : Invariants
-            What is exactly true of the states.
-        wanted : callable, optional
-            Of bounds (L, d) each, whether leaves are where they should be: sets with others are
-            lost, and not followed further.
+        The states are inside the boundaries or on the section, and `facts` hold exactly for them.
+        `wanted` says, by bounds (L, d) of leaves, which of these are where they should be: sets
+        with other leaves are lost, and not followed further.
         """
         rows = [self.system.exact.rows[s.row] for s in self._shapes(configuration)]
         inside = frozenset(b for b, row in enumerate(rows) if any(facts.reduce(row)))
@@ -191,7 +155,7 @@ class BranchingMap:
         return Leaves(origin[known], low[known], high[known], work.lost)
 
     def _divided(self, parts: SetParts, work: PartsLeft) -> SetParts:
-        """Those that are wide in two, as often as it takes."""
+        """Return the parts with those that are too wide halved, as often as it takes."""
         if not np.isfinite(self.widest):
             return parts
         while True:
@@ -223,7 +187,10 @@ class BranchingMap:
         return all(not any(kind.facts.reduce(row)) for row in section.facts.rows)
 
     def _inside(self, kind: StartKind, parts: SetParts, work: PartsLeft) -> SetParts:
-        """Of leaves what no boundary lies behind: states beyond one leave their phase at once."""
+        """Return the part of leaves inside all boundaries.
+
+        States beyond one leave their phase at once: that part is followed further.
+        """
         for b, shape in enumerate(self._shapes(kind.configuration)):
             row = self.system.exact.rows[shape.row]
             if b in kind.under or not any(kind.facts.reduce(row)):
@@ -258,7 +225,7 @@ class BranchingMap:
     def _passed(
         self, kind: StartKind, end: EndedSets, parts: SetParts, work: PartsLeft
     ) -> Iterator[tuple[StartKind, SetParts, PassedTransition]]:
-        """The ways in which states go on behind what they reach."""
+        """Yield the parts behind the transitions that may follow what their states reach."""
         here, reached = kind.configuration, frozenset(end.boundaries)
         exact = self.system.exact
         inside = [exact.rows[s.row] for b, s in enumerate(self._shapes(here)) if b not in reached]
@@ -287,7 +254,11 @@ class BranchingMap:
     def _reset_box(
         self, states: ManySets, under: frozenset[Row], reset: int
     ) -> tuple[Floats, Floats]:
-        """Boxes behind a reset, of states for which functions are not positive."""
+        """Return boxes around images under a reset.
+
+        Of the states before it only those count at which the functions in `under` are at most zero.
+        States of forcings lie in [-1, 1].
+        """
         box = states.hull
         for row in under:
             if any(row[:-1]):
@@ -308,9 +279,9 @@ class BranchingMap:
         before: Invariants,
         known: frozenset[Row],
     ) -> bool:
-        """Whether the first derivative that is not zero behind a reset is known not to be positive.
+        """Whether a function's first nonzero derivative behind a reset is known to be at most zero.
 
-        So it is where, as a function of the state before, it is one of those.
+        It is so where it is, as a function of the state before the reset, one of those known.
         """
         exact = self.system.exact
         row, order = first_moving(exact.rows[number], exact.fields[target], facts)
@@ -333,9 +304,9 @@ class BranchingMap:
         known: frozenset[Row],
         work: PartsLeft,
     ) -> Iterator[tuple[int, int, SetParts, Invariants, frozenset[Row]]]:
-        """Targets and resets that may follow, with the parts for which they may.
+        """Yield each target and reset that may follow, with the parts of sets for which it may.
 
-        And with what is exactly true of these, and functions that are known not to be positive.
+        What is exactly true of the parts comes with them, and functions known to be at most zero.
         """
         structure = self.system.structure
         listed = [t for t in structure.listed(here, reached) if t.path is None]
@@ -371,10 +342,10 @@ class BranchingMap:
         known: frozenset[Row],
         work: PartsLeft,
     ) -> Iterator[tuple[int, int, SetParts, Invariants, frozenset[Row]]]:
-        """What may follow of the transitions from the first on, from one of its conditions on.
+        """Yield what may follow by the listed transitions, from a condition of the first one on.
 
-        Where a function would have a sign that it is known not to have it is exactly zero, and
-        its next derivative decides.
+        Where a function would need a sign that it is known not to have, it is exactly zero, and its
+        next derivative decides.
         """
         if not len(parts.origin):
             return
@@ -418,18 +389,9 @@ class BranchingMap:
         return [*free, size] if self._timed else free
 
     def lift(self, facts: Invariants, timed: bool = False) -> Rounded:
-        """All coordinates of states for which facts are true, by those that are left free.
+        """Return the map to all coordinates (y, t, 1) from those that the facts leave free.
 
-        Parameters
-        ----------
-        facts : Invariants
-        timed : bool
-            Whether the time is one of them; else it is 0.
-
-        Returns
-        -------
-        Rounded
-            (y, t, 1) from (free coordinates, t, 1) or, without time, (free coordinates, 1).
+        It acts on the free coordinates, t and 1. If not `timed`, t is left out and becomes 0.
         """
         from flint import arb, arb_mat
 

@@ -27,7 +27,7 @@ _MOST = 400  # transitions of one image
 
 
 class PassedTransition(NamedTuple):
-    """A transition on the way: the configuration that is left, by what, and for which other."""
+    """A transition that a motion passes, by configurations and boundaries."""
 
     source: int
     boundaries: tuple[int, ...]
@@ -35,28 +35,14 @@ class PassedTransition(NamedTuple):
 
 
 class SetImage(NamedTuple):
-    """Where a set comes to, and through which transitions.
-
-    Attributes
-    ----------
-    states : AffineSet
-        On the section.
-    passages : tuple of PassedTransition
-    """
+    """The image of a set of states on the section, with the transitions on the way."""
 
     states: AffineSet
     passages: tuple[PassedTransition, ...]
 
 
 class SectionMap:
-    """A power of the map from a section to itself, on sets of states.
-
-    Parameters
-    ----------
-    system : EnclosedSystem
-    section : MapSection
-    iterates : int
-    """
+    """An iterate of the map from a section to itself, applied to sets of states."""
 
     def __init__(self, system: EnclosedSystem, section: MapSection, iterates: int) -> None:
         self.system, self.section, self.iterates = system, section, iterates
@@ -65,12 +51,9 @@ class SectionMap:
         self._resets = [with_time(reset, 0) for reset in exact.resets]
 
     def image(self, start: AffineSet) -> SetImage:
-        """The image of a set of states on the section.
+        """Return the image of a set of states on the section.
 
-        Raises
-        ------
-        Undecided
-            If the states do not go the same way, or balls do not tell which.
+        `Undecided` is raised if its states do not all go the same way, or balls do not tell which.
         """
         if self.section.phase is not None:
             return self._after_periods(start)
@@ -147,7 +130,7 @@ class SectionMap:
         found: tuple[arb, tuple[int, ...]],
         passages: list[PassedTransition],
     ) -> tuple[int, Invariants, AffineSet]:
-        """Through the end of a phase: configuration, facts and states behind the transition."""
+        """Return configuration, facts and states behind the transition at the end of a phase."""
         system, (dwell, reached) = self.system, found
         if len(passages) >= _MOST:
             raise Undecided(f"there are more than {_MOST} transitions", digits=False)

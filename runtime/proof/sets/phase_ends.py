@@ -34,52 +34,30 @@ _REFINED = 3  # steps of Newton's method for the times of a pipe
 
 @dataclass(frozen=True)
 class WatchedFunction:
-    """A function whose zero ends the phase, over (y, t, 1).
+    """A function of (y, t, 1) whose zero ends a phase."""
 
-    Attributes
-    ----------
-    boundaries : tuple of int
-        That have it.
-    row, leading : arb_mat (1, n)
-        The function, and the first of its derivatives that is not exactly zero at the start.
-    order : int
-        Of that derivative.
-    facts : Invariants
-        What is exactly true where it is zero.
-    rate : Row
-        Its derivative there, exactly.
-    """
-
-    boundaries: tuple[int, ...]
-    row: arb_mat
-    leading: arb_mat
-    order: int
-    facts: Invariants
-    rate: Row
+    boundaries: tuple[int, ...]  # those that have this function
+    row: arb_mat  # (1, N + 2)
+    leading: arb_mat  # (1, N + 2): its first derivative that is not exactly zero at the start
+    order: int  # of that derivative
+    facts: Invariants  # what is exactly true where the function is zero
+    rate: Row  # its derivative there, exact
 
 
 class EndedSets(NamedTuple):
-    """Sets that reach boundaries, which of the given ones they are parts of, and what is true.
-
-    The `rising` functions are not negative there.
-    """
+    """Parts of sets that reach some boundaries at the end of a phase, and what is true there."""
 
     states: ManySets
-    origin: NDArray[np.int_]
+    origin: NDArray[np.int_]  # number of the given set that each is a part of
     boundaries: tuple[int, ...]
     facts: Invariants
-    rising: tuple[Row, ...]
+    rising: tuple[Row, ...]  # functions that are not negative there
 
 
 class PhaseEnds:
-    """The phase of one configuration, from states of which the same is known exactly.
+    """The ends of a phase in one configuration, for states of which the same is exactly known.
 
-    Parameters
-    ----------
-    flow : FloatFlow
-    functions : sequence of WatchedFunction
-    finest : float
-        Part of a window: pipes are not divided further.
+    `finest` is the part of a window of time that flow pipes are not divided beyond.
     """
 
     def __init__(
@@ -99,17 +77,10 @@ class PhaseEnds:
         return self._windows[chunk]
 
     def ends(self, states: ManySets) -> tuple[list[EndedSets], NDArray[np.bool_]]:
-        """The ways in which the phase may end, and of which sets that is not known.
+        """Return all ways in which the phase may end, and a mask (B,) of sets that are not decided.
 
-        Parameters
-        ----------
-        states : ManySets
-            Whose functions are not positive at the start, with the first derivative that is not
-            exactly zero.
-
-        Returns
-        -------
-        tuple of (list of EndedSets, array of bool (B,))
+        At the start, for each function and all states, the first derivative that is not exactly
+        zero has to be at most zero.
         """
         count, wanted = len(states), len(self.functions)
         lost = np.zeros(count, dtype=bool)
@@ -144,7 +115,11 @@ class PhaseEnds:
         return found, lost
 
     def _reached(self, states: ManySets, chunk: int) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Of windows and functions (B, k, j): reached for some, passed by all."""
+        """Return for sets, windows and functions (B, k, j) what may be reached, and what is passed.
+
+        A zero may be reached if the bounds over the window do not exclude that for all states of
+        the set; it is passed if all states are beyond it.
+        """
         shape = len(states), _CHUNK, len(self.functions)
         bounds = [x.reshape(shape) for x in self._over(chunk).bounds(states)]
         if not chunk:
@@ -159,7 +134,10 @@ class PhaseEnds:
         return ~inside, (least > 0) & ~starts
 
     def _at_start(self, states: ManySets, bounds: Sequence[Floats]) -> None:
-        """In the first window, derivatives of functions that are zero where it begins."""
+        """Replace in the first window the bounds of functions that are zero where it begins.
+
+        They become the bounds of these functions' derivatives.
+        """
         from flint import arb_mat
 
         late = [k for k, f in enumerate(self.functions) if f.order]
@@ -183,7 +161,7 @@ class PhaseEnds:
         last: NDArray[np.int_],
         lost: NDArray[np.bool_],
     ) -> Iterator[EndedSets]:
-        """Where states reach one boundary, and others together with it."""
+        """Yield where states reach one boundary, alone or together with another one."""
         tiles = np.flatnonzero(~lost & (first[:, place] >= 0))
         if not len(tiles):
             return
@@ -224,7 +202,10 @@ class PhaseEnds:
         other: int,
         lost: NDArray[np.bool_],
     ) -> Iterator[EndedSets]:
-        """States that reach two boundaries together; where it may be three nothing is known."""
+        """Yield the states that reach two boundaries together.
+
+        Sets whose states may reach three together are lost.
+        """
         one, two = self.functions[place], self.functions[other]
         if CLOCK in (*one.boundaries, *two.boundaries):
             return
@@ -243,7 +224,7 @@ class PhaseEnds:
         yield EndedSets(both, origin, boundaries, facts, (one.rate, two.rate))
 
     def _pipe_length(self, states: ManySets) -> Floats:
-        """In what time a flow pipe becomes little wider than the set is."""
+        """Return the times in which flow pipes become little wider than the sets are."""
         spread = states.spread
         field, curve = np.abs(self.flow.rate.middle), self.flow.curve.middle
         size = spread.max(axis=1)
@@ -256,7 +237,10 @@ class PhaseEnds:
     def _shorter(
         self, states: ManySets, place: int, begin: Floats, end: Floats
     ) -> tuple[Floats, Floats, NDArray[np.bool_]]:
-        """Times between which a boundary is reached, by Newton's method, and whether it is."""
+        """Return times between which a boundary is reached, and a mask that is False if it is not.
+
+        They are shortened by Newton's method.
+        """
         row, rate = self._single[place]
         alive = np.ones(len(states), dtype=bool)
         for _ in range(_REFINED):
@@ -281,7 +265,7 @@ class PhaseEnds:
     def _cut(
         self, states: ManySets, place: int, begin: Floats, end: Floats
     ) -> tuple[ManySets, NDArray[np.bool_]]:
-        """Where states of a pipe are on a boundary, reach it from inside, and pass no other."""
+        """Return the states of pipes on a boundary that reach it from inside and pass no other."""
         row, rate = self._single[place]
         _, whole = self.flow.between(states, begin, end)
         found, alive = whole.cut(row, zero=True)

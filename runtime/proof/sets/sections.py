@@ -26,35 +26,25 @@ __all__ = ["MapSection", "forcing_section", "phases", "transition_section"]
 
 @dataclass(frozen=True)
 class MapSection:
-    """Where states are taken.
-
-    Attributes
-    ----------
-    configuration : int
-        In which states on the section are.
-    facts : Invariants
-        What is exactly true of these states.
-    phase : tuple of (fmpq, fmpq) or None
-        Cosine and sine of the forcing; None for a transition.
-    source, boundaries : int, frozenset of int
-        What the transition leaves and by what; -1 and empty for a forcing.
-    """
+    """A section: the configuration of its states, and what is exactly true of them."""
 
     configuration: int
     facts: Invariants
+    # cosine and sine of the forcing; None for a section behind a transition
     phase: tuple[Any, Any] | None
-    source: int = -1
+    source: int = -1  # configuration that the transition leaves; -1 for a forcing
+    # those that the transition follows; empty for a forcing
     boundaries: frozenset[int] = frozenset()
 
     @cached_property
     def free(self) -> tuple[int, ...]:
-        """The states that are its coordinates."""
+        """The states that are the section's coordinates."""
         size = len(self.facts.rows[0]) - 1
         return tuple(k for k in range(size) if k not in self.facts.pivots)
 
     @cached_property
     def lift(self) -> tuple[Row, ...]:
-        """Each state as an affine function of the coordinates: rows (N, d + 1)."""
+        """Rows (N, d + 1) that give each state as an affine function of the d coordinates."""
         from flint import fmpq
 
         size = len(self.facts.rows[0]) - 1
@@ -67,32 +57,17 @@ class MapSection:
         )
 
     def period(self, system: EnclosedSystem) -> arb:
-        """How long the forcing takes to come back, at the working precision.
-
-        Returns
-        -------
-        arb
-            In the system's units.
-        """
+        """Return the period of the forcing, at the working precision."""
         from flint import arb
 
         return 2 * arb.pi() / abs(arb(_speed(system)))
 
 
 def forcing_section(system: EnclosedSystem, configuration: int, phase: Sequence[Any]) -> MapSection:
-    """The section at one phase of the forcing.
+    """Return the section at one phase of the forcing, in one configuration.
 
-    Parameters
-    ----------
-    system : EnclosedSystem
-    configuration : int
-    phase : (fmpq, fmpq)
-        Cosine and sine, a rational point of the unit circle.
-
-    Raises
-    ------
-    InputError
-        If there is not exactly one forcing, or the phase is on no circle.
+    The phase is cosine and sine, a rational point of the unit circle. Any other point, and a system
+    without exactly one forcing, is refused.
     """
     from flint import fmpq
 
@@ -113,20 +88,9 @@ def forcing_section(system: EnclosedSystem, configuration: int, phase: Sequence[
 def transition_section(
     system: EnclosedSystem, source: int, boundaries: frozenset[int], target: int
 ) -> MapSection:
-    """The section behind a transition.
+    """Return the section behind a transition by `boundaries` from a configuration to another.
 
-    Parameters
-    ----------
-    system : EnclosedSystem
-    source : int
-    boundaries : frozenset of int
-        Those that are reached.
-    target : int
-
-    Raises
-    ------
-    InputError
-        If there is no such transition, or there is a forcing.
+    A transition that does not exist, and a system with a forcing, are refused.
     """
     structure, exact = system.structure, system.exact
     if structure.forcing:
@@ -142,17 +106,9 @@ def transition_section(
 
 
 def phases(count: int) -> list[tuple[Any, Any]]:
-    """Rational points of the unit circle, about evenly spread.
+    """Return rational points of the unit circle, cosines and sines, about evenly spread.
 
-    Parameters
-    ----------
-    count : int
-        A multiple of 4.
-
-    Returns
-    -------
-    list of (fmpq, fmpq)
-        Cosines and sines.
+    Their number is a multiple of 4.
     """
     from flint import fmpq
 
@@ -173,7 +129,7 @@ def phases(count: int) -> list[tuple[Any, Any]]:
 
 
 def _speed(system: EnclosedSystem) -> Any:
-    """Angular frequency of the one forcing, the same in every configuration."""
+    """Return the angular frequency of the one forcing, which is the same in every configuration."""
     forcing = system.structure.forcing
     if len(forcing) != 1:
         raise InputError(f"{system.structure.name} has {len(forcing)} forcings, not one")

@@ -32,55 +32,35 @@ _AT_ONCE = 4096  # sets
 
 
 class StartKind(NamedTuple):
-    """What is true of parts where their phase begins.
-
-    The functions of the boundaries in `under` are not positive, with their first derivative that
-    is not exactly zero; `clock` counts passages of the forcing's phase.
-    """
+    """What is known of parts of sets where their phase begins."""
 
     configuration: int
     facts: Invariants
+    # boundaries for which the first derivative that is not exactly zero is at most zero
     under: frozenset[int]
-    clock: int
+    clock: int  # how often the forcing's phase was passed
 
 
 class SetParts(NamedTuple):
-    """Parts of one kind: of which set, and behind how many transitions."""
+    """Parts of sets of one kind."""
 
     states: ManySets
-    origin: NDArray[np.int_]
-    depth: NDArray[np.int_]
+    origin: NDArray[np.int_]  # number of the set that each is a part of
+    depth: NDArray[np.int_]  # number of transitions that each has passed
 
     def chosen(self, mask: Any) -> SetParts:
-        """Some of them.
-
-        Parameters
-        ----------
-        mask : array of bool or int, or slice
-        """
+        """Return the parts that a mask, indices or a slice select."""
         return SetParts(self.states[mask], self.origin[mask], self.depth[mask])
 
     def of(self, states: ManySets, origin: Any) -> SetParts:
-        """Parts of these parts.
-
-        Parameters
-        ----------
-        states : ManySets
-        origin : array of int
-            Of which of these each is a part.
-        """
+        """Return new parts with these states, pieces of the parts with the numbers in `origin`."""
         return SetParts(states, self.origin[origin], self.depth[origin])
 
 
 class PartsLeft:
-    """Parts that are to be followed, by their kinds.
+    """The parts of `count` sets that are still to be followed, by kind.
 
-    Parameters
-    ----------
-    count : int
-        Of sets.
-    most : int
-        Parts of one set; one with more is lost.
+    A set with more than `most` parts is lost.
     """
 
     def __init__(self, count: int, most: int) -> None:
@@ -90,35 +70,23 @@ class PartsLeft:
         self._left: dict[StartKind, list[SetParts]] = {}
 
     def add(self, kind: StartKind, parts: SetParts) -> None:
-        """Follow some more."""
+        """Add parts of one kind."""
         self.count(parts.origin)
         self._left.setdefault(kind, []).append(parts)
 
     def count(self, origin: NDArray[np.int_]) -> None:
-        """Count parts of sets; those with too many are lost.
-
-        Parameters
-        ----------
-        origin : array of int
-        """
+        """Count one more part for each set in `origin`; those with too many are lost."""
         np.add.at(self._seen, origin, 1)
         self.lost |= self._seen > self.most
 
     def lose(self, origin: NDArray[np.int_]) -> None:
-        """Some sets are lost.
-
-        Parameters
-        ----------
-        origin : array of int
-        """
+        """Mark sets as lost."""
         self.lost[origin] = True
 
     def take(self) -> tuple[StartKind, SetParts] | None:
-        """The most parts of one kind, as many as are followed at once.
+        """Take out parts of the kind with the most, or return None if none are left.
 
-        Returns
-        -------
-        tuple of (StartKind, SetParts) or None
+        They are at most as many as are followed at once.
         """
         if not self._left:
             return None
@@ -137,32 +105,15 @@ class PartsLeft:
 
 
 def kept(parts: SetParts, row: Rounded) -> SetParts:
-    """The parts of parts for which a function is not negative.
-
-    Parameters
-    ----------
-    parts : SetParts
-    row : Rounded (1, n)
-    """
+    """Return the pieces of parts on which a function (1, n) is not negative."""
     states, alive = parts.states.cut(row)
     return parts.chosen(alive)._replace(states=states[alive])
 
 
 def first_moving(row: Row, along: Sequence[Row], facts: Invariants) -> tuple[Row, int]:
-    """The first derivative that is not exactly zero, and its order; -1 if all are.
+    """Return the first derivative along a field that is not exactly zero, and its order.
 
-    Parameters
-    ----------
-    row : Row
-        A function.
-    along : sequence of Row
-        The field.
-    facts : Invariants
-        What is exactly true.
-
-    Returns
-    -------
-    tuple of (Row, int)
+    The order is -1 if all derivatives are zero for states for which the facts hold.
     """
     for order in range(len(row) + 1):
         reduced = facts.reduce(row)
@@ -173,64 +124,35 @@ def first_moving(row: Row, along: Sequence[Row], facts: Invariants) -> tuple[Row
 
 
 def opposite(row: Row) -> Row:
-    """A function with the other sign."""
+    """Return a function with the opposite sign."""
     return tuple(-x for x in row)
 
 
 def direction(row: Row) -> Row:
-    """A function up to a positive factor."""
+    """Return a function divided by a positive factor, the same for all its positive multiples."""
     size = next((abs(x) for x in row if x), 1)
     return tuple(x / size for x in row)
 
 
 def clock_row(time: Any, size: int) -> arb_mat:
-    """The time since another one, as a row.
-
-    Parameters
-    ----------
-    time : arb
-    size : int
-        Of the states.
-
-    Returns
-    -------
-    arb_mat (1, size + 2)
-    """
+    """Return the row (1, size + 2) of the time since a given time, for (y, t, 1)."""
     from flint import arb, arb_mat
 
     return arb_mat([[*(arb(0),) * size, arb(1), -time]])
 
 
 def timed_row(row: Sequence[Any]) -> arb_mat:
-    """A function of (y, 1) as one of (y, t, 1).
-
-    Parameters
-    ----------
-    row : sequence (N + 1,)
-
-    Returns
-    -------
-    arb_mat (1, N + 2)
-    """
+    """Return a function (N + 1) of (y, 1) as a row (1, N + 2) for (y, t, 1)."""
     from flint import arb, arb_mat
 
     return arb_mat([[*(arb(x) for x in row[:-1]), arb(0), arb(row[-1])]])
 
 
 def rounded_row(row: Sequence[Any]) -> Rounded:
-    """The same in doubles.
-
-    Parameters
-    ----------
-    row : sequence (N + 1,)
-
-    Returns
-    -------
-    Rounded (1, N + 2)
-    """
+    """Return a function (N + 1) of (y, 1) as a row (1, N + 2) for (y, t, 1) in doubles."""
     return Rounded.of(timed_row(row))
 
 
 def negative(row: Rounded) -> Rounded:
-    """Functions with the other sign."""
+    """Return functions with the opposite sign."""
     return Rounded(-row.middle, row.radius)

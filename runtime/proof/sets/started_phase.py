@@ -28,17 +28,9 @@ __all__ = ["StartedPhase"]
 
 
 class StartedPhase:
-    """The phase that begins with states of one kind.
+    """The phase that begins with states of one kind, in the configuration of the flow.
 
-    Parameters
-    ----------
-    system : EnclosedSystem
-    section : MapSection
-    flow : FloatFlow
-        Of the configuration.
-    finest : float
-        As of `PhaseEnds`.
-    kind : StartKind
+    `finest` is as for `PhaseEnds`.
     """
 
     def __init__(
@@ -95,13 +87,9 @@ class StartedPhase:
         self.phase = PhaseEnds(flow, moving, finest)
 
     def ends(self, parts: SetParts, work: PartsLeft) -> Iterator[EndedSets]:
-        """The ways in which it may end; origins are numbers of the parts.
+        """Yield the ways in which the phase may end, with origins that are numbers of the parts.
 
-        Parameters
-        ----------
-        parts : SetParts
-        work : PartsLeft
-            Told which sets are lost.
+        Sets of which not all ends are known are marked as lost in `work`.
         """
         if self.stuck:
             work.lose(parts.origin)
@@ -129,7 +117,7 @@ class StartedPhase:
     def _passed_at_start(
         self, parts: SetParts, values: Sequence[Any], passed: Sequence[int], work: PartsLeft
     ) -> Iterator[EndedSets]:
-        """States beyond boundaries at the start of the phase, which they leave at once."""
+        """Yield the states that are beyond boundaries at the start, and leave the phase at once."""
         touched = [
             k
             for k, (_, high) in enumerate(values)

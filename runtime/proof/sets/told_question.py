@@ -30,19 +30,19 @@ class SectionRecord(Protocol):
 
     @property
     def configuration(self) -> str:
-        """In which states on the section are."""
+        """The configuration of the states on the section."""
 
     @property
     def phase(self) -> tuple[str, ...]:
-        """Cosine and sine of the forcing on it, or nothing."""
+        """Cosine and sine of the forcing on the section, or nothing."""
 
     @property
     def source(self) -> str:
-        """What the transition of the section leaves."""
+        """The configuration that the section's transition leaves."""
 
     @property
     def boundary(self) -> str:
-        """By what it is left."""
+        """The boundaries that the section's transition follows, joined by +."""
 
 
 Known = TypeVar("Known", bound=SectionRecord)
@@ -50,41 +50,20 @@ Known = TypeVar("Known", bound=SectionRecord)
 
 @dataclass(frozen=True)
 class ToldQuestion(Generic[Known]):
-    """A system, and what is known of a section of it.
-
-    Attributes
-    ----------
-    system : str
-    saved : SavedSystem or None
-        As files hold them.
-    known : SectionRecord
-    """
+    """A system by its name and a section by its record: data that other processes can be given."""
 
     system: str
-    saved: SavedSystem | None
+    saved: SavedSystem | None  # as files hold the system
     known: Known
 
     @staticmethod
     def of(kernels: SystemKernels, known: Known) -> ToldQuestion[Known]:
-        """Tell a question.
-
-        Parameters
-        ----------
-        kernels : SystemKernels
-        known : SectionRecord
-            Such that it can be pickled.
-        """
+        """Return the question for a system and a record, which has to be picklable."""
         name, _, saved = named(kernels)
         return ToldQuestion(name, saved, known)
 
     def taken_up(self, bits: int) -> tuple[EnclosedSystem, MapSection]:
-        """The system and the section.
-
-        Parameters
-        ----------
-        bits : int
-            Of flows.
-        """
+        """Return the system and the section, with flows of so many bits."""
         kernels = system_in(self.system, self.saved)
         with flint_precision(bits):
             system = enclosed_system(kernels, dict(self.known.parameters))(bits)

@@ -20,19 +20,10 @@ def visited_declaration(
     system: EnclosedSystem,
     passages: Sequence[PassedTransition],
 ) -> dict[str, Any]:
-    """Configurations and transitions of some passages, with all their numbers.
+    """Return the configurations and transitions of some passages, with all their numbers.
 
-    Parameters
-    ----------
-    kernels : SystemKernels
-    system : EnclosedSystem
-    passages : sequence of PassedTransition
-
-    Returns
-    -------
-    dict
-        As `declaration_json` gives it: its phases are the passages, each once. Empty where a
-        contact law decides what follows.
+    It is as `declaration_json` gives it, and its phases are the passages, each once. It is empty
+    where a contact law decides what follows.
     """
     structure = system.structure
     found = list(
@@ -61,12 +52,9 @@ def visited_declaration(
 
 
 def listed_declaration(kernels: SystemKernels, system: EnclosedSystem) -> dict[str, Any]:
-    """The declaration of a system with all transitions that it lists.
+    """Return the declaration of a system with all transitions that it lists.
 
-    Returns
-    -------
-    dict
-        As `visited_declaration` gives it.
+    It is as `visited_declaration` gives it.
     """
     passages = [
         PassedTransition(source, tuple(sorted(t.boundaries)), t.target)
@@ -78,6 +66,6 @@ def listed_declaration(kernels: SystemKernels, system: EnclosedSystem) -> dict[s
 
 
 def _transition(system: EnclosedSystem, passage: PassedTransition) -> TransitionShape | None:
-    """A transition that is listed for a passage; None if the law of contacts decides."""
+    """Return the transition that is listed for a passage, or None if a contact law decides."""
     listed = system.structure.listed(passage.source, frozenset(passage.boundaries))
     return next((t for t in listed if t.target == passage.target), None)
