@@ -1,8 +1,8 @@
 """Affine functions that vanish along one orbit, as x1 - x2 along one that is symmetric.
 
 Functions u of the state which the phases and resets of a cycle map linearly into each other
-are u = Q u where the orbit begins. If 1 is no eigenvalue of Q they are zero there. Unlike what
-is in `known` that is not true of motions nearby.
+are u = Q u where the orbit begins. If 1 is no eigenvalue of Q they are zero there. Unlike the
+invariants of a system they need not vanish along motions nearby.
 """
 
 from __future__ import annotations
