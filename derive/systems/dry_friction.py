@@ -13,7 +13,7 @@ balance on a mass that sticks.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 
 import sympy as sp
@@ -25,11 +25,8 @@ from nonsmooth.derive.declaration.parameter import Parameter
 from nonsmooth.derive.declaration.presentation import Presentation
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.declaration.transition import Condition, Transition
-from nonsmooth.derive.errors import DeclarationError
 
 __all__ = [
-    "PhysicalData",
-    "from_physical",
     "global_stick",
     "orbits",
     "solution_ii",
@@ -240,87 +237,3 @@ solution_ii = replace(
 )
 
 orbits = (symmetric, global_stick, solution_ii)
-
-
-@dataclass(frozen=True)
-class PhysicalData:
-    """Scales and nondimensional parameters of a dimensional oscillator.
-
-    A scale is the dimensional value of one nondimensional unit, in the units of the input.
-    """
-
-    parameters: dict[str, float]  # chi, eta, V, us1, ur1, us2, ur2
-    length: float
-    time: float
-    force: float
-
-    def dimensional(self, value: float, quantity: str) -> float:
-        """A nondimensional value in the units of the input.
-
-        `quantity` is "length", "time", "velocity" or "force".
-        """
-        scales = {
-            "length": self.length,
-            "time": self.time,
-            "velocity": self.length / self.time,
-            "force": self.force,
-        }
-        if quantity not in scales:
-            raise ValueError(f"unknown quantity {quantity!r} (known: {', '.join(scales)})")
-        return value * scales[quantity]
-
-
-def from_physical(
-    *,
-    m1: float,
-    m2: float,
-    k1: float,
-    k2: float,
-    belt_velocity: float,
-    normal_loads: tuple[float, float],
-    slipping_coefficients: tuple[float, float],
-    static_coefficients: tuple[float, float],
-    length: float = 1.0,
-) -> PhysicalData:
-    """Nondimensional parameters of a dimensional oscillator, and the scales for the way back.
-
-    All arguments are in consistent units, say kg, N/m, m/s and N, except the coefficients
-    of friction, which have none. `k1` ties the first mass to the ground, the normal loads
-    act on the two masses, and `length` is the unit of length, which scales V and the forces
-    together. DeclarationError refuses a value that is not positive and finite, and a static
-    coefficient below the slipping one.
-    """
-    values = {"m1": m1, "m2": m2, "k1": k1, "k2": k2, "belt_velocity": belt_velocity}
-    values |= {"length": length}
-    for name, pair in (
-        ("normal_loads", normal_loads),
-        ("slipping_coefficients", slipping_coefficients),
-        ("static_coefficients", static_coefficients),
-    ):
-        if len(pair) != 2:
-            raise DeclarationError(f"{name} has {len(pair)} values, not 2")
-        values |= {f"{name}[{i}]": value for i, value in enumerate(pair)}
-    for name, value in values.items():
-        if not 0 < value < float("inf"):
-            raise DeclarationError(f"{name} is {value}, not positive and finite")
-    for i in (0, 1):
-        if static_coefficients[i] < slipping_coefficients[i]:
-            raise DeclarationError(f"static_coefficients[{i}] is below slipping_coefficients[{i}]")
-    time = (m1 / (k1 + k2)) ** 0.5
-    force = (k1 + k2) * length
-    slipping = [c * n / force for c, n in zip(slipping_coefficients, normal_loads, strict=True)]
-    static = [c * n / force for c, n in zip(static_coefficients, normal_loads, strict=True)]
-    return PhysicalData(
-        {
-            "chi": k2 / (k1 + k2),
-            "eta": m1 / m2,
-            "V": belt_velocity * time / length,
-            "us1": slipping[0],
-            "ur1": static[0],
-            "us2": slipping[1],
-            "ur2": static[1],
-        },
-        length,
-        time,
-        force,
-    )

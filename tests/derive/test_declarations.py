@@ -15,8 +15,6 @@ import pytest
 import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from scipy.integrate import solve_ivp
-from scipy.linalg import expm
 
 from nonsmooth.derive import (
     Boundary,
@@ -624,76 +622,3 @@ def test_every_configuration_obeys_newtons_law(configuration: str) -> None:
     subs = {s: sp.Rational(str(values[s.name])) for s in found.free_symbols}
     expected = field(configuration, values)(state)
     assert [Fraction(str(e.subs(subs))) for e in found] == list(expected)
-
-
-# --- physical data ----------------------------------------------------------------------
-
-PHYSICAL: dict[str, Any] = {
-    "m1": 2.0, "m2": 0.8, "k1": 300.0, "k2": 500.0, "belt_velocity": 0.4,
-    "normal_loads": (30.0, 12.0), "slipping_coefficients": (0.2, 0.3),
-    "static_coefficients": (0.5, 0.4), "length": 0.05,
-}  # fmt: skip
-
-
-def test_the_dimensional_motion_is_the_nondimensional_one() -> None:
-    data = dry_friction.from_physical(**PHYSICAL)
-    m1, m2, k1, k2 = (PHYSICAL[n] for n in ("m1", "m2", "k1", "k2"))
-    push = [
-        c * n
-        for c, n in zip(PHYSICAL["slipping_coefficients"], PHYSICAL["normal_loads"], strict=True)
-    ]
-
-    def rate(_: float, y: np.ndarray) -> list[float]:
-        x1, x2, v1, v2 = y
-        coupling = k2 * (x2 - x1)
-        return [v1, v2, (push[0] - k1 * x1 + coupling) / m1, (push[1] - coupling) / m2]
-
-    start, duration = np.array([0.02, -0.03, 0.1, -0.2]), 0.4
-    motion = solve_ivp(rate, (0, duration), start, "DOP853", rtol=1e-12, atol=1e-14)
-    p = data.parameters
-    a = np.zeros((5, 5))
-    a[0, 2] = a[1, 3] = 1
-    a[2, :2] = -1, p["chi"]
-    a[3, :2] = p["chi"] * p["eta"], -p["chi"] * p["eta"]
-    a[2, 4], a[3, 4] = p["us1"], p["eta"] * p["us2"]
-    quantities = ("length", "length", "velocity", "velocity")
-    scales = np.array([data.dimensional(1.0, q) for q in quantities])
-    end = expm(a * duration / data.time) @ np.append(start / scales, 1)
-    back = [data.dimensional(e, q) for e, q in zip(end[:4], quantities, strict=True)]
-    np.testing.assert_allclose(back, motion.y[:, -1], rtol=1e-9)
-
-
-def test_physical_data_convert_back() -> None:
-    data = dry_friction.from_physical(**PHYSICAL)
-    p = data.parameters
-    assert data.dimensional(p["V"], "velocity") == pytest.approx(PHYSICAL["belt_velocity"])
-    for i in (1, 2):
-        for name, kind in (("us", "slipping"), ("ur", "static")):
-            force = PHYSICAL[f"{kind}_coefficients"][i - 1] * PHYSICAL["normal_loads"][i - 1]
-            assert data.dimensional(p[f"{name}{i}"], "force") == pytest.approx(force)
-    assert data.dimensional(1.0, "time") ** 2 * 800.0 == pytest.approx(PHYSICAL["m1"])
-    assert p["chi"] == 500.0 / 800.0
-    assert p["eta"] == 2.0 / 0.8
-    with pytest.raises(ValueError, match="unknown quantity 'mass'"):
-        data.dimensional(1.0, "mass")
-
-
-@pytest.mark.parametrize(
-    ("name", "value", "message"),
-    [
-        *(
-            (n, v, rf"{n} is {v}, not positive")
-            for n in ("m1", "m2", "k1", "k2")
-            for v in (0, -1.0)
-        ),
-        ("belt_velocity", math.nan, "belt_velocity is nan"),
-        ("length", math.inf, "length is inf"),
-        ("normal_loads", (30.0,), "normal_loads has 1 values, not 2"),
-        ("normal_loads", (30.0, -1.0), r"normal_loads\[1\] is -1.0"),
-        ("slipping_coefficients", (0.0, 0.3), r"slipping_coefficients\[0\] is 0.0"),
-        ("static_coefficients", (0.5, 0.2), r"static_coefficients\[1\] is below"),
-    ],
-)
-def test_impossible_physical_data_are_refused(name: str, value: Any, message: str) -> None:
-    with pytest.raises(DeclarationError, match=message):
-        dry_friction.from_physical(**(PHYSICAL | {name: value}))
