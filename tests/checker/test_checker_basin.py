@@ -136,6 +136,17 @@ def test_a_box_that_leads_elsewhere_has_no_rank(content, tmp_path):
     refused(edited_ranks(content, too_near), tmp_path, "a box of the rank 1")
 
 
+def test_ranks_are_those_of_boxes(content, tmp_path):
+    def below(ranks):
+        ranks[ranks.index(-1) if -1 in ranks else 0] = -2
+
+    def beyond(ranks):
+        ranks[0] = len(ranks)
+
+    for change in (below, beyond):
+        refused(edited_ranks(content, change), tmp_path, "no such ranks")
+
+
 def test_a_box_beside_the_core_is_not_in_it(belt, tmp_path):
     def wider(ranks):
         last = max(k for k, rank in enumerate(ranks) if rank == 0)

@@ -144,6 +144,15 @@ def test_what_is_false_is_refused(content: Content, edit: Callable[[Content], No
         check_cascade(signed(edited))
 
 
+def test_one_of_two_doublings_alone_is_not_the_claim(content: Content) -> None:
+    edited = copy.deepcopy(content)
+    edited["doublings"].append({**edited["doublings"][0], "verdict": "undecided", "reason": "no"})
+    edited["branches"].append(edited["branches"][-1])
+    edited["asked"] = 2
+    with pytest.raises(Failure, match="the claim is another one"):
+        check_cascade(signed(edited))
+
+
 @pytest.mark.parametrize("name", ["dry-friction/global-stick", "rigid-stop/one-impact", "mine"])
 def test_the_name_of_another_orbit_is_refused(content: Content, name: str, tmp_path: Path) -> None:
     path = tmp_path / "edited.json"

@@ -129,7 +129,25 @@ def test_sets_that_meet_are_refused(written, tmp_path):
         first, second = content["h_sets"]
         second["centre"] = first["centre"]
 
-    assert "in common" in changed(written, tmp_path, meet).difference
+    def nest(content):
+        meet(content)
+        first, second = content["h_sets"]
+        second["sides"] = [[str(Fraction(x) / 4) for x in side] for side in first["sides"]]
+
+    for change in (meet, nest):
+        assert "in common" in changed(written, tmp_path, change).difference
+
+
+def test_parameters_that_the_declaration_does_not_name_are_refused(written, tmp_path):
+    def more(content):
+        content["parameters"]["unheard"] = "1"
+
+    assert changed(written, tmp_path, more).difference
+    content = json.loads(written.read_text())
+    more(content)
+    content["sha256"] = checksum_of(content)
+    with pytest.raises(Failure, match="not over the parameters that are named"):
+        check_chaos(content)
 
 
 @pytest.mark.parametrize(("name", "text"), [("entropy", "0.241"), ("growth", "1619/1000")])
