@@ -81,12 +81,12 @@ def dependent_variational(found: ShootingDerivatives) -> np.ndarray:
     count, size = found.residual.shape[1], found.ends.shape[2]
     changes = found.variational[:, :, count : count + size].copy()
     slopes = found.slopes[:, :, count : count + size].copy()
-    for place in range(count):  # a dwell time changes what follows alone
-        with np.errstate(all="ignore"):
+    with np.errstate(all="ignore"):
+        for place in range(count):  # a dwell time changes what follows alone
             rate = slopes[:, place] / -found.slopes[:, place, place, None]
-        for later in range(place + 1, count):
-            slopes[:, later] += found.slopes[:, later, place, None] * rate
-        changes += found.variational[:, :, place, None] * rate[:, None]
+            for later in range(place + 1, count):
+                slopes[:, later] += found.slopes[:, later, place, None] * rate
+            changes += found.variational[:, :, place, None] * rate[:, None]
     return changes
 
 

@@ -125,6 +125,16 @@ def test_dwell_times_that_follow_the_start_keep_the_boundaries_reached() -> None
     np.testing.assert_allclose((moved.starts - found.starts)[0, -1], expected, atol=1e-9)
 
 
+def test_a_boundary_that_is_touched_has_no_derivatives() -> None:
+    """An infinite change of a dwell time that moves nothing is no number, without a warning."""
+    shape = cycle()
+    found = shooting_derivatives(shape, tables(POINT[None]), DWELL[None], start_of(shape)[None])
+    slopes, variational = found.slopes.copy(), found.variational.copy()
+    slopes[0, :, 0] = variational[0, :, 0] = 0.0
+    touched = found._replace(slopes=slopes, variational=variational)
+    assert not np.isfinite(dependent_variational(touched)).any()
+
+
 def test_units_change_no_digit() -> None:
     """Powers of two as units of the states: the exponential is balanced."""
     shape = cycle()
