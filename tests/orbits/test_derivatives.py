@@ -115,7 +115,8 @@ def test_a_border_collision_is_differentiated_on_request():
         orbit.derivatives()
     found = orbit.derivatives(one_sided=True)
     assert found.one_sided == "ta > 0"
-    assert found.unknowns["tau"][0] == orbit.sensitivity(found.by[0]).unknowns["tau"]
+    alone = orbit.sensitivity(found.by[0]).unknowns["tau"]
+    assert found.unknowns["tau"][0] == pytest.approx(alone, rel=1e-12)
 
 
 def test_what_was_not_given_is_refused():
