@@ -84,6 +84,7 @@ def _of_orbit(number: int) -> Iterator[None]:
 def _check_place(content: dict[str, Any], orbit: dict[str, Any], found: dict[str, Any]) -> None:
     """Demand that a certificate is of an orbit that the census counts, at its parameters."""
     demand(found["claims"]["existence"] == "proved", "it is not proved to exist")
+    demand(found["declaration"], "it has no declaration")
     same = all(found[name] == content[name] for name in ("system", "orbit", "itinerary", "bits"))
     demand(same, "it is an orbit of something else")
     parameters = content["parameters"]

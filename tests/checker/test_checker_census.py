@@ -117,6 +117,23 @@ def _told(entries: CensusEntries) -> str:
     ).statement
 
 
+def test_orbits_that_their_system_does_not_call_so_are_not_compared(
+    content: dict[str, Any], tmp_path: Path
+) -> None:
+    assert checked(content, tmp_path).compared
+    for part in (content, *(orbit["certificate"] for orbit in content["orbits"])):
+        part["orbit"] = "elsewhere.py:loop"
+    for orbit in content["orbits"]:
+        orbit["certificate"]["sha256"] = checksum_of(orbit["certificate"])
+    whole = decode(CensusEntries, {n: content[n] for n in content if n not in _HEAD})
+    content["statement"] = _told(whole)
+    found = checked(content, tmp_path)
+    assert found.difference is None
+    assert not found.compared
+    assert found.note is not None
+    assert "was not compared" in found.note
+
+
 def test_an_edited_file_is_refused(content: dict[str, Any], tmp_path: Path) -> None:
     content["count"] += 1
     path = tmp_path / "edited.json"
@@ -136,6 +153,7 @@ def test_an_edited_file_is_refused(content: dict[str, Any], tmp_path: Path) -> N
         (lambda c: c.update(orbits=[c["orbits"][0], copy.deepcopy(c["orbits"][0])], admissible=2),
          "may be one"),
         (lambda c: c["orbits"].pop(), "the count is not"),
+        (lambda c: c["orbits"][0]["certificate"].update(declaration={}), "has no declaration"),
         (lambda c: c.update(statement="exactly 7 orbits"), "not what the other entries give"),
         (lambda c: c["orbits"][0]["certificate"]["parameters"].update(k="8"), "k is not that"),
     ],
