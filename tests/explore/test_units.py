@@ -27,7 +27,6 @@ from nonsmooth.derive import (
 from tests.scaled_systems import DAMPING, FORCE, LENGTH, MASS, RATE, STIFFNESS
 
 UNITS = [
-    (1, 150, 3),
     (Fraction(1, 10**6), 1200, 7),
     (2**20, Fraction(1, 64), Fraction(1, 2)),
 ]
@@ -126,7 +125,7 @@ def test_orbits_branches_and_proofs_do_not_depend_on_units(name: str, units: Any
 def test_an_event_is_followed_in_two_parameters_in_all_units() -> None:
     wanted, found = [
         ns.continue_event(branch, branch.events[0], "hold", (0.7, 0.8), points=1).values
-        for branch in (answers("rubbing", *units)[1] for units in ((1, 1, 1), UNITS[1]))
+        for branch in (answers("rubbing", *units)[1] for units in ((1, 1, 1), UNITS[0]))
     ]
     assert len(wanted) == 3
     np.testing.assert_allclose(found, wanted, rtol=1e-8)
@@ -222,7 +221,7 @@ def test_designs_do_not_depend_on_units() -> None:
     np.testing.assert_allclose(other[:2] + other[3:], wanted[:2] + wanted[3:], rtol=1e-6)
 
 
-@pytest.mark.parametrize("units", [(1, 1, 1), SMALL, UNITS[2]], ids=str)
+@pytest.mark.parametrize("units", [(1, 1, 1), SMALL, UNITS[1]], ids=str)
 def test_a_peak_on_both_sides_has_no_derivative_by_what_breaks_the_tie(units: Any) -> None:
     """A load moves the peak at the one stop away from zero, at the other towards it."""
     orbit = between_stops(*units)

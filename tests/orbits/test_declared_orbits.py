@@ -365,7 +365,7 @@ def test_pictures_of_found_orbits(tmp_path: Path) -> None:
 
     data = {"chi": "0.4", "eta": 4, "V": "0.6773", "us1": "0.0127", "ur1": "0.0255"}
     found = nonsmooth.find_orbits(
-        "dry-friction", {**data, "us2": "0.5", "ur2": 1}, 20, transitions=300
+        "dry-friction", {**data, "us2": "0.5", "ur2": 1}, 8, transitions=300
     )
     assert found.orbits
     path, target = tmp_path / "found.json", tmp_path / "found.png"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import json
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -61,16 +62,17 @@ def test_the_contact_that_needs_less_than_its_limit_holds(reverse: bool) -> None
         assert motion.status == run_.status == Status.UNTIL
         np.testing.assert_allclose(sign * motion(8.0)[:2], [2.20143911] * 2, atol=1e-8)
         np.testing.assert_allclose(run_.states, motion.states, atol=1e-13)
-        np.testing.assert_allclose(sign * bristles(sign, 8.0), [2.20143911] * 2, atol=2e-3)
+        np.testing.assert_allclose(bristles(8.0), [2.20143911] * 2, atol=2e-3)
 
 
-def bristles(sign: int, until: float) -> np.ndarray:
+@cache
+def bristles(until: float) -> np.ndarray:
     """Places of the stack's blocks, its contacts critically damped bristles that slip."""
     kinetic, static = np.array([1.0, 0.2]), np.array([2.0, 1.5])
-    stiffness, h, t = 4e4, 1e-4, 5.0  # nothing moves before
+    stiffness, h, t = 4e4, 2e-4, 5.0  # nothing moves before
     damping = 2 * np.sqrt(stiffness)
     x, v, slips = np.zeros(2), np.zeros(2), np.zeros(2)
-    held = sign * np.array([2 * np.sin(0.1 * t) + 1, 1.0])
+    held = np.array([2 * np.sin(0.1 * t) + 1, 1.0])
     anchor = -held / stiffness
     while t < until:
         relative, place = np.array([v[0], v[1] - v[0]]), np.array([x[0], x[1] - x[0]])
@@ -81,7 +83,7 @@ def bristles(sign: int, until: float) -> np.ndarray:
         anchor = np.where(stays, place, anchor)
         slips = np.where(stays, 0.0, slips)
         force = np.where(slips != 0, -slips * kinetic, sticking)
-        drive = sign * np.array([2 * np.sin(0.1 * t), 1.0])
+        drive = np.array([2 * np.sin(0.1 * t), 1.0])
         v = v + h * (drive + np.array([force[0] - force[1], force[1]]))
         x = x + h * v
         t += h
@@ -165,7 +167,7 @@ def stopped(seed: int, order: list[int], sign: int) -> System:
 @pytest.mark.parametrize("seed", [11, 14])
 def test_stops_that_hold_a_contact_leave_the_law_to_the_others(seed: int) -> None:
     ends, touched = [], False
-    for order, sign in (([0, 1, 2], 1), ([2, 1, 0], -1), ([1, 2, 0], 1)):
+    for order, sign in (([0, 1, 2], 1), ([2, 0, 1], -1)):
         system = stopped(seed, order, sign)
         assert system.law is not None
         first, second = both(system, {}, [0, 0, 0, sign * 0.5, 1, 0], 12.0)

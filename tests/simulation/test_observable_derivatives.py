@@ -33,12 +33,19 @@ def _values(found: ns.Trajectory) -> np.ndarray:
 @pytest.mark.parametrize("seed", [0, 1, 6])  # slider and soft stop, friction, both stops
 def test_observables_follow_all_parameters(seed: int, end: dict[str, Any]) -> None:
     system, data, start = random_oscillator(np.random.default_rng([7, seed]), f"random-{seed}")
-    names = list(data)
-    found = ns.simulate(system, data, start, **end).derivatives(names).observables(2.0)
+    found = ns.simulate(system, data, start, **end).derivatives(list(data)).observables(2.0)
     exact = np.array(list(_numbers(found)))
-    for place, name in enumerate(names):
-        above, below = (
-            _values(ns.simulate(system, data | {name: data[name] + step}, start, **end))
-            for step in (STEP, -STEP)
+    # all are moved at once, each by another size
+    sizes = np.random.default_rng(seed).uniform(0.3, 1, len(data))
+    above, below = (
+        _values(
+            ns.simulate(
+                system,
+                {n: value + step * by for (n, value), by in zip(data.items(), sizes, strict=True)},
+                start,
+                **end,
+            )
         )
-        np.testing.assert_allclose(exact[:, place], (above - below) / (2 * STEP), atol=5e-7)
+        for step in (STEP, -STEP)
+    )
+    np.testing.assert_allclose(exact @ sizes, (above - below) / (2 * STEP), atol=5e-7)

@@ -126,10 +126,10 @@ def test_a_boundary_is_the_extreme_of_what_it_bounds() -> None:
 # --- averages
 
 
-@pytest.mark.parametrize(("name", "since"), [(NAMES[0], 0.0), *((name, 31.7) for name in NAMES)])
-def test_averages_are_those_of_adaptive_quadrature(name: str, since: float) -> None:
+@pytest.mark.parametrize(("name", "last"), [(NAMES[3], 60), *((name, 28.3) for name in NAMES)])
+def test_averages_are_those_of_adaptive_quadrature(name: str, last: float) -> None:
     trajectory = motion(name)
-    found = observe(trajectory, since)
+    found = observe(trajectory, trajectory.end - last)
     for index, state in enumerate(trajectory.names):
         mean = integral(found, lambda t, i=index: trajectory(t)[i]) / found.duration
         square = integral(found, lambda t, i=index: trajectory(t)[i] ** 2) / found.duration
@@ -187,7 +187,7 @@ def test_friction_works_what_the_energy_gains(
 @pytest.mark.parametrize("name", NAMES)
 def test_works_are_integrals_of_the_histories(name: str) -> None:
     trajectory = motion(name)
-    found = observe(trajectory, 20)
+    found = observe(trajectory, trajectory.end - 31.7)
     for index, (label, contact) in enumerate(found.contacts.items()):
         dissipated = -integral(found, lambda t, c=label: float(found.power(c, t)))
         work = integral(

@@ -62,7 +62,7 @@ def engine(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> s
 
 
 ENGINES = [pytest.param("c", marks=pytest.mark.compiled), "numpy"]
-SEEDS = [*range(8), *(pytest.param(k, marks=pytest.mark.slow) for k in range(8, 40))]
+SEEDS = [*range(4), *(pytest.param(k, marks=pytest.mark.slow) for k in range(4, 24))]
 
 
 @pytest.mark.parametrize("engine", ENGINES, indirect=True)

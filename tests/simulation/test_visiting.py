@@ -62,12 +62,10 @@ def striking(seed: int) -> tuple[System, dict[str, float]]:
 
 
 def mixed(seed: int) -> tuple[System, dict[str, float]]:
-    """A stop, a slider, and a contact that lifts."""
+    """A slider, and a contact that lifts."""
     rng = np.random.default_rng(seed)
     mass, stiffness, _ = chain_matrices([1, 2, 3], rng.integers(1, 9, 3).tolist())
-    stop = SoftStop("x1", at="0.2", stiffness=30, damping="0.2", name="stop")
     elements = [
-        stop,
         Slider("x2", stiffness=20, limit=1, name="slider"),
         Friction("x1", "0.2", "0.3", velocity="0.4", normal=2 + sp.Symbol("x3"), name="pad"),
     ]
