@@ -105,13 +105,13 @@ def chain(damping: str | int = "0.1") -> System:
     )
 
 
-def rattle(turns: int, damping: str | int = "0.1") -> Itinerary:
-    """The chain meets its left stop and then its right one, that many times."""
+def rattle(damping: str | int = "0.1") -> Itinerary:
+    """The chain meets its left stop and then its right one."""
     turn = [
         ("free", "left-reaches"), ("left", "left-leaves"),
         ("free", "right-reaches"), ("right", "right-leaves"),
     ]  # fmt: skip
-    phases = [Phase(*phase, f"tau{k}") for k, phase in enumerate(turns * turn, start=1)]
+    phases = [Phase(*phase, f"tau{k}") for k, phase in enumerate(turn, start=1)]
     return Itinerary("rattle", chain(damping), tuple(phases))
 
 
@@ -152,8 +152,8 @@ def switched() -> System:
     return System("switched", "switched damping", (x, v), (), configurations, transitions)
 
 
-def switching() -> Itinerary:
-    """The cycle of switched damping."""
-    return Itinerary(
-        "cycle", switched(), (Phase("above", "slows", "tau1"), Phase("below", "speeds", "tau2"))
-    )
+def switching(turns: int = 1) -> Itinerary:
+    """The cycle of switched damping, that many times."""
+    turn = [("above", "slows"), ("below", "speeds")]
+    phases = [Phase(*phase, f"tau{k}") for k, phase in enumerate(turns * turn, start=1)]
+    return Itinerary("cycle", switched(), tuple(phases))

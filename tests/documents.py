@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import Any
+
+import pytest
 
 from nonsmooth.derive import DerivationError, EquationSystem, Itinerary, System, derive_equations
 from nonsmooth.derive.document.blocks import Document
@@ -14,6 +16,7 @@ from nonsmooth.runtime.model.loading.declared import declaration_in
 from tests.declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
 from tests.latex_reader import ORBITS, Written, written_of
 from tests.places import GALLERY
+from tests.shared import shared_value
 
 
 @cache
@@ -29,7 +32,7 @@ def declarations() -> dict[str, System | Itinerary]:
     for name in SYSTEMS:
         found |= {f"{name}/{orbit.name}": orbit for orbit in declaration(name).orbits}
     found |= {"forced": forced_stop(), "chain": chain(), "one-mass": one_mass("1/5")}
-    found |= {"two-impacts": impacts(2), "rattle": rattle(1), "switching": switching()}
+    found |= {"two-impacts": impacts(2), "rattle": rattle(), "switching": switching()}
     return found
 
 
@@ -41,9 +44,9 @@ def document_of(name: str) -> tuple[Document, EquationSystem | None]:
         return written.document, written.equations
     declared = declarations()[name]
     if isinstance(declared, System):
-        return describe_system(declared), None
+        return shared_value(f"document of {name}", lambda: describe_system(declared)), None
     if "/" not in name:
-        return describe_orbit(declared), None
+        return shared_value(f"document of {name}", lambda: describe_orbit(declared)), None
     written = derived(name)
     return (written.document, written.equations) if written else (describe_orbit(declared), None)
 
@@ -60,3 +63,15 @@ def derived(name: str) -> Written | None:
 def names(kind: type[System] | type[Itinerary]) -> Iterator[str]:
     """Names of all declarations of a kind."""
     return (name for name, declared in declarations().items() if isinstance(declared, kind))
+
+
+def marked(listed: Iterable[str], *long: str) -> list[Any]:
+    """Those names; of a system all orbits but one, three masses and `long` ones are slow."""
+    cases: list[Any] = []
+    seen: set[str] = set()
+    for name in listed:
+        system, _, orbit = name.partition("/")
+        slow = system == "three_masses" or name in long or (orbit and system in seen)
+        cases.append(pytest.param(name, marks=[pytest.mark.slow] if slow else []))
+        seen |= {system} if orbit else set()
+    return cases

@@ -1,24 +1,40 @@
-"""Files of results that many tests look at, made once in a run, whichever process asks first."""
+"""Results that many tests look at, made once in a run, whichever process asks first."""
 
 from __future__ import annotations
 
 import fcntl
 import os
+import pickle
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 from urllib.parse import quote
 
 FOLDER = "NONSMOOTH_SHARED_BY_TESTS"  # set by conftest.py, for all processes of a run
+Value = TypeVar("Value")
 
 
 def shared_file(name: str, make: Callable[[], Any]) -> Path:
     """The file of a result by its name, to be read; `make` gives a result that can be saved."""
-    folder = Path(os.environ[FOLDER])
-    path = folder / f"{quote(name, safe='')}.json"
+    return _written(f"{quote(name, safe='')}.json", lambda path: make().save(path))
+
+
+def shared_value(name: str, make: Callable[[], Value]) -> Value:
+    """A copy of a value by its name; `make` gives one that can be pickled."""
+
+    def write(path: Path) -> None:
+        path.write_bytes(pickle.dumps(make()))
+
+    found: Value = pickle.loads(_written(f"{quote(name, safe='')}.pickle", write).read_bytes())
+    return found
+
+
+def _written(name: str, write: Callable[[Path], None]) -> Path:
+    """A file of the run's folder, written by the first that asks."""
+    path = Path(os.environ[FOLDER]) / name
     with open(path.with_suffix(".lock"), "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         if not path.exists():
-            make().save(path)
+            write(path)
             path.chmod(0o444)
     return path

@@ -114,10 +114,10 @@ def test_columns_of_events_by_other_names(change: tuple[str, str, str]) -> None:
 def test_steady_responses_from_a_file() -> None:
     """Without an impact the amplitude is 1 / |k - w^2 + i c w|."""
     pytest.importorskip("matplotlib")
-    amplitude = [1 / abs(2.5 - w**2 + 0.05j * w) for w in (3.0, 3.4, 4.0)]
-    rows = [f"{w},{a!r}" for w, a in zip((3.0, 3.4, 4.0), amplitude, strict=True)]
+    amplitude = [1 / abs(2.5 - w**2 + 0.05j * w) for w in (3.0, 4.0)]
+    rows = [f"{w},{a!r}" for w, a in zip((3.0, 4.0), amplitude, strict=True)]
     Path("sweep.csv").write_text("\n".join(["w,A", *rows]))
-    command = "fit identification.py sweep.csv c=0.05 h=0.2 r=0.8 k=2:2.4:3 --sigma 0.001"
+    command = "fit identification.py sweep.csv c=0.05 h=0.2 r=0.8 k=2.4:2.49:2.6 --sigma 0.001"
     code, out, err = run(
         f"{command} --responses A=amplitude:x --save fit.json --plot fit.png --json"
     )
@@ -125,11 +125,11 @@ def test_steady_responses_from_a_file() -> None:
     told = json.loads(out)
     assert float(told["estimates"][0]) == pytest.approx(2.5, abs=1e-8)
     responses = told["experiments"][0]["responses"]
-    assert [each["parameters"]["w"] for each in responses] == ["3.0", "3.4", "4.0"]
+    assert [each["parameters"]["w"] for each in responses] == ["3.0", "4.0"]
     kept = ns.load("fit.json")
-    assert float(kept.response(2).parameters["w"]) == 4.0
+    assert float(kept.response(1).parameters["w"]) == 4.0
     shown = run(f"{command} --responses A=amplitude:x")[1]
-    assert "3 steady responses" in shown
+    assert "2 steady responses" in shown
     code, _, err = run(f"{command} --responses A=size:x")
     assert (code, len(err.splitlines())) == (2, 1)
     assert "unknown kind of response 'size'" in err

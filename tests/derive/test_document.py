@@ -39,7 +39,7 @@ from nonsmooth.derive.document.writers.latex import LatexMissing, compile_pdf, t
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.document.writers.mathml import mended
 from nonsmooth.derive.systems import SYSTEMS, declaration
-from tests.declared_documents import chain, forced_stop, impacts, one_mass, rattle, switching
+from tests.declared_documents import impacts, one_mass, rattle, switching
 from tests.documents import declarations, document_of, names
 from tests.latex_reader import ORBITS, written_of
 
@@ -85,9 +85,8 @@ def three_masses() -> Document:
     return describe_system(masses(3))
 
 
-@cache
 def system_of(name: str) -> Document:
-    return describe_system(declaration(name).system)
+    return document_of(name)[0]
 
 
 @pytest.fixture(scope="module")
@@ -98,14 +97,15 @@ def ball() -> Document:
 OTHERS = ("ball", "two_masses", "three_masses")
 ZETA, OMEGA = sp.symbols("zeta omega", positive=True)
 DECLARED: dict[str, Callable[[], Document]] = {
-    "forced": lambda: describe_system(forced_stop()),
+    "forced": lambda: document_of("forced")[0],
     "one impact": lambda: describe_orbit(impacts(1)),
-    "two impacts": lambda: describe_orbit(impacts(2)),
-    "chain": lambda: describe_system(chain()),
-    "rattle": lambda: describe_orbit(rattle(7)),
-    "undamped rattle": lambda: describe_orbit(rattle(1, 0)),
+    "two impacts": lambda: document_of("two-impacts")[0],
+    "chain": lambda: document_of("chain")[0],
+    "rattle": lambda: document_of("rattle")[0],
+    "undamped rattle": lambda: describe_orbit(rattle(0)),
     "one mass": lambda: describe_system(one_mass(ZETA * OMEGA, OMEGA**2)),
-    "switching": lambda: describe_orbit(switching()),
+    "switching": lambda: document_of("switching")[0],
+    "many turns": lambda: describe_orbit(switching(7)),
 }
 
 

@@ -2,13 +2,16 @@
 
 import pytest
 
-from tests.documents import declarations, document_of
+from tests.documents import declarations, document_of, marked
 from tests.formulas.pages import on_pages
 
 pytest.importorskip("latex2mathml")
 
 
-@pytest.mark.parametrize("name", declarations())
+LONG = "beam/one-contact", "brake_pad/lifting"
+
+
+@pytest.mark.parametrize("name", marked(declarations(), *LONG))
 def test_every_format_shows_the_same_formulas(name: str) -> None:
     document, _ = document_of(name)
     own, *formats = on_pages(document).items()

@@ -291,7 +291,9 @@ def test_the_extension_is_of_this_derivation_and_holds_every_kernel(system: str)
 def _library(system: str, folder: Path) -> Path:
     stem = SYSTEMS[system]
     target = folder / f"{stem}.o"
-    command = [compiler, *FLAGS, "-O1", "-c", str(GENERATED / f"{stem}.c"), "-o", str(target)]
+    # the compiler warns of more where it optimises, which takes long where much is emitted
+    level = "-O1" if system == "rigid-stop" else "-O0"
+    command = [compiler, *FLAGS, level, "-c", str(GENERATED / f"{stem}.c"), "-o", str(target)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return target

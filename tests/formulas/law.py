@@ -133,8 +133,19 @@ class Facts:
                 state[dynamics.mass.rows + place] = self.value(velocity)
         return state
 
-    def names(self, configuration: str, time: float = 0.83) -> dict[str, Any]:
+    @cached_property
+    def inside(self) -> dict[str, dict[str, Any]]:
+        """Names inside the configurations that were asked for."""
+        return {}
+
+    def names(self, configuration: str) -> dict[str, Any]:
         """Names of a document, inside a configuration."""
+        if configuration not in self.inside:
+            self.inside[configuration] = self.made(configuration)
+        return self.inside[configuration]
+
+    def made(self, configuration: str, time: float = 0.83) -> dict[str, Any]:
+        """Those names, with what they stand for."""
         notation, system = self.naming.notation, self.system
         found: dict[str, Any] = {name_of(r"\mathrm{e}"): np.e, "π": np.pi, "t": time}
         for symbol, value in self.numbers.items():

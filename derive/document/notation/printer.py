@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from functools import wraps
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
@@ -22,6 +23,20 @@ __all__ = ["Printer"]
 _LETTER = re.compile(r"\\?[A-Za-z]+(?:\{[A-Za-z]+\})?(?:_\{[^ ]*\})?")
 # place of functions among the factors of a product
 _FUNCTIONS = 5
+_Method = TypeVar("_Method", bound=Callable[..., Any])
+
+
+def _kept(method: _Method) -> _Method:
+    """A method of a printer that keeps its answer for each expression."""
+
+    @wraps(method)
+    def known(printer: Printer, expression: sp.Expr, **options: bool) -> Any:
+        question = method.__name__, expression, *options.values()
+        if question not in printer.answers:
+            printer.answers[question] = method(printer, expression, **options)
+        return printer.answers[question]
+
+    return cast(_Method, known)
 
 
 class Printer(LatexPrinter):
@@ -32,6 +47,7 @@ class Printer(LatexPrinter):
     def __init__(self, notation: Notation) -> None:
         super().__init__({"mat_str": "matrix", "mat_delim": "("})
         self.notation = notation
+        self.answers: dict[tuple[Any, ...], Any] = {}
 
     def _print_Symbol(self, symbol: sp.Symbol, style: str = "plain") -> str:
         return self.notation.symbol(symbol)
@@ -172,6 +188,7 @@ class Printer(LatexPrinter):
             return False
         return bool(term.free_symbols <= {*notation.projectors, *notation.names})
 
+    @_kept
     def rank(self, term: sp.Expr) -> tuple[int, int, int, str]:
         """Sort key of a term in a sum: states in order, other unknowns, constants."""
         symbols = sorted(term.free_symbols, key=str)
@@ -188,6 +205,7 @@ class Printer(LatexPrinter):
         """Sign of an expression, and LaTeX to which other factors may be put."""
         return self.term(expression, alone=False)
 
+    @_kept
     def term(self, term: sp.Expr, *, alone: bool = True) -> tuple[int, str]:
         """Sign and LaTeX of a product, its sums turned so that numbers in them are positive.
 
@@ -275,6 +293,7 @@ class Printer(LatexPrinter):
             for place, text in enumerate(texts)
         )
 
+    @_kept
     def place(self, factor: sp.Expr) -> tuple[int, str]:
         """Sort key of a factor in a product."""
         base = factor.as_base_exp()[0]

@@ -122,7 +122,7 @@ def _multiple(matrix: sp.Matrix, known: Sequence[sp.Matrix]) -> tuple[sp.Matrix,
     for other in known:
         place = next(i for i, e in enumerate(other) if e != 0)
         ratio = sp.cancel(matrix[place] / other[place])
-        if (matrix - ratio * other).applyfunc(sp.expand).is_zero_matrix:
+        if all(sp.expand(a - ratio * b) == 0 for a, b in zip(matrix, other, strict=True)):
             return other, ratio
     return matrix, sp.Integer(1)
 
