@@ -29,6 +29,7 @@ def pytest_configure(config: pytest.Config) -> None:
     """Make the folder of shared files in the first process; the others are told by it."""
     if FOLDER not in os.environ:
         os.environ[FOLDER] = folder = tempfile.mkdtemp()
+        os.environ.setdefault("NONSMOOTH_CACHE", f"{folder}/cache")
         config.add_cleanup(lambda: shutil.rmtree(os.environ.pop(FOLDER, folder)))
 
 
