@@ -20,6 +20,11 @@ MACROS = [("Py_LIMITED_API", "0x030B0000")] if LIMITED else []
 class BuildKernels(build_ext):
     """Build with the flags of the compiler, and forget what did not build."""
 
+    def initialize_options(self) -> None:
+        """Begin with the defaults, and with both extensions at a time."""
+        super().initialize_options()
+        self.parallel = True
+
     def build_extensions(self) -> None:
         """Build; without a working compiler there is no extension, and that is no error."""
         msvc = self.compiler.compiler_type == "msvc"
