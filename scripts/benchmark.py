@@ -18,17 +18,17 @@ from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
-from benchmark_certify import boxed, certified, counted
-from benchmark_chart import chart
-from benchmark_continuation import branch
-from benchmark_declared import declared
-from benchmark_derivatives import derivatives
-from benchmark_fits import fits
-from benchmark_gradients import gradients
-from benchmark_peers import peers
-from benchmark_simulation import composed, many, sequences, simulation
-from benchmark_size import size
-from measuring import Row, machine, timed
+from benchmarking.certify import boxed, certified, counted
+from benchmarking.chart import chart
+from benchmarking.continuation import branch
+from benchmarking.declared import declared
+from benchmarking.derivatives import derivatives
+from benchmarking.fits import fits
+from benchmarking.gradients import gradients
+from benchmarking.measuring import Row, machine, timed
+from benchmarking.peers import peers
+from benchmarking.simulation import composed, many, sequences, simulation
+from benchmarking.size import size
 from rich.console import Console
 from rich.table import Table
 

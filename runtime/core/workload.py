@@ -25,7 +25,7 @@ __all__ = [
 ]
 
 HOURS = 24.0  # of all processors of this machine, that a work may take unasked
-# of one processor; scripts/benchmark*.py measure them
+# of one processor; scripts/benchmark.py measures them
 SECONDS = {
     "orbit": 2e-6,  # a point of a chart of a derived orbit
     "composed orbit": 2e-5,  # the same of an orbit that is composed from tables

@@ -205,7 +205,7 @@ def test_a_picture_that_could_not_be_drawn_is_refused(tmp_path) -> None:
 def test_hostile_commands_are_refused_or_answered(tmp_path: Path) -> None:
     pytest.importorskip("resource")
     done = subprocess.run(
-        [sys.executable, str(CHECKOUT / "scripts" / "hostile.py"), "--count", "20"],
+        [sys.executable, str(CHECKOUT / "scripts" / "development" / "hostile.py"), "--count", "20"],
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stdout + done.stderr

@@ -8,7 +8,7 @@ import pytest
 
 from tests.places import CHECKOUT
 
-sys.path.append(str(CHECKOUT / "scripts"))
+sys.path.append(str(CHECKOUT / "scripts" / "development"))
 
 from stressing import Ball, Sums, first_excess, undecided
 from stressing_search import FAMILIES, random_sums, search, verdicts

@@ -16,7 +16,7 @@ from tests.places import CHECKOUT
 
 sys.path.append(str(CHECKOUT / "scripts"))
 
-import benchmark_gradients
+from benchmarking import gradients
 
 jax = pytest.importorskip("jax")
 pytest.importorskip("jax.test_util")
@@ -64,9 +64,9 @@ def test_the_gradient_of_an_orbit_is_that_of_forty_digits() -> None:
 
 @pytest.mark.parametrize("mode", ["both", "reverse"])
 def test_the_gradient_behind_impacts_is_that_of_forty_digits(mode: Any) -> None:
-    function = differentiable(benchmark_gradients.motion(), mode=mode)
-    x = jax.numpy.array(benchmark_gradients.POINT)
-    expected = benchmark_gradients.reference(40)
+    function = differentiable(gradients.motion(), mode=mode)
+    x = jax.numpy.array(gradients.POINT)
+    expected = gradients.reference(40)
     found = jax.jit(jax.grad(lambda x: function(x)[0]))(x)
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
     modes = ("rev",) if mode == "reverse" else ("fwd", "rev")

@@ -1,4 +1,4 @@
-"""Bugs of scripts/mutate.py are found by syntax, everywhere, and each changes its place alone."""
+"""Bugs that mutate.py plants are found by syntax, everywhere, and each changes its place alone."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import pytest
 
 from tests.places import CHECKOUT
 
-sys.path.append(str(CHECKOUT / "scripts"))
+sys.path.append(str(CHECKOUT / "scripts" / "development"))
 
 import mutate
 from mutating import Place, functions, places, planted, probed

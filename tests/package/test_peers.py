@@ -12,9 +12,9 @@ from tests.places import CHECKOUT
 
 sys.path.append(str(CHECKOUT / "scripts"))
 
-import benchmark_peers
-from benchmark_responses import our_motion, settled
-from peer_responses import HarmonicBalance, Shooting, follow_both_ways
+from benchmarking import peers
+from benchmarking.peer_responses import HarmonicBalance, Shooting, follow_both_ways
+from benchmarking.responses import our_motion, settled
 
 
 @pytest.fixture(scope="module")
@@ -23,17 +23,17 @@ def orbit() -> ns.Orbit:
 
 
 def test_the_ball_of_the_closed_form_is_the_one_that_is_simulated() -> None:
-    _, error = benchmark_peers.our_ball()
+    _, error = peers.our_ball()
     assert error < 1e-13
 
 
 # a free bar in SI units: its motion as a whole beside vibrations of 1e6 radians a second
 @pytest.mark.parametrize("elements", [4, pytest.param(12, marks=pytest.mark.slow)])
 def test_elements_touch_as_long_as_the_first_zero_of_their_reaction_says(elements: int) -> None:
-    _, _, times, kept = benchmark_peers.our_bar(elements, None)
-    expected = benchmark_peers.contact_of_elements(elements)
+    _, _, times, kept = peers.our_bar(elements, None)
+    expected = peers.contact_of_elements(elements)
     assert len(times) == 4
-    assert times[1] == pytest.approx(benchmark_peers.DISTANCE / benchmark_peers.SPEED, rel=1e-9)
+    assert times[1] == pytest.approx(peers.DISTANCE / peers.SPEED, rel=1e-9)
     assert times[3] - times[1] == pytest.approx(expected, rel=1e-8)
     assert kept < 1
 

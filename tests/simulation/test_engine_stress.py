@@ -9,7 +9,7 @@ import pytest
 
 from tests.places import CHECKOUT
 
-sys.path.append(str(CHECKOUT / "scripts"))
+sys.path.append(str(CHECKOUT / "scripts" / "development"))
 
 from stressing_chains import against_digits, random_chain
 from stressing_motions import (

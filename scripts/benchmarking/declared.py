@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 import numpy as np
-from benchmark_batches import batches
-from benchmark_simulation import DATA, START
-from measuring import Row, interleaved, timed
+from benchmarking.batches import batches
+from benchmarking.measuring import Row, interleaved, timed
+from benchmarking.simulation import DATA, START
 
 from nonsmooth.derive import Friction, RigidStop, System, chain_matrices, oscillator
 from nonsmooth.derive.codegen.emit import emit_system

@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from measuring import Row, apart, told
-from peer_responses import (
+from benchmarking.measuring import Row, apart, told
+from benchmarking.peer_responses import (
     DAMPING,
     FORCE,
     GAP,

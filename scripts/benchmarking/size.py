@@ -9,8 +9,8 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
-from benchmark_simulation import dop853
-from measuring import Row, interleaved, timed
+from benchmarking.measuring import Row, interleaved, timed
+from benchmarking.simulation import dop853
 
 from nonsmooth.runtime.model.engine_layout import numbers_of
 from nonsmooth.runtime.model.kernels import compiled_engine

@@ -1,12 +1,12 @@
 """Look for chaos at random parameters of two masses on a belt: exponents of many motions.
 
-    python scripts/search_chaos.py [POINTS]
+    python scripts/development/search_chaos.py [POINTS]
 
 Prints the points whose largest exponent lies above 0.01 and above three standard errors, those of
 the largest first: `nonsmooth chaos` takes them. docs/how_to/chaos.md tells what was found.
 """
 
-import sys
+import argparse
 from time import perf_counter
 
 import numpy as np
@@ -65,4 +65,6 @@ def main(count: int) -> None:
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else POINTS)
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("points", nargs="?", type=int, default=POINTS, help="how many are tried")
+    main(parser.parse_args().points)

@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import sympy as sp
-from measuring import Row, interleaved, told
+from benchmarking.measuring import Row, interleaved, told
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, RigidStop, oscillator

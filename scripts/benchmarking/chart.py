@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from measuring import Row
+from benchmarking.measuring import Row
 
 __all__ = ["chart"]
 
@@ -107,7 +107,7 @@ def _composed(count: int) -> Iterator[Row]:
     """Rows for orbits without equations of their own: closed-form flows, and eigenvalues."""
     import nonsmooth as ns
 
-    folder = Path(__file__).resolve().parents[1] / "docs" / "gallery"
+    folder = Path(__file__).resolve().parents[2] / "docs" / "gallery"
     for orbit, plane in (
         ("impact_oscillator.py:one-period", {"sigma": (-0.6, 0.6), "w": (1.6, 3.2)}),
         ("piecewise_stiffness.py:subharmonic", {"w": (2, 4), "gap": (-0.2, 0.6)}),

@@ -1,6 +1,6 @@
 """Draw the pictures of README.md and of the gallery's index into docs/pictures.
 
-python scripts/pictures.py
+python scripts/development/pictures.py
 """
 
 import argparse
@@ -18,7 +18,7 @@ from nonsmooth.runtime.explore.finding.basins import basins
 from nonsmooth.runtime.present.pictures.maps import draw_basins
 from nonsmooth.runtime.present.pictures.plot import save_figure
 
-CHECKOUT = Path(__file__).resolve().parents[1]
+CHECKOUT = Path(__file__).resolve().parents[2]
 
 # what stands for a file of the gallery: an orbit, or a start and how long it is followed
 ORBITS = {

@@ -6,7 +6,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from measuring import Row, timed
+from benchmarking.measuring import Row, timed
 
 from nonsmooth.runtime.core.values import flint_precision
 from nonsmooth.runtime.explore.continuation.continue_orbit import continue_orbit

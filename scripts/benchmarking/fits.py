@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from measuring import Row, interleaved
+from benchmarking.measuring import Row, interleaved
+from development.stressing_fits import WALL, impacting
 from scipy.integrate import solve_ivp
 from scipy.optimize import least_squares
-from stressing_fits import WALL, impacting
 
 import nonsmooth as ns
 

@@ -16,9 +16,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from benchmark_responses import responses
-from benchmark_simulation import simulation
-from measuring import Row, apart, told
+from benchmarking.measuring import Row, apart, told
+from benchmarking.responses import responses
+from benchmarking.simulation import simulation
 
 import nonsmooth as ns
 from nonsmooth.derive import RigidStop, oscillator, reduce_structure

@@ -3,7 +3,7 @@
 Tests of a room are to use what other rooms use of it, or the public packages: each pair is
 something that a change of the inside breaks.
 
-    python scripts/internal_imports.py [--list]
+    python scripts/development/internal_imports.py [--list]
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
-TESTS = Path(__file__).resolve().parent.parent / "tests"
+TESTS = Path(__file__).resolve().parents[2] / "tests"
 PUBLIC = {"nonsmooth", "nonsmooth.derive", "nonsmooth.jax", "nonsmooth.torch"}
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
-from measuring import Row, interleaved, timed
+from benchmarking.measuring import Row, interleaved, timed
 
 import nonsmooth as ns
 from nonsmooth.derive import Harmonic, Parameter, Reference, RigidStop, oscillator

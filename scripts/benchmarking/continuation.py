@@ -6,7 +6,7 @@ import statistics
 from collections.abc import Iterator
 
 import sympy as sp
-from measuring import Row, timed
+from benchmarking.measuring import Row, timed
 
 import nonsmooth
 from nonsmooth.derive import Harmonic, RigidStop, System, chain_matrices, oscillator
