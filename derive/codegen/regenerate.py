@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import difflib
 import json
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 from pathlib import Path
 
 import sympy as sp
@@ -14,7 +16,21 @@ from nonsmooth.derive.codegen.emit import PROVENANCE, EmittedSystem, emit_packag
 from nonsmooth.derive.errors import DerivationError
 from nonsmooth.derive.systems import SYSTEMS, declaration
 
-__all__ = ["Check", "check", "differences", "emit_systems", "find_generated", "outdated"]
+__all__ = [
+    "Check",
+    "check",
+    "differences",
+    "emit_systems",
+    "find_generated",
+    "outdated",
+    "surrounding_checkout",
+]
+
+# hashes of derivations and of files: they differ wherever anything does
+_STAMP = re.compile(r"\b(?:[0-9a-f]{64}|[0-9a-f]{16})\b")
+# files by how easily a formula is read in them
+_READABLE = (".md", ".py", ".h", ".c")
+_SHOWN_LINES, _SHOWN_CHARACTERS = 8, 160
 
 
 @dataclass(frozen=True)
@@ -37,12 +53,20 @@ def find_generated(*, writing: bool = True) -> Path:
     """
     # in an editable install this file is a link into the checkout
     root = Path(__file__).resolve().parents[2]
-    project = root / "pyproject.toml"
-    if not writing:
-        return root / "generated"
-    if project.is_file() and 'name = "nonsmooth"' in project.read_text(encoding="utf-8"):
+    if not writing or _is_checkout(root):
         return root / "generated"
     raise DerivationError("this is not a checkout of nonsmooth: say where to write with --out DIR")
+
+
+def surrounding_checkout() -> Path | None:
+    """The checkout in which the process stands; None outside of each."""
+    place = Path.cwd()
+    return next(filter(_is_checkout, (place, *place.parents)), None)
+
+
+def _is_checkout(root: Path) -> bool:
+    project = root / "pyproject.toml"
+    return project.is_file() and 'name = "nonsmooth"' in project.read_text(encoding="utf-8")
 
 
 def emit_systems(
@@ -101,23 +125,52 @@ def check(
 
 
 def differences(folder: Path, wanted: Mapping[str, str]) -> tuple[str, ...]:
-    """Differences between the files of a folder and the wanted texts, one for each file."""
-    found = []
+    """Differences between the files of a folder and the wanted texts, one for each file.
+
+    Missing files come first, then the first difference of each file, those with readable
+    formulas before others, and last the names of files in which no line but stamps differs.
+    """
+    missing, changed, stamped = [], [], []
     for name, text in wanted.items():
         path = folder / name
         if not path.is_file():
-            found.append(f"{name}: missing")
-        elif (existing := path.read_text(encoding="utf-8", errors="replace")) != text:
-            lines = difflib.unified_diff(
-                existing.splitlines(),
-                text.splitlines(),
-                f"{name} (found)",
-                f"{name} (derived)",
-                n=1,
-                lineterm="",
-            )
-            found.append("\n".join(list(lines)[:40]))
-    return tuple(found)
+            missing.append(f"{name}: missing")
+            continue
+        existing = path.read_text(encoding="utf-8", errors="replace")
+        unstamped = [_STAMP.sub("-", each) for each in (existing, text)]
+        lines, derived = map(str.splitlines, unstamped)
+        if lines != derived:
+            changed.append((_readability(path), _first_difference(name, lines, derived)))
+        elif existing != text:
+            same = unstamped[0] == unstamped[1]
+            stamped.append(f"{name}: its {'stamps' if same else 'ends of lines'} alone")
+    return (*missing, *(told for _, told in sorted(changed)), *stamped)
+
+
+def _readability(path: Path) -> int:
+    return _READABLE.index(path.suffix) if path.suffix in _READABLE else len(_READABLE)
+
+
+def _first_difference(name: str, lines: list[str], derived: list[str]) -> str:
+    """The first lines of a file that differ from those that are derived, cut where they do."""
+    pairs = zip(lines, derived, strict=False)
+    shorter = min(len(lines), len(derived))
+    first = next((place for place, (a, b) in enumerate(pairs) if a != b), shorter)
+    old, new = lines[first:], derived[first:]
+    pairs = zip(*(part[0] if part else "" for part in (old, new)), strict=False)
+    same = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+
+    def cut(number: int, line: str) -> str:
+        begin = 0 if number else max(0, same - _SHOWN_CHARACTERS // 2)
+        part = line[begin : begin + _SHOWN_CHARACTERS]
+        return f"{'... ' if begin else ''}{part}{' ...' if line[begin:] != part else ''}"
+
+    shown, wanted = ([*map(cut, range(_SHOWN_LINES), part)] for part in (old, new))
+    labels = f"{name} (found)", f"{name} (derived)"
+    told = list(difflib.unified_diff(shown, wanted, *labels, n=0, lineterm=""))
+    told[2] = f"line {first + 1}:"
+    following = [place for place, line in enumerate(told) if line.startswith("@@ ")]
+    return "\n".join(told[: following[0]] if following else told)
 
 
 def _wanted(

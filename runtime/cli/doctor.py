@@ -9,7 +9,8 @@ import shutil
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from functools import partial
-from importlib import import_module, metadata, util
+from importlib import import_module, metadata, resources, util
+from types import ModuleType
 
 from nonsmooth.runtime.cli.application import ANSWERED, answering, app, print_json
 from nonsmooth.runtime.cli.options import AsJson
@@ -28,6 +29,7 @@ _EXTRAS = {
     "torch": "derivatives in PyTorch",
 }
 _REQUIREMENT = re.compile(r"([\w.-]+)(?:\[[^]]*\])?\s*(?:>=\s*([\w.]+))?[^;]*(?:;(.*))?")
+_DERIVATION = re.compile(r'^DERIVATION = "(\w+)"$', re.MULTILINE)
 _EXTRA = re.compile(r"extra == ['\"](\w+)['\"]")
 
 
@@ -95,7 +97,25 @@ def _extension(name: str) -> Diagnosis:
         module = import_module(name)
     except ImportError as problem:
         return Diagnosis(label, False, f"built, but it does not load: {problem}", again)
+    others = _of_another_derivation(module) if name == _EXTENSIONS[0] else []
+    if others:
+        told = f"of another derivation than generated/ for {', '.join(others)}"
+        remedy = 'install the package again; in a checkout: pip install -e ".[all,test]"'
+        return Diagnosis(label, False, told, remedy)
     return Diagnosis(label, True, str(module.__file__))
+
+
+def _of_another_derivation(compiled: ModuleType) -> list[str]:
+    """Systems of which the compiled kernels are not those of the Python files beside them."""
+    folder = resources.files("nonsmooth.generated")
+    texts = ((file.name.removesuffix(".py"), file) for file in folder.iterdir())
+    return sorted(
+        stem.replace("_", "-")
+        for stem, file in texts
+        if file.name == f"{stem}.py"
+        and (stamp := _DERIVATION.search(file.read_text(encoding="utf-8")))
+        and stamp[1] != getattr(compiled, f"derivation_{stem}", None)
+    )
 
 
 def _backend() -> Diagnosis:

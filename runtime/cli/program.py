@@ -346,6 +346,12 @@ def regenerate(
         raise unknown_name("system", system, SYSTEMS)
     folder = generation.find_generated(writing=not check) if out is None else out
     told: dict[str, Any] = {"folder": str(folder), "system": system}
+    checkout = generation.surrounding_checkout()
+    if out is None and checkout is not None and checkout.resolve() != folder.resolve().parent:
+        say(
+            f"this is about {folder}, of the nonsmooth that runs, not about {checkout}:"
+            f" install that one to derive with it"
+        )
     if check:
         with steps() as begin:
             differences = generation.check(out, system, begin).differences

@@ -831,6 +831,20 @@ def test_regenerate_and_check(tmp_path: Path) -> None:
     assert len(found["differences"]) == 2
 
 
+@pytest.mark.usefixtures("committed_derivation")
+def test_regenerate_says_when_it_is_about_another_checkout(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run("regenerate", "--check")[2] == ""
+    (tmp_path / "pyproject.toml").write_text('[project]\nname = "nonsmooth"\n')
+    code, _, err = run("regenerate", "--check")
+    assert code == 0
+    assert f"not about {tmp_path}" in err
+    assert err.count("\n") == 1
+    assert run("regenerate", "--out", "kernels")[2] == ""
+
+
 def test_regenerate_derives_one_system(tmp_path: Path) -> None:
     folder = tmp_path / "kernels"
     found = told("regenerate", "rigid-stop", "--out", str(folder))

@@ -1,5 +1,6 @@
 """What makes the command line pleasant: completion, doctor, `python -m`, and whole lists."""
 
+import importlib
 import json
 import os
 import shutil
@@ -7,6 +8,7 @@ import subprocess
 import sys
 from importlib import metadata
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from typer.testing import CliRunner
@@ -131,6 +133,21 @@ def test_doctor_says_what_to_do(monkeypatch: pytest.MonkeyPatch, tmp_path: Path)
     assert not found["LaTeX"].good
     assert not found["kernels of your own systems"].good
     assert all(diagnosis.remedy for diagnosis in found.values() if not diagnosis.good)
+
+
+@pytest.mark.compiled
+def test_doctor_notices_kernels_of_another_derivation(monkeypatch: pytest.MonkeyPatch) -> None:
+    name = "nonsmooth.generated._kernels"
+    compiled = importlib.import_module(name)
+    others = {stem: getattr(compiled, stem) for stem in dir(compiled) if "derivation_" in stem}
+    older = SimpleNamespace(__file__="here", **others | {"derivation_dry_friction": "0" * 16})
+    for module, good in ((compiled, True), (older, False)):
+        monkeypatch.setattr(doctor, "import_module", lambda _, module=module: module)
+        found = next(each for each in doctor.diagnoses() if each.name == "compiled kernels")
+        assert found.good is good
+    assert "dry-friction" in found.found
+    assert "elastic-stop" not in found.found
+    assert "install the package again" in str(found.remedy)
 
 
 @pytest.mark.parametrize(("version", "good"), [("1.2.9", False), ("1.3", True), ("1.10.0", True)])

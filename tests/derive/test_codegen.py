@@ -404,6 +404,53 @@ def test_the_check_shows_what_differs(copied: Path, name: str) -> None:
     assert regenerate.check(copied).differences == (f"{name}: missing",)
 
 
+def test_formulas_that_differ_come_first_and_stamps_last(tmp_path: Path) -> None:
+    long = " + ".join(f"x{place}" for place in range(100))
+    written = {
+        "a.c": f"/* derivation {'0' * 16} */\n#define N 1\nb = {long} - y;\nc = 1;\n",
+        "b.py": f'DERIVATION = "{"0" * 16}"\nb = {long} - y\nc = 1\n',
+        "c.h": f"/* derivation {'0' * 16} */\nb();\n",
+        "d.h": "b();\n",
+        "e.md": "The end.\n",
+        "f.py": "1\n",
+    }
+    derived = {name: text.replace("0" * 16, "f" * 16) for name, text in written.items()}
+    derived["a.c"] = derived["a.c"].replace("- y", "+ y").replace("1;", "2;")
+    derived["b.py"] = derived["b.py"].replace("- y", "+ y")
+    derived["d.h"] = derived["d.h"].replace("\n", "\r\n")
+    derived["e.md"] += "More.\n"
+    for name, text in written.items():
+        (tmp_path / name).write_text(text)
+    (tmp_path / "f.py").unlink()
+    missing, *changed, stamps, ends = regenerate.differences(tmp_path, derived)
+    assert (missing, stamps) == ("f.py: missing", "c.h: its stamps alone")
+    assert ends == "d.h: its ends of lines alone"
+    assert [text.split()[1] for text in changed] == ["e.md", "b.py", "a.c"]
+    assert changed[0].splitlines()[2:] == ["line 2:", "+More."]
+    for text, line, end in ((changed[1], 2, ""), (changed[2], 3, ";")):
+        place, found, wanted = (t for t in text.splitlines()[2:] if t[1:3] != "c ")
+        assert place == f"line {line}:"
+        assert (found[:5], wanted[:5]) == ("-... ", "+... ")
+        assert found.endswith(f"x99 - y{end}")
+        assert wanted.endswith(f"x99 + y{end}")
+    assert [text.count("\n") for text in changed] == [3, 4, 6]
+
+
+def test_another_installation_than_that_of_the_place_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    inside = tmp_path / "runtime"
+    inside.mkdir()
+    monkeypatch.chdir(inside)
+    assert regenerate.surrounding_checkout() is None
+    (tmp_path / "pyproject.toml").write_text('[project]\nname = "nonsmooth"\n')
+    assert regenerate.surrounding_checkout() == tmp_path
+    monkeypatch.chdir(GENERATED)
+    checkout = regenerate.surrounding_checkout()
+    assert checkout is not None
+    assert checkout / "generated" == regenerate.find_generated()
+
+
 def test_the_check_refuses_another_sympy(copied: Path) -> None:
     edit_record(copied, sympy="1.5.0")
     with pytest.raises(DerivationError, match=r'of SymPy 1\.5\.0.*pip install "sympy==1\.5\.0"'):
