@@ -100,11 +100,12 @@ def test_no_energy_is_kept() -> None:
         (ns.solve("dry-friction/global-stick", {"us1": 1, "us2": 1}), "V", (0.99, 1.01)),
         (ns.solve(f"{PAGE}:without-rest"), "W", (0.59, 0.61)),
     ):
-        branch = ns.continue_orbit(orbit, name, interval, step=0.5)
+        branch = ns.continue_orbit(orbit, name, interval, points=8)
         with pytest.raises(InputError, match="no energy is kept along"):
             branch.quantity("energy")
-        with pytest.raises(InputError, match=f"no energy is kept along {orbit.name}"):
-            energy_of(orbit)
+        for each in (orbit, *map(branch.orbit_at, range(len(branch.multipliers)))):
+            with pytest.raises(InputError, match=f"no energy is kept along {orbit.name}"):
+                energy_of(each)
 
 
 def test_picture_of_frequency_over_energy() -> None:

@@ -106,7 +106,9 @@ def _forms(cycle: ItineraryShape, numbers: Numbers, size: int) -> dict[int, np.n
     rank = int(np.count_nonzero(values > _ZERO * max(1.0, float(values[0]))))
     kept = right[rank:]
     wanted = np.array([float(i == j) for i, j in pairs])
-    found = np.linalg.lstsq(kept[:, : len(pairs)].T, wanted, rcond=_ZERO)[0] @ kept
+    # without masses a constant that all potentials share is left, and roundings
+    masses = np.where(np.abs(kept[:, : len(pairs)]) > _ZERO, kept[:, : len(pairs)], 0.0)
+    found = np.linalg.lstsq(masses.T, wanted, rcond=_ZERO)[0] @ kept
     best = _guess(found, pairs, visited, count)
     if np.linalg.eigvalsh(best.mass)[0] <= _ZERO:
         return None
