@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from decimal import Decimal
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
@@ -42,13 +43,12 @@ def show_report(
     assigned: Mapping[str, Value],
     *,
     absent: str,
-    trace_first: bool,
 ) -> None:
     """Show an orbit: given parameters, unknowns, stability and admissibility.
 
     `found` is the orbit as JSON, `assigned` has the parameters as the user gave them, and
-    `absent` says where the others come from, such as "default". With `trace_first` the
-    criterion of stability comes before the orbit.
+    `absent` says where the others come from, such as "default". Where something is proved of
+    the trace the criterion of stability comes before the orbit.
     """
     console = console_as_wide()
     rank_one = orbit.stability.rank == 1 and not any(m["trivial"] for m in found["multipliers"])
@@ -66,7 +66,7 @@ def show_report(
     criterion = _criterion(found, excess, orbit.stability.rank, rank_one=rank_one)
     tables = [("Given", parameters), ("Orbit", unknowns)]
     tables.insert(
-        0 if trace_first else 2, ("Trace criterion" if rank_one else "Stability", criterion)
+        0 if "proof" in found else 2, ("Trace criterion" if rank_one else "Stability", criterion)
     )
     for title, table in tables:
         console.print()
@@ -302,9 +302,26 @@ def _criterion(found: Mapping[str, Any], excess: str, rank: int, *, rank_one: bo
     table.add_row("verdict", Text(text, style=f"bold {_VERDICT_STYLES.get(verdict, 'yellow')}"))
     if verdict == "stable":
         table.add_row("", "under perturbations that keep the order of the switches")
+    if "proof" in found:
+        _add_proof(table, found)
     if "one_sided" in found:
         table.add_row("", f"one-sided: a border collision, on the side {found['one_sided']}")
     return table
+
+
+def _add_proof(table: Table, found: Mapping[str, Any]) -> None:
+    """Add what is enclosed and proved of the trace, and how far two arithmetics differ."""
+    proof = found["proof"]
+    if "difference" in found:
+        table.add_row("difference", f"{found['difference']} between balls and mpmath")
+    if proof["trace"] is None:
+        table.add_row("enclosure", f"none: {proof['reason']}")
+        return
+    table.add_row("enclosure", _digits(format(Decimal(proof["trace"]["mid"]), "f")))
+    table.add_row("      +/-", proof["trace"]["rad"])
+    if proof["statement"] is not None:
+        told = f"{proof['statement']} is {proof['verdict']}"
+        table.add_row("", f"{told} for the one orbit in a box around it")
 
 
 def _print_admissibility(console: Console, found: Mapping[str, Any]) -> None:

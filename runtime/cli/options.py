@@ -70,6 +70,14 @@ class Format(StrEnum):
 Kind = StrEnum("Kind", {name.upper(): name for name in KINDS})  # type: ignore[misc]  # as above
 
 
+class Arithmetic(StrEnum):
+    """The arithmetics that refine an orbit."""
+
+    FLINT = "flint"
+    MPMATH = "mpmath"
+    BOTH = "both"
+
+
 class RequiredVerdict(StrEnum):
     """The verdicts on an orbit that `--require` can demand."""
 

@@ -40,6 +40,7 @@ from nonsmooth.runtime.cli.application import (
 )
 from nonsmooth.runtime.cli.keeping import say
 from nonsmooth.runtime.cli.options import (
+    Arithmetic,
     AsJson,
     Assignments,
     Derivatives,
@@ -202,12 +203,13 @@ def solve(
 ) -> int:
     """Find a periodic orbit: unknowns, multipliers, stability, admissibility."""
     problem = (orbit, parameters, unknown, given, guess, digits, derivatives)
-    return _report(*problem, require=require, save=save, as_json=as_json, trace_first=False)
+    return _report(*problem, require=require, save=save, as_json=as_json)
 
 
 @app.command(
     epilog="Examples:\n\n"
     "nonsmooth verify dry-friction/global-stick --digits 50\n\n"
+    "nonsmooth verify dry-friction/global-stick --digits 50 --arithmetic both\n\n"
     "nonsmooth verify dry-friction/global-stick eta=0.98 --require stable --json"
 )
 @answering
@@ -218,13 +220,25 @@ def verify(
     given: Given = None,
     guess: Guess = None,
     digits: Digits = 50,
+    arithmetic: Annotated[
+        Arithmetic,
+        typer.Option(
+            "--arithmetic",
+            help="What refines the orbit: balls, whose digits are proved; mpmath, whose digits are"
+            " compared with twice as many; or both, and how far they differ.",
+        ),
+    ] = Arithmetic.FLINT,
     require: Require = None,
     save: Save = None,
     as_json: AsJson = False,
 ) -> int:
-    """Decide stability by the trace criterion, to any number of digits."""
+    """Decide stability by the trace, to any number of digits, and enclose the trace.
+
+    The enclosure holds the trace of the one orbit in a box around the numbers shown; the
+    criterion is proved if it holds for all of the enclosure.
+    """
     problem = (orbit, parameters, unknown, given, guess, digits, None)
-    return _report(*problem, require=require, save=save, as_json=as_json, trace_first=True)
+    return _report(*problem, require=require, save=save, as_json=as_json, verified_by=arithmetic)
 
 
 @app.command(
@@ -381,15 +395,23 @@ def _report(
     require: list[RequiredVerdict] | None,
     save: Path | None,
     as_json: bool,
-    trace_first: bool,
+    verified_by: Arithmetic | None = None,
 ) -> int:
-    """Solve for an orbit, refine, save and show it; gives the exit code."""
+    """Solve for an orbit, refine, save and show it; gives the exit code.
+
+    One that is verified is refined by that arithmetic, and its trace is enclosed and shown first.
+    """
     from nonsmooth.runtime.core.files import check_target
     from nonsmooth.runtime.core.values import decimal_string
     from nonsmooth.runtime.model.kernels import is_saved
-    from nonsmooth.runtime.orbits.refine import MOST_DIGITS, refine
+    from nonsmooth.runtime.orbits.refine import MOST_DIGITS, largest_difference, refine
     from nonsmooth.runtime.orbits.solve import solve as find_orbit
-    from nonsmooth.runtime.present.report import derivatives_json, orbit_json
+    from nonsmooth.runtime.present.report import (
+        derivatives_json,
+        orbit_json,
+        short,
+        trace_proof_json,
+    )
 
     if not 1 <= digits <= MOST_DIGITS:
         raise InputError(f"digits = {digits} is not an integer from 1 to {MOST_DIGITS}")
@@ -403,8 +425,17 @@ def _report(
         unknown=split(unknown),
         given=assignments("unknown", split(given)),
     )
-    orbit = refine(found, max(digits, _WORKING_DIGITS))
+    working = max(digits, _WORKING_DIGITS)
+    by_kernels = found.problem.kernels is not None
+    arithmetic = (verified_by or Arithmetic.FLINT).value
+    orbit = refine(found, working, arithmetic=arithmetic)
     told = orbit_json(orbit, digits)
+    if verified_by is not None:
+        told["arithmetic"] = arithmetic if by_kernels else Arithmetic.MPMATH.value
+        if verified_by is Arithmetic.BOTH:
+            by_mpmath = refine(found, working, arithmetic=Arithmetic.MPMATH.value)
+            told["difference"] = short(largest_difference(orbit, by_mpmath))
+        told["proof"] = trace_proof_json(orbit)
     for parameter, value in assigned.items():  # also those that others stand for
         told["parameters"][parameter] = decimal_string(value.mpf(digits + 5), digits)
     if derivatives:
@@ -416,7 +447,7 @@ def _report(
         from nonsmooth.runtime.cli.display import show_report
 
         absent = f"from {name}" if is_saved(name) else "default"
-        show_report(orbit, told, assigned, absent=absent, trace_first=trace_first)
+        show_report(orbit, told, assigned, absent=absent)
 
     code = written.show_one(lambda: told, show, save, as_json=as_json)
     return code or _judged(told, require or [])

@@ -2,7 +2,8 @@
 
 The full equations are iterated on the any-arithmetic kernels. With balls (python-flint) the
 last step is Krawczyk's: the box it verifies contains exactly one solution, so the digits
-are proved; with mpmath the result is compared with one at twice the precision.
+are proved; with mpmath the result is compared with one at twice the precision. The trace over
+that box is an enclosure.
 """
 
 from __future__ import annotations
@@ -15,13 +16,22 @@ from typing import Any
 import numpy as np
 
 from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball, middle
-from nonsmooth.runtime.core.errors import InputError
+from nonsmooth.runtime.core.errors import InputError, NoConvergence
 from nonsmooth.runtime.model.kernels import OrbitKernels
 from nonsmooth.runtime.orbits.orbit import GUARD, Orbit, check_converged
 from nonsmooth.runtime.shooting.newton import MARGIN, climb, lost, precisions
 
-__all__ = ["MOST_DIGITS", "check_digits", "refine", "refine_kernels"]
+__all__ = [
+    "ARITHMETICS",
+    "MOST_DIGITS",
+    "check_digits",
+    "enclosed_trace",
+    "largest_difference",
+    "refine",
+    "refine_kernels",
+]
 
+ARITHMETICS = ("flint", "mpmath", "both")
 MOST_DIGITS = 100_000
 _START_DIGITS = 15
 
@@ -35,10 +45,11 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
         A converged orbit; its parameters are taken exactly as they were given.
     digits : int
         The error of each unknown x will be at most ``10^-digits max(1, |x|)``.
-    arithmetic : {"flint", "mpmath"}
-        Balls, whose digits are proved, or mpmath (on gmpy2 where that is installed), whose
-        digits are checked against twice the precision. An orbit without kernels of its own
-        takes mpmath.
+    arithmetic : {"flint", "mpmath", "both"}
+        Balls, whose digits are proved; mpmath (on gmpy2 where that is installed), whose digits
+        are checked against twice the precision; or both, each to so many digits by its own
+        route, which have to agree: the numbers are those of the balls. An orbit without kernels
+        of its own takes mpmath, and cannot take both.
 
     Returns
     -------
@@ -48,10 +59,11 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
     Raises
     ------
     InputError
-        For digits outside 1 ... 100000, an orbit that has not converged, or a symmetry that
-        holds in double precision only.
+        For digits outside 1 ... 100000, an orbit that has not converged, a symmetry that
+        holds in double precision only, or both arithmetics for an orbit without kernels.
     NoConvergence
-        If Newton's method leaves the orbit, as it does where the equations are singular.
+        If Newton's method leaves the orbit, as it does where the equations are singular, or
+        if the two arithmetics differ by more than 10^-digits.
 
     Examples
     --------
@@ -62,9 +74,48 @@ def refine(orbit: Orbit, digits: int, *, arithmetic: str = "flint") -> Orbit:
     """
     check_digits(digits)
     check_converged(orbit, "refined")
-    if arithmetic not in ("flint", "mpmath"):
-        raise InputError(f"arithmetic is {arithmetic!r}, neither 'flint' nor 'mpmath'")
-    return orbit.problem.refined(orbit, digits, arithmetic)
+    if arithmetic not in ARITHMETICS:
+        raise InputError(f"arithmetic is {arithmetic!r}, none of {', '.join(ARITHMETICS)}")
+    if arithmetic != "both":
+        return orbit.problem.refined(orbit, digits, arithmetic)
+    if orbit.problem.kernels is None:
+        raise InputError(f"{orbit.name} has no kernels of its own: mpmath alone refines it")
+    by_balls, by_mpmath = (orbit.problem.refined(orbit, digits, a) for a in ARITHMETICS[:2])
+    difference = largest_difference(by_balls, by_mpmath)
+    if not difference <= by_balls.arithmetic.mp.mpf(10) ** -digits:
+        raise NoConvergence(
+            f"{orbit.name}: flint and mpmath differ by {float(difference):.1e} at {digits} digits"
+        )
+    return by_balls
+
+
+def largest_difference(orbit: Orbit, other: Orbit) -> Any:
+    """Largest difference of unknowns and trace of one orbit refined twice, over max(1, |x|)."""
+    pairs = [(orbit.unknowns[name], other.unknowns[name]) for name in orbit.unknowns]
+    pairs.append((orbit.trace, other.trace))
+    return max(abs(x - y) / max(1, abs(x)) for x, y in pairs)
+
+
+def enclosed_trace(orbit: Orbit) -> Any:
+    """Ball around the trace of the orbit with kernels that a box around a refined one holds.
+
+    The box holds exactly one solution of the orbit's equations; None if that is not shown.
+    """
+    lib, names = Balls(), list(orbit.unknowns)
+    x = [exact_ball(value) for value in orbit.unknowns.values()]
+    with lib.working(_bits(orbit.digits + GUARD + 2 * MARGIN)):
+        residual, _ = _at(orbit, names, x, lib)
+        radii = _krawczyk(orbit, names, x, residual, lib)
+        if radii is None:
+            return None
+        box = [v + r * lib.flint.arb(0, 1) for v, r in zip(x, radii, strict=True)]
+        values = {name: lib.number(value) for name, value in orbit.given.items()}
+        values |= dict(zip(names, box, strict=True))
+        kernels = orbit.kernels
+        parameters = [values[name] for name in kernels.parameter_names]
+        spectrum, _ = kernels.spectrum(parameters, lib)
+        unknowns = [values[name] for name in kernels.unknowns]
+        return lib.flint.arb(kernels.source("trace")(parameters, spectrum, unknowns, lib=lib))
 
 
 def check_digits(digits: object) -> None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from nonsmooth.runtime.core.values import decimal_string
+from nonsmooth.runtime.core.values import decimal_string, flint_precision
 from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import (
     OrbitKernels,
@@ -21,10 +22,18 @@ from nonsmooth.runtime.model.naming import shown_name
 from nonsmooth.runtime.model.structure import structure_of
 from nonsmooth.runtime.orbits.declared_solve import unknowns_of
 from nonsmooth.runtime.orbits.orbit import Orbit
+from nonsmooth.runtime.orbits.refine import enclosed_trace
 from nonsmooth.runtime.present.files.named_entries import saved_listing
 from nonsmooth.runtime.shooting.multipliers import Stability
 
-__all__ = ["admissibility_json", "derivatives_json", "orbit_json", "short", "systems_json"]
+__all__ = [
+    "admissibility_json",
+    "derivatives_json",
+    "orbit_json",
+    "short",
+    "systems_json",
+    "trace_proof_json",
+]
 
 
 def derivatives_json(
@@ -95,6 +104,53 @@ def orbit_json(orbit: Orbit, digits: int | None = None) -> dict[str, Any]:
         for (configuration, boundary), name in phases
     ]
     return found
+
+
+def trace_proof_json(orbit: Orbit) -> dict[str, Any]:
+    """What is proved of the trace of a refined orbit, as JSON.
+
+    `trace` is its enclosure, ``{"mid", "rad"}``, over a box around the orbit that holds exactly
+    one; `statement` the criterion of stability for an orbit of this kind, of which `verdict` says
+    whether it is "proved", "refuted" or "undecided", and `reason` why. Without a criterion in the
+    trace both are None.
+    """
+    from nonsmooth.runtime.proof.certificate import Stated
+    from nonsmooth.runtime.proof.certify_orbit import MOST_BITS, certify
+
+    bits = min(math.ceil(orbit.digits * math.log2(10)) + 16, MOST_BITS)
+    reason, found = "no box around it is shown to hold exactly one orbit", None
+    if orbit.problem.kernels is not None:
+        ball = enclosed_trace(orbit)
+        found = None if ball is None else Stated.around(ball, bits)
+    else:
+        certificate = certify(orbit, bits)
+        found = certificate.enclosures.get("trace")
+        reason = "; ".join(certificate.reasons.values()) or reason
+    stability = orbit.stability
+    statement, verdict = None, None
+    if stability.rank == 1 and not any(m.trivial for m in stability.multipliers):
+        statement, centre, radius = "|trace| < 1", 0, 1
+    elif orbit.problem.kernels is not None and _is_conservative_in_three(orbit.kernels.table):
+        statement, centre, radius = "|trace - 1| < 2", 1, 2
+    if statement is not None:
+        with flint_precision(bits):
+            distance = abs(found.ball - centre) if found is not None else None
+            verdict = "undecided"
+            if distance is not None and distance < radius:
+                verdict = "proved"
+            elif distance is not None and distance > radius:
+                verdict = "refuted"
+    return {
+        "trace": None if found is None else found.to_json(),
+        "statement": statement,
+        "verdict": verdict,
+        **({"reason": reason} if found is None else {}),
+    }
+
+
+def _is_conservative_in_three(table: Mapping[str, Any]) -> bool:
+    """Whether multipliers are 1 and a reciprocal pair, which the trace alone decides."""
+    return bool(table["conservative"]) and len(table["section"]) == 3
 
 
 def admissibility_json(orbit: Orbit) -> dict[str, Any]:

@@ -27,7 +27,7 @@ from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.files import write_files
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
 from nonsmooth.runtime.orbits import kernel_problem, solve
-from tests.places import CHECKOUT
+from tests.places import CHECKOUT, GALLERY
 from tests.user_systems import declare
 
 ORBIT = "dry-friction/global-stick"
@@ -232,7 +232,7 @@ def test_list() -> None:
 
 def test_json_of_solve_and_verify() -> None:
     found = told("solve", ORBIT)
-    assert found.keys() == told("verify", ORBIT).keys()
+    assert told("verify", ORBIT).keys() - found.keys() == {"arithmetic", "proof"}
     assert list(found) == [
         *("orbit", "parameters", "unknowns", "period", "residual", "digits", "multipliers"),
         *("trace", "margin", "stability", "admissible", "requires", "phases"),
@@ -251,7 +251,13 @@ def test_json_of_solve_and_verify() -> None:
 @pytest.mark.parametrize("name", orbit_names())
 def test_every_orbit_is_solved_verified_and_shown(name: str) -> None:
     found, verified = told("solve", name), told("verify", name, "--digits", "15")
+    proof = verified.pop("proof")
+    assert verified.pop("arithmetic") == "flint"
     assert found == verified
+    middle, radius = (Decimal(proof["trace"][part]) for part in ("mid", "rad"))
+    assert abs(Decimal(found["trace"]) - middle) <= radius + Decimal("1e-16")
+    if found["stability"] in ("stable", "neutral"):
+        assert proof["verdict"] == "proved"
     assert found["orbit"] == name
     assert list(found["unknowns"]) == list(load_orbit(name).unknowns)
     assert list(found["parameters"]) == [
@@ -354,6 +360,28 @@ def test_report_of_verify() -> None:
     assert "us2 > 0.7228" in out
     assert out.index("Trace criterion") < out.index("Orbit")
     assert max(map(len, out.splitlines())) <= 80
+
+
+def test_both_arithmetics_are_compared() -> None:
+    code, out, err = run("verify", ORBIT, "--arithmetic", "both", "--digits", "40")
+    assert (code, err) == (0, "")
+    found = told("verify", ORBIT, "--arithmetic", "both", "--digits", "40")
+    assert 0 < Decimal(found["difference"]) < Decimal("1e-40")
+    assert re.search(rf"difference +{found['difference']} between balls and mpmath", out)
+    assert "|trace| < 1 is proved" in out
+    assert "difference" not in told("verify", ORBIT, "--arithmetic", "mpmath")
+
+
+def test_orbits_by_tables_are_enclosed_and_refined_by_mpmath() -> None:
+    name = f"{GALLERY / 'impact_damper.py'}:struck-twice"
+    found = told("verify", name)
+    assert found["arithmetic"] == "mpmath"
+    middle, radius = (Decimal(found["proof"]["trace"][part]) for part in ("mid", "rad"))
+    with localcontext(prec=70):
+        assert abs(Decimal(found["trace"]) - middle) < radius + Decimal("1e-52")
+    code, out, err = run("verify", name, "--arithmetic", "both")
+    assert (code, out) == (2, "")
+    assert "has no kernels of its own" in err
 
 
 def test_report_of_solve() -> None:

@@ -11,9 +11,10 @@ import pytest
 
 from nonsmooth import InputError, NoConvergence, refine, solve
 from nonsmooth.runtime.core import values
-from nonsmooth.runtime.core.arithmetic import Balls, Mpmath
+from nonsmooth.runtime.core.arithmetic import Balls, Mpmath, exact_ball
 from nonsmooth.runtime.core.values import as_value, parse
 from nonsmooth.runtime.model.kernels import load_orbit, orbit_names
+from nonsmooth.runtime.orbits.refine import enclosed_trace
 from nonsmooth.runtime.present.report import orbit_json
 from tests.declared import Declared
 
@@ -82,6 +83,38 @@ def test_balls_and_mpmath_agree(every, digits):
         assert error(numbers, balls) <= mpmath.mpf(10) ** -digits
         assert abs(numbers.trace - balls.trace) <= mpmath.mpf(10) ** -(digits - 3)
         assert abs(numbers.period - balls.period) <= mpmath.mpf(10) ** -(digits - 2)
+
+
+def test_both_are_compared_with_each_other(every, monkeypatch):
+    for orbit in every:
+        both, balls = refine(orbit, 40, arithmetic="both"), refine(orbit, 40)
+        assert both.unknowns == balls.unknowns
+    moved, name = refine(every[0], 40), every[0].problem.unknown_names[0]  # it is 1.16
+    value = moved.unknowns[name] + moved.arithmetic.mp.mpf("1e-39")
+    moved = replace(moved, unknowns=moved.unknowns | {name: value})
+    kept = type(every[0].problem).refined
+    monkeypatch.setattr(
+        type(every[0].problem),
+        "refined",
+        lambda self, o, digits, a: moved if a == "mpmath" else kept(self, o, digits, a),
+    )
+    with pytest.raises(NoConvergence, match=r"flint and mpmath differ by 8\.6e-40 at 40 digits"):
+        refine(every[0], 40, arithmetic="both")
+
+
+def test_the_trace_is_enclosed_of_the_one_orbit_in_a_box(every):
+    for orbit in every:
+        truth = refine(orbit, 80, arithmetic="mpmath").trace
+        ball = enclosed_trace(refine(orbit, 30))
+        assert ball.contains(exact_ball(truth))
+        assert 0 < ball.rad() < 1e-30
+        # elsewhere there is no such box, or the same orbit is in it
+        for change in ("1e-35", "1e-20", "1e-3"):
+            name = orbit.problem.unknown_names[0]
+            sharp = refine(orbit, 30)
+            value = sharp.unknowns[name] + sharp.arithmetic.mp.mpf(change)
+            ball = enclosed_trace(replace(sharp, unknowns=sharp.unknowns | {name: value}))
+            assert ball is None or ball.contains(exact_ball(truth))
 
 
 def test_the_double_precision_orbit_has_the_digits_it_claims(every):
