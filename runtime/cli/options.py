@@ -70,7 +70,7 @@ class Format(StrEnum):
 Kind = StrEnum("Kind", {name.upper(): name for name in KINDS})  # type: ignore[misc]  # as above
 
 
-class Arithmetic(StrEnum):
+class RefiningArithmetic(StrEnum):
     """The arithmetics that refine an orbit."""
 
     FLINT = "flint"

@@ -40,7 +40,6 @@ from nonsmooth.runtime.cli.application import (
 )
 from nonsmooth.runtime.cli.keeping import say
 from nonsmooth.runtime.cli.options import (
-    Arithmetic,
     AsJson,
     Assignments,
     Derivatives,
@@ -54,6 +53,7 @@ from nonsmooth.runtime.cli.options import (
     OrbitName,
     Over,
     Quantity,
+    RefiningArithmetic,
     Require,
     RequiredVerdict,
     Save,
@@ -221,13 +221,13 @@ def verify(
     guess: Guess = None,
     digits: Digits = 50,
     arithmetic: Annotated[
-        Arithmetic,
+        RefiningArithmetic,
         typer.Option(
             "--arithmetic",
             help="What refines the orbit: balls, whose digits are proved; mpmath, whose digits are"
             " compared with twice as many; or both, and how far they differ.",
         ),
-    ] = Arithmetic.FLINT,
+    ] = RefiningArithmetic.FLINT,
     require: Require = None,
     save: Save = None,
     as_json: AsJson = False,
@@ -395,7 +395,7 @@ def _report(
     require: list[RequiredVerdict] | None,
     save: Path | None,
     as_json: bool,
-    verified_by: Arithmetic | None = None,
+    verified_by: RefiningArithmetic | None = None,
 ) -> int:
     """Solve for an orbit, refine, save and show it; gives the exit code.
 
@@ -427,13 +427,13 @@ def _report(
     )
     working = max(digits, _WORKING_DIGITS)
     by_kernels = found.problem.kernels is not None
-    arithmetic = (verified_by or Arithmetic.FLINT).value
+    arithmetic = (verified_by or RefiningArithmetic.FLINT).value
     orbit = refine(found, working, arithmetic=arithmetic)
     told = orbit_json(orbit, digits)
     if verified_by is not None:
-        told["arithmetic"] = arithmetic if by_kernels else Arithmetic.MPMATH.value
-        if verified_by is Arithmetic.BOTH:
-            by_mpmath = refine(found, working, arithmetic=Arithmetic.MPMATH.value)
+        told["arithmetic"] = arithmetic if by_kernels else RefiningArithmetic.MPMATH.value
+        if verified_by is RefiningArithmetic.BOTH:
+            by_mpmath = refine(found, working, arithmetic=RefiningArithmetic.MPMATH.value)
             told["difference"] = short(largest_difference(orbit, by_mpmath))
         told["proof"] = trace_proof_json(orbit)
     for parameter, value in assigned.items():  # also those that others stand for
