@@ -224,8 +224,10 @@ def _numbers(
 def _summary(
     numbers: Iterable[Comparison], claims: Iterable[Finding], wrong: Sequence[Finding]
 ) -> tuple[str, ...]:
-    verdicts = [number.verdict for number in numbers]
-    within = verdicts.count(AGREES)
+    verdicts: dict[tuple[str, str], list[str]] = {}
+    for number in numbers:  # some stand in two rows, computed from different data
+        verdicts.setdefault((number.where, number.quantity), []).append(number.verdict)
+    within = sum(AGREES in found for found in verdicts.values())
     kept = sum(claim.verdict == "holds" for claim in claims)
     shown = sum(finding.verdict == "misprint" for finding in wrong)
     return (
