@@ -40,7 +40,7 @@ from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.document.writers.mathml import mended
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import impacts, one_mass, rattle, switching
-from tests.documents import declarations, document_of, names
+from tests.documents import declarations, document_of, marked, names
 from tests.latex_reader import ORBITS, written_of
 
 VOID = {"meta", "br", "hr", "img", "link"}
@@ -114,7 +114,7 @@ def declared(name: str) -> Document:
     return DECLARED[name]()
 
 
-@pytest.fixture(params=[*ORBITS, *SYSTEMS, *OTHERS, *DECLARED])
+@pytest.fixture(params=[*marked((*SYSTEMS, *DECLARED), "undamped rattle"), *OTHERS, *ORBITS])
 def document(request: pytest.FixtureRequest) -> Document:
     name = str(request.param)
     if name in DECLARED:
