@@ -240,7 +240,9 @@ def test_a_chart_with_a_damaged_byte_is_named(tmp_path, monkeypatch) -> None:
     assert "c.zarr" in refused("plot", "c.zarr")
 
 
-@pytest.mark.parametrize("words", ["list", "list --json", "--help"])
+@pytest.mark.parametrize(
+    "words", ["list", pytest.param("list --json", marks=pytest.mark.slow), "--help"]
+)
 def test_a_closed_pipe_is_quiet(words: str) -> None:
     """The reader is gone before the first line: the exit code is that of a closed pipe."""
     reading, writing = os.pipe()
