@@ -831,6 +831,7 @@ def test_regenerate_and_check(tmp_path: Path) -> None:
     assert len(found["differences"]) == 2
 
 
+@pytest.mark.slow
 def test_regenerate_derives_one_system(tmp_path: Path) -> None:
     folder = tmp_path / "kernels"
     found = told("regenerate", "rigid-stop", "--out", str(folder))
