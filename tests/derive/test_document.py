@@ -35,7 +35,7 @@ from nonsmooth.derive.document.notation.arrange import by_function
 from nonsmooth.derive.document.notation.symbols import Notation
 from nonsmooth.derive.document.views.centres import name_centres
 from nonsmooth.derive.document.writers.hypertext import to_html
-from nonsmooth.derive.document.writers.latex import LatexMissing, compile_pdf, to_latex
+from nonsmooth.derive.document.writers.latex import compile_pdf, to_latex
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.document.writers.mathml import mended
 from nonsmooth.derive.systems import SYSTEMS, declaration
@@ -438,9 +438,3 @@ def test_pdf_is_compiled(ball: Document) -> None:
     assert compile_pdf(to_latex(ball)).startswith(b"%PDF")
     with pytest.raises(RuntimeError, match="failed"):
         compile_pdf(r"\documentclass{article}\begin{document}\nothing")
-
-
-def test_missing_latex_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PATH", "")
-    with pytest.raises(LatexMissing, match="texlive-latex-recommended"):
-        compile_pdf("")
