@@ -65,13 +65,20 @@ def names(kind: type[System] | type[Itinerary]) -> Iterator[str]:
     return (name for name, declared in declarations().items() if isinstance(declared, kind))
 
 
+# systems and orbits whose documents take seconds each, of kinds that smaller ones show too
+LARGE = {
+    *("backlash_gear", "beam/one-contact", "brake_pad/lifting", "chain", "impact_damper"),
+    *("jenkins/yielding-both-ways", "piecewise_stiffness", "three_masses", "two_belts"),
+}
+
+
 def marked(listed: Iterable[str], *long: str) -> list[Any]:
-    """Those names; of a system all orbits but one, three masses and `long` ones are slow."""
+    """Mark as slow large documents, `long` ones and all orbits of a system but one."""
     cases: list[Any] = []
     seen: set[str] = set()
     for name in listed:
         system, _, orbit = name.partition("/")
-        slow = system == "three_masses" or name in long or (orbit and system in seen)
+        slow = {name, system} & {*LARGE, *long} or (orbit and system in seen)
         cases.append(pytest.param(name, marks=[pytest.mark.slow] if slow else []))
         seen |= {system} if orbit else set()
     return cases

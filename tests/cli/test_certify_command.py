@@ -134,6 +134,7 @@ def test_a_check_that_differs_is_told(tmp_path: Path) -> None:
     assert json.loads(out)["same"] is False
 
 
+@pytest.mark.slow
 def test_a_box_is_proved_saved_resumed_and_drawn(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     path, picture = tmp_path / "map.json", tmp_path / "map.png"

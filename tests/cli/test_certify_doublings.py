@@ -12,6 +12,7 @@ pytestmark = pytest.mark.compiled  # much slower without it
 ASKED = ("certify", "dry-friction/symmetric", "V=1.07:1.09", "--doublings", "1", "--tiles", "1")
 
 
+@pytest.mark.slow
 def test_a_flip_is_gone_beyond_saved_drawn_checked_and_resumed(tmp_path: Path) -> None:
     file, picture = tmp_path / "cascade.json", tmp_path / "cascade.svg"
     found = run(*ASKED, "--save", str(file), "--plot", str(picture), "--require", "proved")

@@ -92,7 +92,7 @@ def test_a_time_may_be_an_expression():
 
 @pytest.mark.parametrize(
     ("ending", "start", "kind"),
-    [(*picture, kind) for picture, kind in zip(PICTURES, ("npz", "csv", "npz"), strict=True)],
+    [(*picture, kind) for picture, kind in zip(PICTURES[:2], ("npz", "csv"), strict=True)],
 )
 def test_save_and_plot(tmp_path, ending, start, kind):
     pytest.importorskip("matplotlib")
@@ -266,11 +266,11 @@ def test_find_shows_saves_and_maps(found, tmp_path):
 
 
 @pytest.mark.compiled
-def test_seed_and_box_reach_the_search():
+def test_seed_and_box_reach_the_search(found):
     document = told(*f"{FIND} --seed 3 --box x1=0:1/2,v2=-1:0".split())
     assert document["box"]["x1"] == ["0.0", "0.5"]
     assert document["box"]["v2"] == ["-1.0", "0.0"]
-    assert document["box"]["x2"] == told(*FIND.split())["box"]["x2"]
+    assert [float(x) for x in document["box"]["x2"]] == pytest.approx(found.box[1])
 
 
 @pytest.mark.parametrize(

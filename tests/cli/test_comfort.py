@@ -56,9 +56,9 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize(
     ("words", "completed"),
     [
-        ("nonsmooth doc", {"doctor"}),
+        pytest.param("nonsmooth doc", {"doctor"}, marks=pytest.mark.slow),
         ("nonsmooth solve dry-friction/g", {"dry-friction/global-stick"}),
-        ("nonsmooth simulate rig", {"rigid-stop"}),
+        pytest.param("nonsmooth simulate rig", {"rigid-stop"}, marks=pytest.mark.slow),
         ("nonsmooth solve --unkn", {"--unknown"}),
         ("nonsmooth solve nowhere", set()),
     ],

@@ -12,7 +12,6 @@ import pytest
 from typer.testing import CliRunner
 
 import nonsmooth as ns
-from nonsmooth.runtime.cli.application import assignments, check_drawing, ranges
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.core.errors import one_line, unknown_name
 from nonsmooth.runtime.core.result_files import checksum_of
@@ -172,34 +171,6 @@ def test_lines_are_one_line() -> None:
     assert len(str(unknown_name("orbit", "x" * 10**6, ["a"]))) < 200
 
 
-def test_values_and_ranges_are_given_once_and_in_their_form() -> None:
-    found = assignments("parameter", ["b=1/4", " a = 2"])
-    assert {name: float(value) for name, value in found.items()} == {"b": 0.25, "a": 2}
-    assert ranges("parameter", ["V=1/4:1"]) == {"V": (0.25, 1, 0)}
-    assert ranges("parameter", ["V=1:2:5", "a=0:1:02"], counts=True) == {
-        "V": (1, 2, 5), "a": (0, 1, 2),
-    }  # fmt: skip
-    for twice in (["V=1", "a=1", "V=1"], ["V=1", "V=2"]):
-        with pytest.raises(ns.InputError, match="parameter V is given twice"):
-            assignments("parameter", twice)
-    for text, counts in (("V=1:2", False), ("V=1:2:3", True)):
-        with pytest.raises(ns.InputError, match="unknown V is given twice"):
-            ranges("unknown", [text, text], counts=counts)
-        for wrong in ("V=1", "V=1:2:3:4", "=1:2:3", "=1:2", "V=1:2:3" if not counts else "V=1:2"):
-            with pytest.raises(ns.InputError, match="is not NAME=A:B"):
-                ranges("parameter", [wrong], counts=counts)
-
-
-def test_a_picture_that_could_not_be_drawn_is_refused(tmp_path) -> None:
-    pytest.importorskip("matplotlib")
-    check_drawing(None)
-    check_drawing(tmp_path / "a.png")
-    (tmp_path / "folder.png").mkdir()
-    for name, said in (("a.jpg", "does not end in"), ("folder.png", "it is a folder")):
-        with pytest.raises(ns.InputError, match=said):
-            check_drawing(tmp_path / name)
-
-
 @pytest.mark.slow
 @pytest.mark.compiled
 def test_hostile_commands_are_refused_or_answered(tmp_path: Path) -> None:
@@ -240,7 +211,9 @@ def test_a_chart_with_a_damaged_byte_is_named(tmp_path, monkeypatch) -> None:
     assert "c.zarr" in refused("plot", "c.zarr")
 
 
-@pytest.mark.parametrize("words", ["list", "list --json", "--help"])
+@pytest.mark.parametrize(
+    "words", ["list", pytest.param("list --json", marks=pytest.mark.slow), "--help"]
+)
 def test_a_closed_pipe_is_quiet(words: str) -> None:
     """The reader is gone before the first line: the exit code is that of a closed pipe."""
     reading, writing = os.pipe()

@@ -111,6 +111,7 @@ def test_columns_of_events_by_other_names(change: tuple[str, str, str]) -> None:
     assert json.loads(out)["estimates"] == expected
 
 
+@pytest.mark.slow
 def test_steady_responses_from_a_file() -> None:
     """Without an impact the amplitude is 1 / |k - w^2 + i c w|."""
     pytest.importorskip("matplotlib")
@@ -128,8 +129,12 @@ def test_steady_responses_from_a_file() -> None:
     assert [each["parameters"]["w"] for each in responses] == ["3.0", "4.0"]
     kept = ns.load("fit.json")
     assert float(kept.response(1).parameters["w"]) == 4.0
-    shown = run(f"{command} --responses A=amplitude:x")[1]
-    assert "2 steady responses" in shown
+    assert "2 steady responses" in run(f"{command} --responses A=amplitude:x")[1]
+
+
+def test_a_kind_of_response_that_is_none_is_refused() -> None:
+    Path("sweep.csv").write_text("w,A\n3,1")
+    command = "fit identification.py sweep.csv c=0.05 h=0.2 r=0.8 k=2.4:2.6"
     code, _, err = run(f"{command} --responses A=size:x")
     assert (code, len(err.splitlines())) == (2, 1)
     assert "unknown kind of response 'size'" in err

@@ -79,6 +79,7 @@ def run(*arguments: str, folder: Path) -> tuple[int, str]:
     return result.exit_code, result.output
 
 
+@pytest.mark.slow
 def test_a_map_is_kept_drawn_and_gone_on_with(tmp_path: Path) -> None:
     ended = interrupted(
         "certify dry-friction/symmetric V=0.6:1.3 --tiles 6 --save map.json --plot map.png",
@@ -103,6 +104,7 @@ def test_a_map_is_kept_drawn_and_gone_on_with(tmp_path: Path) -> None:
     assert sorted(map(json.dumps, later)) == sorted(map(json.dumps, whole))
 
 
+@pytest.mark.slow
 def test_a_sweep_goes_on_to_the_same_diagram(tmp_path: Path) -> None:
     question = (
         f"sweep dry-friction V=0.5:1.2:500 {FRICTION} --quantity x1 --at slip-stick {REST}"
@@ -143,6 +145,7 @@ def test_a_branch_goes_on_to_both_ends(tmp_path: Path) -> None:
     np.testing.assert_array_equal(whole.unknowns[place : place + len(part)], part.unknowns)
 
 
+@pytest.mark.slow
 def test_a_design_goes_on_to_its_end(tmp_path: Path) -> None:
     question = (
         "design dry-friction/symmetric V=0.6:3 eta=3:5 --minimise spectral_radius"
@@ -164,17 +167,19 @@ def test_a_design_goes_on_to_its_end(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "when", "file", "told"),
     [
-        (
+        pytest.param(
             f"find dry-friction V=0.6773 {FRICTION} --starts 60 --save found.json",
             "looking for unstable",
             "found.json",
             "orbits and equilibria are found, kept in found.json; begin again with: ",
+            marks=pytest.mark.slow,
         ),
-        (
+        pytest.param(
             "certify dry-friction/symmetric V=0.6:1.3 --events --digits 1500 --save events.json",
             r"[1-9]\d*/\d",
             "events.json",
             "1 of 2 events are done, kept in events.json; go on with: ",
+            marks=pytest.mark.slow,
         ),
         (
             "certify dry-friction/global-stick --all tau=0:20 tau1=0:20 --save census.json",
@@ -182,12 +187,13 @@ def test_a_design_goes_on_to_its_end(tmp_path: Path) -> None:
             "census.json",
             "orbits found, kept in census.json; begin again with: ",
         ),
-        (
+        pytest.param(
             "chart dry-friction/global-stick V=0.8:1.3:200 eta=0.8:1.3:200 --chunk 400"
             " --out F.zarr",
             r"[1-9]\d*/\d+",
             "F.zarr",
             "chunks are kept in F.zarr; go on with: ",
+            marks=pytest.mark.slow,
         ),
     ],
 )

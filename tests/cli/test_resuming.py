@@ -112,7 +112,12 @@ def answer(file: str) -> Any:
     return content
 
 
-@pytest.mark.parametrize("kind", QUESTIONS)
+def marked(*slow: str) -> list[Any]:
+    """Each kind of question, with a mark of those that are slow."""
+    return [pytest.param(k, marks=[pytest.mark.slow] * (k in slow)) for k in QUESTIONS]
+
+
+@pytest.mark.parametrize("kind", marked("graph", "basin", "branch"))
 def test_what_is_interrupted_goes_on_by_its_file_alone_to_the_whole(
     kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -142,7 +147,10 @@ def test_what_is_interrupted_goes_on_by_its_file_alone_to_the_whole(
         assert answer("part.json") == answer("whole.json")
 
 
-@pytest.mark.parametrize("kind", [kind for kind in QUESTIONS if kind not in ("graph", "sweep")])
+@pytest.mark.parametrize(
+    "kind",
+    [k for k in marked("basin", "branch", "events") if k.values[0] not in ("graph", "sweep")],
+)
 def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(
     kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -290,6 +298,8 @@ def test_no_file_makes_a_command_run_a_declaration_or_do_something_else(
     assert "'tiles' is of the wrong type" in refused(tiles=[3])
     assert "'parameters' is of the wrong type" in refused(parameters=[3])
     assert "`nonsmooth certify` wrote it" in run("basin", "--resume", "part.json")[2]
+    ns.solve(SYMMETRIC).save("orbit.json")
+    assert "does not hold its question" in run("certify", "--resume", "orbit.json")[2]
     ns.load("part.json").save("python.json")
     assert "does not hold its question" in run("certify", "--resume", "python.json")[2]
     words = ("certify", SYMMETRIC, "V=1:1.1", "--tiles", "2", "--resume", "python.json")

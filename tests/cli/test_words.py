@@ -88,19 +88,3 @@ def test_values_of_a_file_are_no_defaults_and_unknowns_have_their_names(tmp_path
         assert again.count(f"from {file}") == len(ns.load(file).given)
         rows = {line.split()[0] for line in again.splitlines() if line.strip()}
         assert rows >= {*ns.load(file).problem.unknown_names}
-
-
-@pytest.mark.parametrize("kind", ["box", "branch"])
-def test_a_proof_goes_on_by_its_file_alone(
-    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    question = ["certify", "dry-friction/symmetric", "V=1:1.1", *["--branch"] * (kind == "branch")]
-    assert run(*question, "--tiles", "1", "--save", "part.json")[0] == 1
-    code, _, err = run("certify", "--resume", "part.json", "--tiles", "3")
-    assert code in (0, 1), err
-    assert run(*question, "--tiles", "3", "--save", "whole.json")[0] == code
-    part, whole = (ns.load(name).to_json()["tiles"] for name in ("part.json", "whole.json"))
-    assert part == whole
-    ns.solve(ORBIT).save("orbit.json")
-    assert "does not hold its question" in run("certify", "--resume", "orbit.json")[2]

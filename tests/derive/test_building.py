@@ -161,7 +161,7 @@ def test_coupled_contacts_take_the_solution_of_the_complementarity_problem() -> 
     system = oscillator("pair", ["x1", "x2"], mass, stiffness, elements=elements)
     root = np.linalg.inv(np.linalg.cholesky(mass))
     rng, seen = np.random.default_rng(11), set()
-    for _ in range(150):
+    for _ in range(100):
         positions = rng.normal(size=2)
         forces = -stiffness @ positions
         held = lsq_linear(root, -root @ forces, (-limits, limits), tol=1e-14).x
@@ -183,7 +183,7 @@ def test_a_contact_and_a_stop_that_are_coupled_are_decided_together() -> None:
     system = oscillator("three", names, FULL, SPRINGS, elements=elements)
     root = np.linalg.inv(np.linalg.cholesky(FULL))
     rng, seen = np.random.default_rng(12), set()
-    for _ in range(150):
+    for _ in range(60):
         positions = np.array([rng.normal(), 0.25, rng.normal()])
         forces = -SPRINGS @ positions
         bounds = ([-0.4, -np.inf], [0.4, 0])

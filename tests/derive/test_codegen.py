@@ -35,7 +35,7 @@ from tests.places import CHECKOUT
 
 GENERATED = CHECKOUT / "generated"
 RECORD = json.loads((GENERATED / "PROVENANCE.json").read_text(encoding="utf-8"))
-PROPERTY = settings(deadline=None, max_examples=30, derandomize=True)
+PROPERTY = settings(deadline=None, max_examples=12, derandomize=True)
 
 same_sympy = pytest.mark.skipif(
     RECORD["sympy"] != sp.__version__,

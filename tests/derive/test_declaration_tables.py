@@ -46,18 +46,19 @@ def at(name, values):
 
 def numbers(name, expressions, values):
     """Affine functions (gradient, constant) of the states, in floats."""
-    system = declaration(name).system
-    substitution = {p.symbol: values[p.name] for p in system.parameters}
+    return np.array([affine(name, sp.sympify(e), tuple(values.items())) for e in expressions])
+
+
+@cache
+def affine(name, expression, values):
+    """The gradient and the constant of one function, which many transitions have."""
+    system, known = declaration(name).system, dict(values)
+    substitution = {p.symbol: known[p.name] for p in system.parameters}
     zero = dict.fromkeys(system.states, 0)
-    return np.array(
-        [
-            [
-                *(float(sp.diff(e, state).subs(substitution)) for state in system.states),
-                float(sp.sympify(e).subs(zero).subs(substitution)),
-            ]
-            for e in expressions
-        ]
-    )
+    return [
+        *(float(sp.diff(expression, state).subs(substitution)) for state in system.states),
+        float(expression.subs(zero).subs(substitution)),
+    ]
 
 
 @pytest.fixture(params=[pytest.param("c", marks=pytest.mark.compiled), "numpy"])

@@ -35,12 +35,12 @@ from nonsmooth.derive.document.notation.arrange import by_function
 from nonsmooth.derive.document.notation.symbols import Notation
 from nonsmooth.derive.document.views.centres import name_centres
 from nonsmooth.derive.document.writers.hypertext import to_html
-from nonsmooth.derive.document.writers.latex import LatexMissing, compile_pdf, to_latex
+from nonsmooth.derive.document.writers.latex import compile_pdf, to_latex
 from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.document.writers.mathml import mended
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from tests.declared_documents import impacts, one_mass, rattle, switching
-from tests.documents import declarations, document_of, names
+from tests.documents import declarations, document_of, marked, names
 from tests.latex_reader import ORBITS, written_of
 
 VOID = {"meta", "br", "hr", "img", "link"}
@@ -114,7 +114,7 @@ def declared(name: str) -> Document:
     return DECLARED[name]()
 
 
-@pytest.fixture(params=[*ORBITS, *SYSTEMS, *OTHERS, *DECLARED])
+@pytest.fixture(params=[*marked((*SYSTEMS, *DECLARED), "undamped rattle"), *OTHERS, *ORBITS])
 def document(request: pytest.FixtureRequest) -> Document:
     name = str(request.param)
     if name in DECLARED:
@@ -438,9 +438,3 @@ def test_pdf_is_compiled(ball: Document) -> None:
     assert compile_pdf(to_latex(ball)).startswith(b"%PDF")
     with pytest.raises(RuntimeError, match="failed"):
         compile_pdf(r"\documentclass{article}\begin{document}\nothing")
-
-
-def test_missing_latex_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PATH", "")
-    with pytest.raises(LatexMissing, match="texlive-latex-recommended"):
-        compile_pdf("")

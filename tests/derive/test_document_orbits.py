@@ -16,7 +16,7 @@ from nonsmooth.derive.document.writers.markdown import to_markdown
 from nonsmooth.derive.equations.section import section_of, start_of
 from nonsmooth.derive.equations.symmetry import end_conditions
 from nonsmooth.derive.flows.modal import TIME
-from tests.documents import derived
+from tests.documents import derived, marked
 from tests.latex_reader import (
     ORBITS,
     REVERSIBLE,
@@ -41,14 +41,15 @@ def written(name: str) -> Written:
 
 
 VARIANTS = {
+    "with full closure": lambda: replace(declared_as("elastic-stop/one-contact"), reversor={}),
     "from the second phase": lambda: declared_as("dry-friction/symmetric").rotated(1),
     "from the third phase": lambda: declared_as("dry-friction/global-stick").rotated(2),
     "behind the collision": lambda: declared_as("dry-friction/solution-ii").rotated(1),
-    "with full closure": lambda: replace(declared_as("elastic-stop/one-contact"), reversor={}),
 }
 
 
 GALLERY = ("mass_on_belt/stick-slip", "two_belts/both-stick", "two_belts/second-sticks")
+LONG = ("from the third phase", "behind the collision", *GALLERY)
 
 
 FORCED = (
@@ -81,7 +82,7 @@ def defined_in_order(written: Written) -> None:
             known.add(line.subject)
 
 
-@pytest.mark.parametrize("name", FORCED)
+@pytest.mark.parametrize("name", marked(FORCED))
 def test_forced_orbits_have_documents_as_true(name: str) -> None:
     written = derived(name)
     assert written is not None
@@ -91,9 +92,7 @@ def test_forced_orbits_have_documents_as_true(name: str) -> None:
     defined_in_order(written)
 
 
-@pytest.mark.parametrize(
-    "name", [*VARIANTS, *(pytest.param(name, marks=pytest.mark.slow) for name in GALLERY)]
-)
+@pytest.mark.parametrize("name", marked((*VARIANTS, *GALLERY), *LONG))
 def test_other_itineraries_have_documents_as_true(name: str) -> None:
     written = Written(derive_equations(VARIANTS[name]())) if name in VARIANTS else derived(name)
     assert written is not None

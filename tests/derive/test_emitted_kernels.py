@@ -20,13 +20,14 @@ import pytest
 import sympy as sp
 from sympy.printing.pycode import MpmathPrinter
 
-from nonsmooth.derive import Itinerary, derive_equations
+from nonsmooth.derive import Itinerary
 from nonsmooth.derive.codegen.kernels import orbit_kernels
 from nonsmooth.derive.codegen.naming import python_function
 from nonsmooth.derive.systems import SYSTEMS, declaration
 from nonsmooth.runtime.core.arithmetic import FLOATS, Balls, Mpmath
 from nonsmooth.runtime.core.values import parse
 from nonsmooth.runtime.core.vectorised import vectorised
+from tests.latex_reader import written_of
 from tests.places import CHECKOUT
 
 GENERATED = CHECKOUT / "generated"
@@ -37,6 +38,7 @@ FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-fopenmp-simd", "-ffp-contr
 MODULES = {name: import_module(f"nonsmooth.generated.{stem}") for name, stem in SYSTEMS.items()}
 ORBITS = {f"{name}/{o.name}": o for name in SYSTEMS for o in declaration(name).orbits}
 EVERY = [(system, kernel) for system, module in MODULES.items() for kernel in module.KERNELS]
+SMALL = ("rigid-stop/one-impact", "dry-friction/global-stick")
 every_kernel = pytest.mark.parametrize(
     ("system", "kernel"), EVERY, ids=[f"{s}-{k}" for s, k in EVERY]
 )
@@ -154,7 +156,10 @@ def test_floats_mpmath_and_balls_agree(system: str, kernel: str) -> None:
                 assert ball.rad() < 1e-40
 
 
-@pytest.mark.parametrize("name", ORBITS)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=[] if name in SMALL else [pytest.mark.slow]) for name in ORBITS],
+)
 def test_kernels_are_the_stages_written_out(name: str) -> None:
     """Each orbit kernel against its stages, evaluated one by one without any elimination."""
     lib = Mpmath(50)
@@ -162,7 +167,7 @@ def test_kernels_are_the_stages_written_out(name: str) -> None:
     known["Angle"] = lib.angle
     printer = MpmathPrinter({"fully_qualified_modules": False, "allow_unknown_functions": True})
     system, _, orbit = name.partition("/")
-    kernels = orbit_kernels(derive_equations(ORBITS[name]))
+    kernels = orbit_kernels(written_of(name).equations)
     for kernel in kernels:
         emitted = python_function(kernel.name, orbit)
         arguments = point(system, emitted, 5)
@@ -340,7 +345,9 @@ def test_a_c_program_gives_the_residual_and_the_trace(
 
 @needs_compiler
 @pytest.mark.skipif(shutil.which("nm") is None, reason="there is no nm")
-@pytest.mark.parametrize("system", SYSTEMS)
+@pytest.mark.parametrize(
+    "system", ["rigid-stop", "dry-friction", pytest.param("elastic-stop", marks=pytest.mark.slow)]
+)
 def test_public_c_symbols_have_the_name_of_their_system(
     system: str, library: Callable[[str], Path]
 ) -> None:

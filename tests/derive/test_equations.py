@@ -410,10 +410,24 @@ def rotations(name: str) -> range:
     return range(len(EXAMPLES[name].itinerary().phases))
 
 
-EVERY = [(name, k) for name in EXAMPLES for k in rotations(name)]
+# two masses take long: of these orbits few are not slow, and only from their own start
+LARGE = ("dry-friction", "symmetric", "solution-ii", "one-contact", "pair")
 # of the declared orbits one rotation is enough for derivatives
 DECLARED = ("symmetric", "solution-ii", "one-impact", "one-contact")
-MOST = [(name, k) for name, k in EVERY if name not in DECLARED or k == 0]
+
+
+def started(*quick: str, other: tuple[str, ...] = ()) -> list[Any]:
+    """Give each example with each start, of `other` ones with the first alone."""
+    return [
+        pytest.param(name, k, marks=[pytest.mark.slow] if name in LARGE and slow else [])
+        for name in EXAMPLES
+        for k in rotations(name)[: 1 if name in other else None]
+        for slow in [k > 0 or name not in quick]
+    ]
+
+
+EVERY = started("dry-friction", "one-contact", "pair")
+MOST = started("dry-friction", "pair", other=DECLARED)
 
 
 def close(found: Any, expected: Any, digits: int) -> bool:
@@ -490,13 +504,16 @@ def test_a_saltation_matrix_maps_field_to_field_and_the_boundary_by_the_reset() 
         assert matrix * along == reset * along
 
 
-def test_the_global_stick_map_has_rank_one() -> None:
-    for rotation in rotations("dry-friction"):
-        jacobian = solved("dry-friction", rotation).poincare
-        for i in range(1, jacobian.rows):
-            for j in range(1, jacobian.cols):
-                minor = jacobian[0, 0] * jacobian[i, j] - jacobian[0, j] * jacobian[i, 0]
-                assert abs(minor) < MP.mpf(10) ** -45
+@pytest.mark.parametrize(
+    "rotation",
+    [0, *(pytest.param(k, marks=pytest.mark.slow) for k in (1, 2, 3))],
+)
+def test_the_global_stick_map_has_rank_one(rotation: int) -> None:
+    jacobian = solved("dry-friction", rotation).poincare
+    for i in range(1, jacobian.rows):
+        for j in range(1, jacobian.cols):
+            minor = jacobian[0, 0] * jacobian[i, j] - jacobian[0, j] * jacobian[i, 0]
+            assert abs(minor) < MP.mpf(10) ** -45
     assert len(solved("dry-friction").multipliers()) == 1
 
 
@@ -593,7 +610,9 @@ def in_c(equations: EquationSystem, folder: Path) -> Callable[..., tuple[int, li
 
 
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
-@pytest.mark.parametrize("name", ["bounce", "bilinear", "belt", "one-contact"])
+@pytest.mark.parametrize(
+    "name", ["bounce", "bilinear", "belt", pytest.param("one-contact", marks=pytest.mark.slow)]
+)
 def test_the_solver_in_c_finds_the_orbit(name: str, tmp_path: Path) -> None:
     example = solved(name)
     equations = example.derived.orbit

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -256,80 +255,6 @@ def test_balls_enclose_the_matrix_exponential(name: str) -> None:
                     exact = flint.arb(mpmath.nstr(expected[i, j], 100), "1e-90")
                     assert ball.overlaps(exact)
                     assert ball.rad() < 1e-35
-
-
-@pytest.mark.parametrize("name", CASES)
-def test_group_laws_of_the_flow(name: str) -> None:
-    lib = Mpmath(DIGITS + 10)
-    s, t = F(2, 3), F(9, 7)
-    at_zero, at_s, at_t, at_both = (mp_flow(name, x, lib) for x in (F(0), s, t, s + t))
-    size = at_s.rows
-    identity, tiny = lib.mp.eye(size), lib.mp.mpf(10) ** -DIGITS
-    phi_s, phi_t, both = (m[:, :size] for m in (at_s, at_t, at_both))
-    scale = 1 + lib.mp.mnorm(both)
-    assert lib.mp.mnorm(at_zero[:, :size] - identity) < tiny
-    assert lib.mp.mnorm(at_zero[:, size]) < tiny
-    assert lib.mp.mnorm(both - phi_t * phi_s) < tiny * scale
-    # y(s + t) = Phi(t) y(s) + o(t) gives the law of the offsets
-    assert lib.mp.mnorm(at_both[:, size] - phi_t * at_s[:, size] - at_t[:, size]) < tiny * scale
-
-
-def evaluated(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, Any], lib: Any) -> list[Any]:
-    """Numbers of expressions, through the emitted source."""
-    symbols = tuple(sorted(values, key=str))
-    kernel = Kernel(
-        "probe", "", (Argument("inputs", (len(symbols),), symbols),),
-        (Output("results", (len(expressions),), tuple(expressions)),), (),
-    )  # fmt: skip
-    return list(executed(kernel)([values[s] for s in symbols], lib=lib))
-
-
-@pytest.mark.parametrize("name", CASES)
-def test_the_derivative_of_the_flow_is_the_vector_field(name: str) -> None:
-    system, spectrum, flow, _ = derived(name)
-    lib = Mpmath(DIGITS + 10)
-    state = sp.Matrix(system.states)
-    end = flow.matrix() * state + flow.offset()
-    defects = list(end.diff(TIME) - flow.velocity(end))
-    source = random.Random(name)
-    values = {TIME: lib.mp.mpf(source.uniform(0.1, 3))}
-    values |= {s: lib.mp.mpf(source.uniform(-2, 2)) for s in system.states}
-    values |= {
-        p.symbol: mp_number(lib.mp, v)
-        for p, v in zip(system.parameters, CASES[name].values, strict=True)
-    }
-    numbers = mp_spectrum(name, lib.mp)
-    values |= dict(zip(spectrum.symbols, numbers, strict=True))
-    size = max(1, max(abs(e) for e in evaluated(list(end), values, lib)))
-    assert max(abs(d) for d in evaluated(defects, values, lib)) < size * lib.mp.mpf(10) ** -DIGITS
-
-
-SYMMETRIC = [
-    "spring", "no-spring", "equal", "nearly-equal", "singular", "coupled-masses",
-    "three", "three-zero", "three-equal",
-]  # fmt: skip
-
-
-@pytest.mark.parametrize("name", SYMMETRIC)
-def test_symmetric_motions_conserve_their_energy(name: str) -> None:
-    lib = Mpmath(DIGITS + 10)
-    system, _, _, _ = derived(name)
-    dynamics = system.configurations[0].dynamics
-    values = substitution(system, CASES[name].values)
-    n = CASES[name].size
-    mass, stiffness, load = (
-        lib.mp.matrix([[lib.mp.mpf(e.p) / e.q for e in row] for row in m.subs(values).tolist()])
-        for m in (dynamics.mass, dynamics.stiffness, dynamics.load)
-    )
-    start = lib.mp.matrix([lib.mp.mpf(i * i - 3) / 7 for i in range(2 * n)])
-
-    def energy(state: Any) -> Any:
-        x, v = state[:n], state[n:]
-        return (v.T * mass * v + x.T * stiffness * x)[0] / 2 - (load.T * x)[0]
-
-    flow = mp_flow(name, F(17, 5), lib)
-    end = flow[:, : 2 * n] * start + flow[:, 2 * n]
-    assert abs(energy(end) - energy(start)) < lib.mp.mpf(10) ** (3 - DIGITS)
 
 
 # --- the dry friction's nine configurations ---------------------------------------------
