@@ -39,6 +39,7 @@ TYPES: dict[str, type] = {
     "nonsmooth census": ns.Census,
 }
 WITHOUT_PICTURE = {"nonsmooth certificate", "nonsmooth event certificate", "nonsmooth census"}
+OF_KINDS = {"nonsmooth orbit", "nonsmooth composed orbit", "nonsmooth found orbits"}
 WITH_ORBIT = {"nonsmooth orbit", "nonsmooth composed orbit", "nonsmooth design"}
 
 
@@ -105,7 +106,8 @@ def test_motions_and_charts_are_read_too(folder: Path) -> None:
 @pytest.mark.parametrize("name", [*map(name_of, KINDS), "motion.npz", "motion.csv", "line.zarr"])
 def test_every_file_is_drawn_or_says_why_not(name: str, folder: Path, tmp_path: Path) -> None:
     picture = tmp_path / "picture.png"
-    code, error = told(f"plot {folder / name} --out {picture}")
+    kind = "--kind time" if name in map(name_of, OF_KINDS) or "motion" in name else ""
+    code, error = told(f"plot {folder / name} {kind} --out {picture}")
     if name in map(name_of, WITHOUT_PICTURE):
         assert code == 2
         assert "of which there is no picture: `nonsmooth certify --check" in error

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Iterator
 from decimal import Decimal
 from pathlib import Path
 from typing import Any
@@ -43,7 +42,7 @@ def figures() -> dict[str, Any]:
 
 
 @pytest.fixture(scope="module")
-def rough(tmp_path_factory: pytest.TempPathFactory, figures: dict[str, Any]) -> Iterator[Path]:
+def rough(tmp_path_factory: pytest.TempPathFactory, figures: dict[str, Any]) -> Path:
     """The folder without formulas and with empty pictures, which take most of the time."""
     drawn = []
     empty = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"></svg>'
@@ -53,7 +52,7 @@ def rough(tmp_path_factory: pytest.TempPathFactory, figures: dict[str, Any]) -> 
         paths = writing.reproduce(folder, lambda orbit, section: ())
     pictures = [path for path in paths if path.suffix in (".svg", ".png")]
     figures |= {path.stem: figure for path, figure in zip(pictures, drawn, strict=True)}
-    yield folder
+    return folder
 
 
 @pytest.fixture(scope="module")
@@ -199,4 +198,3 @@ def test_missing_extras_are_asked_for_first(
     with pytest.raises(MissingExtra, match=module):
         writing.reproduce(tmp_path / "paper", lambda orbit, section: ())
     assert list(tmp_path.iterdir()) == []
-
