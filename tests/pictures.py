@@ -22,9 +22,9 @@ def figure_in(path: Path, kind: str = "all", **view: Any) -> Any:
     return saved_files.figure_of(path, kind, 1, wanted)[1]
 
 
-def figure_of_saved(result: Any, kind: str = "all") -> Any:
+def figure_of_saved(result: Any, kind: str = "all", **view: Any) -> Any:
     """Give the figure of a result that is saved in a file."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "result.json"
         result.save(path)
-        return figure_in(path, kind)
+        return figure_in(path, kind, **view)

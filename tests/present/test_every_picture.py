@@ -83,7 +83,12 @@ CASES: dict[str, Callable[[], Any]] = {
     "found velocity": lambda: figure_of_saved(found(), "velocity"),
     "basins": lambda: draw_basins(basins(found(), ("x", -1, 1, 6), ("v", -1, 1, 6))),
     "branch": lambda: symmetric_branch().plot(),
-    "narrow branch": lambda: branch("1.3", "1.3001").plot(("amplitude_x", "trace")),
+    "narrow branch": lambda: figure_of_saved(
+        branch("1.3", "1.3001"),
+        quantities=("amplitude_x", "trace"),
+        over=None,
+        frequency="angular",
+    ),
     "branch in metres": lambda: branch("1.0", "1.05", 1e-6).plot(),
     "locus": lambda: flips().plot(),
     "sweep": lambda: figure_of_saved(swept()),
