@@ -269,7 +269,7 @@ class Trajectory(Shown):
         axes : matplotlib Axes, optional
             Where to draw; a figure of its own when omitted.
         masses : iterable of int, optional
-            Masses that are drawn, counted from 1; all when omitted.
+            Masses that are drawn, counted from 0; all when omitted.
         points : int
             About how many points a curve has.
 

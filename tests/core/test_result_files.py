@@ -8,36 +8,18 @@ import math
 import random
 import re
 import tracemalloc
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import pytest
 
 import nonsmooth as ns
 from nonsmooth import InputError
-from nonsmooth.runtime.core.json_codec import (
-    AnyComplex,
-    AnyDigits,
-    AnyTable,
-    BlankDigits,
-    BlankText,
-    BlankValue,
-    Complex,
-    Digits,
-    Flags,
-    FromOne,
-    Integers,
-    Row,
-    Table,
-    decode,
-    encode,
-)
-from nonsmooth.runtime.core.result_files import FileFormat, checksum_of, format_in
-from nonsmooth.runtime.core.values import Value, parse
+from nonsmooth.runtime.core.result_files import checksum_of
 from tests.certified import LOOP, kicked, loop, prove_basin, prove_cascade, prove_graph
 from tests.horseshoes import folded_horseshoe
 from tests.shared import shared_file
@@ -45,123 +27,6 @@ from tests.shared import shared_file
 STICK = "dry-friction/global-stick"
 TWO_MASSES = {"m1": 1, "m2": 2, "k1": 1, "k2": 5, "r": 0.8}
 FRICTION = {"chi": 0.4, "eta": 4, "V": 0.6773, "us1": 0.0127, "ur1": 0.0255, "us2": 0.5, "ur2": 1}
-
-
-@dataclass(frozen=True, kw_only=True)
-class Inner:
-    name: str
-    size: Digits
-    share: float
-
-
-@dataclass(frozen=True, kw_only=True)
-class Everything:
-    """A record with an entry of every kind."""
-
-    text: str
-    whole: int
-    flag: bool
-    number: float
-    digits: Digits
-    unbounded: AnyDigits
-    value: Value
-    kind: Literal["one", "other"]
-    phase: FromOne
-    missing: Inner | None
-    blank_text: BlankText
-    blank_digits: BlankDigits
-    blank_value: BlankValue
-    pair: tuple[str, Digits]
-    inner: tuple[Inner, ...]
-    values: Mapping[str, Value]
-    row: Row
-    table: Table
-    any_table: AnyTable
-    roots: Complex
-    any_roots: AnyComplex
-    places: Integers
-    flags: Flags
-
-
-EVERYTHING = FileFormat(name="nonsmooth everything", what="record", entries=Everything)
-
-
-def drawn(seed: int) -> Everything:
-    """A random record, with numbers of all sizes."""
-    rng = random.Random(seed)
-
-    def number() -> float:
-        return rng.choice([0.0, -0.0, 5e-324, rng.gauss(0, 1), rng.gauss(0, 1) * 10.0**200])
-
-    def unbounded() -> float:
-        return rng.choice([number(), math.inf, -math.inf, math.nan])
-
-    def inner() -> Inner:
-        return Inner(name=rng.choice(["", "a/b", "\u03c4"]), size=number(), share=number())
-
-    def array(count: int, draw: Callable[[], Any]) -> np.ndarray:
-        return np.array([draw() for _ in range(count)])
-
-    count, wide = rng.randrange(1, 5), rng.randrange(1, 4)
-    return Everything(
-        text=rng.choice(["", "x", '"', "\n"]),
-        whole=rng.randrange(-(10**30), 10**30),
-        flag=rng.random() < 0.5,
-        number=number(),
-        digits=number(),
-        unbounded=unbounded(),
-        value=parse(rng.choice(["1/3", "2*pi", "0.1"])),
-        kind=rng.choice(["one", "other"]),
-        phase=rng.choice([None, 0, 7]),
-        missing=rng.choice([None, inner()]),
-        blank_text=rng.choice([None, "x"]),
-        blank_digits=rng.choice([None, number()]),
-        blank_value=rng.choice([None, parse("sqrt(2)")]),
-        pair=("x", number()),
-        inner=tuple(inner() for _ in range(count)),
-        values={"V": parse("1/3"), "T": parse("2*pi")},
-        row=array(count, number),
-        table=array(count * wide, number).reshape(count, wide),
-        any_table=array(count * wide, unbounded).reshape(count, wide),
-        roots=array(count, lambda: complex(number(), number())),
-        any_roots=array(count, lambda: complex(unbounded(), abs(number()))),
-        places=array(count, lambda: rng.randrange(-9, 9)),
-        flags=array(count, lambda: rng.random() < 0.5),
-    )
-
-
-@pytest.mark.parametrize("seed", range(20))
-def test_a_record_comes_back_as_it_was(seed: int, tmp_path: Path) -> None:
-    record = drawn(seed)
-    one, other = tmp_path / "one.json", tmp_path / "other.json"
-    EVERYTHING.write(one, record)
-    back = EVERYTHING.read(one)
-    for name, entry in vars(record).items():
-        np.testing.assert_equal(getattr(back, name), entry)
-        assert type(getattr(back, name)) is type(entry)
-    EVERYTHING.write(other, back)
-    assert one.read_bytes() == other.read_bytes()
-
-
-def test_what_is_refused_is_named_by_its_path() -> None:
-    content = encode(drawn(3))
-    for change, told in (
-        ({"whole": 1.0}, "'whole' is of the wrong type"),
-        ({"flag": 1}, "'flag' is of the wrong type"),
-        ({"number": math.nan}, "'number' is of the wrong type"),
-        ({"digits": "nan"}, "'digits' is nan, not a finite number"),
-        ({"value": "1/0"}, "'value': '1/0'"),
-        ({"value": "0" * 1001 + "1e99999999"}, "'value' has an exponent beyond 10000"),
-        ({"kind": "third"}, "'kind' is 'third', none of one, other"),
-        ({"pair": ["x"]}, "'pair' is no list of 2"),
-        ({"inner": [content["inner"][0], {"name": ""}]}, "'inner/2/size' is missing"),
-        ({"table": [["1.0"], ["1.0", "2.0"]]}, "'table' has rows of different lengths"),
-        ({"roots": ["1.0", "1.0 inf"]}, "'roots/2' is inf, not a finite number"),
-        ({"values": {"V": "1", "T": 2}}, "'values/T' is of the wrong type"),
-        ({"unheard": 0}, "'unheard' is unknown"),
-    ):
-        with pytest.raises(InputError, match=re.escape(told)):
-            decode(Everything, {**content, **change})
 
 
 def composed() -> Any:
@@ -271,6 +136,64 @@ def signed(content: Any) -> Any:
     return [signed(entry) for entry in content] if isinstance(content, list) else content
 
 
+@pytest.mark.parametrize("seed", range(5))
+def test_numbers_come_back_as_they_were(seed: int, tmp_path: Path) -> None:
+    """Numbers of all sizes and both zeros, and what is none where that is let through."""
+    rng, sweep = random.Random(seed), ns.load(file_of("nonsmooth sweep"))
+
+    def number() -> float:
+        return rng.choice([0.0, -0.0, 5e-324, math.nan, rng.gauss(0, 1), rng.gauss(0, 1) * 1e200])
+
+    numbers = np.array([number() for _ in range(sweep.samples.size)]).reshape(sweep.samples.shape)
+    replace(sweep, samples=numbers).save(tmp_path / "sweep.json")
+    back = ns.load(tmp_path / "sweep.json").samples
+    np.testing.assert_array_equal(back, numbers)
+    np.testing.assert_array_equal(np.signbit(back), np.signbit(numbers))
+
+
+SWEEP, PROOF, BRANCH = "nonsmooth sweep", "nonsmooth certificate", "nonsmooth branch"
+
+
+@pytest.mark.parametrize(
+    ("kind", "path", "entry", "told"),
+    [
+        (SWEEP, "done", 1.0, "'done' is of the wrong type"),
+        (SWEEP, "follow", 1, "'follow' is of the wrong type"),
+        (SWEEP, "outcomes/1", "1", "'outcomes/2' is of the wrong type"),
+        (SWEEP, "values/1", "nan", "'values/2' is nan, not a finite number"),
+        (SWEEP, "start/1", "inf", "'start/2' is inf, not a finite number"),
+        (SWEEP, "samples", [["1.0"], ["1.0", "2.0"]], "'samples' has rows of different lengths"),
+        (SWEEP, "parameters/eta", 2, "'parameters/eta' is of the wrong type"),
+        (SWEEP, "parameters/eta", "1/0", "'parameters/eta': '1/0'"),
+        (
+            SWEEP,
+            "parameters/eta",
+            "0" * 1001 + "1e99999999",
+            "'parameters/eta' has an exponent beyond 10000",
+        ),
+        (SWEEP, "unheard", 0, "'unheard' is unknown"),
+        (PROOF, "bits", math.nan, "'bits' is of the wrong type"),
+        (PROOF, "claims/existence", "third", "'claims/existence' is 'third', none of proved, re"),
+        (PROOF, "itinerary/0", ["x"], "'itinerary/1' is no list of 2"),
+        (PROOF, "box/0", {"name": ""}, "'box/1/mid' is missing"),
+        (BRANCH, "admissible/0", 1, "'admissible/1' is of the wrong type"),
+        (BRANCH, "columns/0/0", "1.0 inf", "'columns/1/1' is '1.0 inf', not a number"),
+    ],
+)
+def test_what_is_refused_is_named_by_its_path(
+    kind: str, path: str, entry: Any, told: str, tmp_path: Path
+) -> None:
+    *above, last = (int(step) if step.isdigit() else step for step in path.split("/"))
+    content = parent = json.loads(text_of(kind))
+    for step in above:
+        parent = parent[step]
+    parent[last] = entry
+    file = tmp_path / "wrong.json"
+    file.write_text(json.dumps(signed(content)))
+    with pytest.raises(InputError, match=re.escape(f"{file}: {told}")):
+        ns.load(file)
+
+
 def paths_in(content: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
     """Paths of all entries."""
     if path:
@@ -303,18 +226,6 @@ def changes(content: Any, path: tuple[Any, ...]) -> Iterator[Any]:
         yield changed(lambda parent: parent.__delitem__(last))
 
 
-@pytest.mark.parametrize(
-    "kind", [k for k in KINDS if k != "nonsmooth found orbits"]
-)  # solved again
-def test_a_file_gives_the_same_bytes_again(kind: str, tmp_path: Path) -> None:
-    one, other = tmp_path / "one.json", tmp_path / "other.json"
-    one.write_text(text_of(kind))
-    assert format_in(one) == kind
-    back = ns.load(one)
-    (back[0] if isinstance(back, tuple) else back).save(other)
-    assert one.read_bytes() == other.read_bytes()
-
-
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Path) -> None:
     path, content = tmp_path / "file.json", json.loads(text_of(kind))
@@ -324,7 +235,7 @@ def test_no_entry_is_missing_unknown_or_of_another_type(kind: str, tmp_path: Pat
         if p[-1] != "sha256" and not re.fullmatch(OPEN, "/".join(map(str, p)))
     ]  # fmt: skip
     deep = [p for p in every if len(p) > 1]
-    tried = [p for p in every if len(p) == 1] + rng.sample(deep, min(30, len(deep)))
+    tried = [p for p in every if len(p) == 1] + rng.sample(deep, min(12, len(deep)))
     wrong = [(where, other) for where in tried for other in changes(content, where)]
     wrong.append((("unheard",), {**content, "unheard": ""}))
     for where, other in wrong:

@@ -62,7 +62,7 @@ def test_the_gradient_of_an_orbit_is_that_of_forty_digits() -> None:
     jax.test_util.check_grads(function, (x,), 1, rtol=1e-5, atol=1e-6)
 
 
-@pytest.mark.parametrize("mode", ["both", "reverse"])
+@pytest.mark.parametrize("mode", ["both", pytest.param("reverse", marks=pytest.mark.slow)])
 def test_the_gradient_behind_impacts_is_that_of_forty_digits(mode: Any) -> None:
     function = differentiable(gradients.motion(), mode=mode)
     x = jax.numpy.array(gradients.POINT)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import os
+import shlex
 import shutil
 import signal
 import subprocess
@@ -38,7 +39,12 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "print(found.problem.kernels.system.compiled is not None)"
     )
     path = declare(folder)
-    environment = os.environ | {"NONSMOOTH_CACHE": str(folder / "cache"), "NONSMOOTH_BACKEND": "c"}
+    quick = folder / "cc"  # a compiler that does not optimise
+    quick.write_text(f'#!/bin/sh\nexec {shlex.join(background.compiler())} "$@" -O0\n')
+    quick.chmod(0o700)
+    environment = os.environ | {
+        "NONSMOOTH_CACHE": str(folder / "cache"), "NONSMOOTH_BACKEND": "c", "CC": str(quick),
+    }  # fmt: skip
     # two at once do not disturb each other
     both = [
         subprocess.Popen(

@@ -22,7 +22,7 @@ from tests.model.test_modes import exact, oscillator, soft, summed
 pytestmark = pytest.mark.compiled  # much slower, or nothing to compare, without it
 
 TIMES = (0.01, 1.0, 1000.0)
-SMALL = (*10.0 ** -np.arange(16, -0.1, -1), *10.0 ** np.random.default_rng(3).uniform(-16, 0, 8))
+SMALL = (*10.0 ** -np.arange(16, -0.1, -2), *10.0 ** np.random.default_rng(3).uniform(-16, 0, 3))
 
 
 def missed(field: np.ndarray, t: float) -> float:
@@ -55,7 +55,7 @@ def test_forcing_near_resonance(small: float, damped: bool) -> None:
 
 def test_two_masses_with_small_and_nearly_equal_stiffness() -> None:
     random = np.random.default_rng(8)
-    for _ in range(12):
+    for _ in range(6):
         one, two, near = 10.0 ** random.uniform(-9, 0, 3)
         for stiffness in (np.diag([one, two]), np.diag([1.0, 1 + near]), np.diag([0, one])):
             field = oscillator(np.eye(2), 0 * stiffness, stiffness, random.normal(size=2))
@@ -77,7 +77,7 @@ def chain_cases() -> list:
     ]
     cases = []
     for kind in kinds:
-        for distance in (1e-7, 1e-3, 1.0):
+        for distance in (1e-7, 1.0):
             numbers = distance * random.uniform(-1, 1, (len(kind), 2))
             exponents = np.array(
                 [[-abs(a), 0.7 * distance + abs(b) if shape[1] else 0]
@@ -89,7 +89,7 @@ def chain_cases() -> list:
     return cases
 
 
-@pytest.mark.parametrize("place", range(21))
+@pytest.mark.parametrize("place", range(14))
 def test_the_functions_of_a_chain(place: int) -> None:
     """They solve their own linear system, and keep to their bounds."""
     shapes, exponents = chain_cases()[place]
@@ -178,8 +178,10 @@ def test_an_impact(small: float, backend: str, monkeypatch: pytest.MonkeyPatch) 
         np.testing.assert_allclose(motion.before[1], end, rtol=0, atol=1e-13 * max(map(abs, end)))
 
 
-@pytest.mark.parametrize("backend", ["c", "numpy"])
-@pytest.mark.parametrize("small", [1e-12, 1e-9, 1e-7, 1e-5, 1e-4, 1e-2])
+@pytest.mark.parametrize(
+    ("small", "backend"),
+    [*((s, "c") for s in (1e-12, 1e-9, 1e-7, 1e-5, 1e-4, 1e-2)), (1e-7, "numpy"), (1e-4, "numpy")],
+)
 def test_a_long_motion(small: float, backend: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Up to 1000 without an impact: the search gets on, and the end is that of the flow."""
     monkeypatch.setenv("NONSMOOTH_BACKEND", backend)

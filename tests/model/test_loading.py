@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import gc
 import linecache
 import math
@@ -12,6 +13,7 @@ import traceback
 import tracemalloc
 from collections.abc import Iterator
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -68,12 +70,20 @@ def read(path: Path) -> Declared:
 
 def write_emitted(folder: Path, path: Path) -> Path:
     """The folder that `nonsmooth generate` would write."""
-    declared: Any = read(path)
     folder.mkdir()
-    emitted = emit_system(declared.system, declared.orbits, path.name)
-    for name, text in emit_package([emitted], "nonsmooth generate").items():
+    for name, text in emitted_of(path.read_text()).items():
         (folder / name).write_text(text, encoding="utf-8")
     return folder
+
+
+@functools.cache
+def emitted_of(text: str) -> dict[str, str]:
+    """What is generated of a declaration, by the names of its files."""
+    with TemporaryDirectory() as folder:
+        path = declare(Path(folder), text)
+        declared: Any = read(path)
+        emitted = emit_system(declared.system, declared.orbits, path.name)
+        return emit_package([emitted], "nonsmooth generate")
 
 
 # --- the same system, whatever it is loaded from -----------------------------------------
@@ -515,7 +525,7 @@ def test_a_folder_in_one_that_all_may_use_is_the_users_own(
 
 def test_memory_does_not_grow_with_what_was_loaded() -> None:
     """Sixteen systems more take less than their texts: these are kept packed."""
-    text = "VALUE = {0}\n" + "".join(f"def f{i}(x):\n    return x * {i}\n" for i in range(60))
+    text = "VALUE = {0}\n" + "".join(f"def f{i}(x):\n    return x * {i}\n" for i in range(30))
     known, lines = Modules(4), len(linecache.cache)
 
     def held(count: int) -> int:

@@ -17,8 +17,8 @@ COMPILED = {
     "certify_cascade",
     "certify_chaos",
 }
-# proofs that take many seconds
-SLOW = {"certify_basin", "certify_cascade"}
+# proofs that take seconds
+SLOW = {"certify_basin", "certify_branch", "certify_cascade", "certify_graph"}
 
 
 def with_examples() -> list[str]:

@@ -161,7 +161,19 @@ def commands() -> list[str]:
     return [line for line in text.splitlines() if line.startswith("nonsmooth ")]
 
 
-@pytest.mark.parametrize("command", commands())
+DEAR = {  # whose commands are given for other systems too
+    *("nonsmooth solve docs/gallery/backlash_gear.py", "nonsmooth solve docs/gallery/three_masses"),
+    *("nonsmooth solve docs/gallery/brake_pad.py", "nonsmooth continue docs/gallery/brake_pad.py"),
+    *("nonsmooth certify docs/gallery/brake_pad.py", "nonsmooth certify docs/gallery/backlash"),
+    *("nonsmooth design docs/gallery/impact_damper.py", "nonsmooth fit "),
+}
+COMMANDS = [
+    pytest.param(line, marks=[pytest.mark.slow] * line.startswith(tuple(DEAR)))
+    for line in commands()
+]
+
+
+@pytest.mark.parametrize("command", COMMANDS)
 def test_the_commands_of_the_index_run(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(GALLERY.parents[1])
     monkeypatch.setattr(worst_over, "_LOOKS", 9)  # a smooth worst needs no more of them

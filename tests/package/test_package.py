@@ -102,6 +102,7 @@ def test_wheel_is_complete(source: Path, wheel: Path) -> None:
     assert contents(wheel) == expected
 
 
+@pytest.mark.slow
 @pytest.mark.packaging
 def test_sdist_is_complete_and_gives_the_same_wheel(
     source: Path, wheel: Path, tmp_path: Path
@@ -119,6 +120,7 @@ def test_sdist_is_complete_and_gives_the_same_wheel(
     assert contents(again) == contents(wheel)
 
 
+@pytest.mark.slow
 @pytest.mark.packaging
 def test_installed_wheel_works_outside_the_checkout(wheel: Path, tmp_path: Path) -> None:
     target = install(wheel, tmp_path / "site")

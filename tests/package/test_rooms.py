@@ -1,6 +1,6 @@
 """Modules say what they are, and none imports itself through others."""
 
-import ast
+import re
 
 import grimp
 import numpy as np
@@ -17,8 +17,8 @@ MODULES = [
 def test_a_module_says_in_one_sentence_what_it_is() -> None:
     first: dict[str, list[str]] = {}
     for path in MODULES:
-        text = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
-        first.setdefault(text.split("\n")[0], []).append(path.relative_to(CHECKOUT).as_posix())
+        said = re.match(r'r?"""(.*?)(?:"""|$)', path.read_text(encoding="utf-8"), re.MULTILINE)
+        first.setdefault(said[1] if said else "", []).append(path.relative_to(CHECKOUT).as_posix())
     unsaid = {line: places for line, places in first.items() if len(line.split()) < 3}
     assert unsaid == {}
     assert {line: places for line, places in first.items() if len(places) > 1} == {}

@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 import nonsmooth
 from nonsmooth.runtime.cli.program import app
 from nonsmooth.runtime.present.files.branches import load_branch
-from nonsmooth.runtime.present.pictures.saved_files import BranchView, figure_of
+from tests.pictures import figure_in
 
 STICK = "dry-friction/global-stick"
 
@@ -151,9 +151,9 @@ def test_a_saved_branch_is_drawn_as_asked(tmp_path: Path, monkeypatch: pytest.Mo
     monkeypatch.chdir(tmp_path)
     branch().save("branch.json")
     nonsmooth.solve(STICK).save("orbit.json")
-    view = BranchView(("ta", "frequency"), "trace", "cycles")
-    drawn, figure = figure_of(Path("branch.json"), "all", 1, view)
-    assert drawn == {"orbit": STICK}
+    figure = figure_in(
+        Path("branch.json"), quantities=("ta", "frequency"), over="trace", frequency="cycles"
+    )
     upper, lower = figure.axes
     shown = {tuple(line.get_ydata()) for line in lower.lines}
     cycles = 1 / branch().period

@@ -1,6 +1,8 @@
 """Every kind of picture: labels stand apart, nothing is cut, legends tell apart."""
 
 import itertools
+import os
+import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cache
@@ -17,24 +19,16 @@ from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
 from tests.certified import loop
 
 pytest.importorskip("matplotlib")
+from matplotlib import pyplot
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from nonsmooth.runtime.explore.finding.basins import basins
-from nonsmooth.runtime.present.pictures.branches import branch_figure, locus_figure
-from nonsmooth.runtime.present.pictures.charts import chart_figure
-from nonsmooth.runtime.present.pictures.fits import fit_figure
-from nonsmooth.runtime.present.pictures.found import found_figure
-from nonsmooth.runtime.present.pictures.maps import (
-    basin_figure,
-    bifurcation_figure,
-    draw_basins,
-    draw_sweep,
-)
-from nonsmooth.runtime.present.pictures.plot import orbit_figure
-from nonsmooth.runtime.present.pictures.scenes import trajectory_figure
+from nonsmooth.runtime.present.pictures.maps import basin_figure, bifurcation_figure, draw_basins
+from tests.pictures import figure_in, figure_of, figure_of_saved
+from tests.places import GALLERY
+from tests.shared import FOLDER
 
-GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
 FRICTION = {"chi": "0.5", "eta": 1, "V": 1, "us1": 1, "us2": 1, "ur1": "4.0195", "ur2": "1.4831"}
 STICK = "dry-friction/global-stick"
 
@@ -71,30 +65,33 @@ def motion(count: int = 4) -> Any:
     return ns.simulate("dry-friction", FRICTION, [5, 3, 1, 1], transitions=count)
 
 
-CASES: dict[str, Callable[[], Figure]] = {
+CASES: dict[str, Callable[[], Any]] = {
     **{
-        f"orbit {kind}": lambda kind=kind: orbit_figure(ns.solve(STICK), kind)
+        f"orbit {kind}": lambda kind=kind: ns.solve(STICK).plot(kind)
         for kind in ("time", "velocity", "phase", "strip", "multipliers", "all")
     },
-    "orbit over periods": lambda: orbit_figure(ns.solve(STICK), "strip", periods=4),
-    "orbit between two stops": lambda: orbit_figure(gallery("two_stops.py:broken"), "all"),
-    "orbit of many phases": lambda: orbit_figure(gallery("three_masses.py:two-each"), "all"),
-    "orbit in metres": lambda: orbit_figure(found(1e-6).orbits[0].orbit, "all"),
-    "orbit over many periods": lambda: orbit_figure(
-        gallery("two_stops.py:broken"), "time", periods=40
-    ),
-    "motion": lambda: trajectory_figure(motion(), "all"),
-    "motion in micrometres": lambda: trajectory_figure(
-        ns.simulate(stop(1e5), {"F": "0.7", "w": "1.3"}, {"x": 0, "v": 0}, until=60), "all"
-    ),
-    "found": lambda: found_figure(found()),
-    "found velocity": lambda: found_figure(found(), "velocity"),
+    "orbit over periods": lambda: ns.solve(STICK).plot("strip", periods=4),
+    "orbit between two stops": lambda: gallery("two_stops.py:broken").plot("all"),
+    "orbit of many phases": lambda: gallery("three_masses.py:two-each").plot("all"),
+    "orbit in metres": lambda: found(1e-6).orbits[0].orbit.plot("all"),
+    "orbit over many periods": lambda: gallery("two_stops.py:broken").plot("time", periods=40),
+    "motion": lambda: motion().plot("all"),
+    "motion in micrometres": lambda: ns.simulate(
+        stop(1e5), {"F": "0.7", "w": "1.3"}, {"x": 0, "v": 0}, until=60
+    ).plot("all"),
+    "found": lambda: figure_of_saved(found()),
+    "found velocity": lambda: figure_of_saved(found(), "velocity"),
     "basins": lambda: draw_basins(basins(found(), ("x", -1, 1, 6), ("v", -1, 1, 6))),
-    "branch": lambda: branch_figure(symmetric_branch()),
-    "narrow branch": lambda: branch_figure(branch("1.3", "1.3001"), ("amplitude_x", "trace")),
-    "branch in metres": lambda: branch_figure(branch("1.0", "1.05", 1e-6)),
-    "locus": lambda: locus_figure(flips()),
-    "sweep": lambda: draw_sweep(swept()),
+    "branch": lambda: symmetric_branch().plot(),
+    "narrow branch": lambda: figure_of_saved(
+        branch("1.3", "1.3001"),
+        quantities=("amplitude_x", "trace"),
+        over=None,
+        frequency="angular",
+    ),
+    "branch in metres": lambda: branch("1.0", "1.05", 1e-6).plot(),
+    "locus": lambda: flips().plot(),
+    "sweep": lambda: figure_of_saved(swept()),
     "two sweeps": lambda: bifurcation_figure(
         "omega",
         np.linspace(1e5, 1.00001e5, 9),
@@ -104,9 +101,9 @@ CASES: dict[str, Callable[[], Figure]] = {
         },
         state="a state of a long name",
     ),
-    "chart": lambda: chart_figure(charted()),
-    "chart along a line": lambda: chart_figure(charted().isel(eta=0)),
-    "fit": lambda: fit_figure(fitted()),
+    "chart": lambda: figure_in(charted(16)),
+    "chart along a line": lambda: figure_in(charted()),
+    "fit": lambda: fitted().plot(),
     "design": lambda: ns.design(
         ns.solve("dry-friction/symmetric"), minimise="spectral_radius", over={"V": (0.3, 3)}
     ).plot(),
@@ -117,22 +114,22 @@ CASES: dict[str, Callable[[], Figure]] = {
         ns.solve("dry-friction/symmetric", {"V": "1.1"}), {"V": ("1.09", "1.11")}
     ).plot(),
     "certified branch": lambda: proved_branch().plot(),
-    "motion of a chain": lambda: trajectory_figure(chain_motion(), "all"),
-    "motion of a chain over time": lambda: trajectory_figure(chain_motion(), "time"),
-    "many multipliers": lambda: orbit_figure(many_multipliers(), "multipliers"),
-    "all with many multipliers": lambda: orbit_figure(many_multipliers(), "all"),
-    "orbits of one period": lambda: found_figure(one_period()),
-    "portraits of one period": lambda: found_figure(one_period(), "phase"),
+    "motion of a chain": lambda: chain_motion().plot("all"),
+    "motion of a chain over time": lambda: chain_motion().plot("time"),
+    "many multipliers": lambda: many_multipliers().plot("multipliers"),
+    "all with many multipliers": lambda: many_multipliers().plot("all"),
+    "orbits of one period": lambda: figure_of_saved(one_period()),
+    "portraits of one period": lambda: figure_of_saved(one_period(), "phase"),
     "basins of one period": lambda: draw_basins(
         basins(one_period(), ("x", -0.5, 0.5, 12), ("v", -1, 1, 12))
     ),
     "one point": lambda: bifurcation_figure("omega", [1.0], [[0.5]]),
-    "at rest": lambda: trajectory_figure(
-        ns.simulate(stop(), {"F": "1e-9", "w": "1.3"}, {"x": 0, "v": 0}, until=1e-7), "all"
-    ),
-    "late": lambda: trajectory_figure(
-        ns.simulate(stop(), {"F": "0.7", "w": "1.3"}, {"x": 1e5, "v": 0}, until=1e-3), "all"
-    ),
+    "at rest": lambda: ns.simulate(
+        stop(), {"F": "1e-9", "w": "1.3"}, {"x": 0, "v": 0}, until=1e-7
+    ).plot("all"),
+    "late": lambda: ns.simulate(
+        stop(), {"F": "0.7", "w": "1.3"}, {"x": 1e5, "v": 0}, until=1e-3
+    ).plot("all"),
     "many sweeps": lambda: bifurcation_figure(
         "F", [1, 2], {f"sweep {k}": [[k], [k]] for k in range(20)}
     ),
@@ -191,11 +188,9 @@ def flips() -> Any:
 
 
 @cache
-def swept() -> Any:
-    from nonsmooth.runtime.explore.finding.sweep import sweep
-
+def swept() -> ns.Sweep:
     data = {name: value for name, value in FRICTION.items() if name != "V"}
-    return sweep(
+    return ns.sweep(
         "dry-friction",
         data,
         "V",
@@ -209,8 +204,12 @@ def swept() -> Any:
 
 
 @cache
-def charted() -> Any:
-    return ns.chart("dry-friction/symmetric", V=(0.8, 1.3, 20), eta=(0.8, 1.3, 16))
+def charted(count: int | None = None) -> Path:
+    """The folder of a chart over one parameter, or over two."""
+    folder = Path(tempfile.mkdtemp(dir=os.environ[FOLDER])) / "chart.zarr"
+    other = {"eta": (0.8, 1.3, count)} if count else {}
+    ns.chart("dry-friction/symmetric", V=(0.8, 1.3, 20), **other, store=folder)
+    return folder
 
 
 @cache
@@ -263,9 +262,21 @@ def faults(figure: Figure) -> Iterator[str]:
                 yield f"{one!r} looks like {other!r}"
 
 
-@pytest.mark.parametrize("name", CASES)
+SLOW = {  # whose kinds are drawn of other results too
+    *("orbit of many phases", "motion in micrometres", "motion of a chain"),
+    *("orbits of one period", "all with many multipliers", "orbit in metres"),
+    *("certified branch", "orbit between two stops", "branch in metres", "narrow branch"),
+    *("portraits of one period", "basins of one period", "late", "orbit over many periods"),
+}
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW)) for name in CASES]
+)
 def test_labels_stand_apart_and_legends_tell_apart(name: str) -> None:
-    assert not list(faults(CASES[name]()))
+    drawn = CASES[name]()
+    assert not list(faults(drawn if isinstance(drawn, Figure) else figure_of(drawn)))
+    pyplot.close("all")
 
 
 def _labels(axis: Any) -> list[Text]:

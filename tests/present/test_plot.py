@@ -16,15 +16,9 @@ import nonsmooth
 from nonsmooth import InputError, MissingExtra
 from nonsmooth.derive import derive_equations
 from nonsmooth.derive.systems import dry_friction
-from nonsmooth.runtime.model.kernels import orbit_names
-from nonsmooth.runtime.model.naming import symbol
-from nonsmooth.runtime.present.pictures.kinds import KINDS
-from nonsmooth.runtime.present.pictures.plot import (
-    orbit_figure,
-    plot_orbit,
-    save_figure,
-)
 from nonsmooth.runtime.shooting.multipliers import Multiplier, Stability
+from tests.cli.test_cli import run
+from tests.pictures import figure_of
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
@@ -33,7 +27,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 PANELS = 5  # of "all"
+KINDS = ("time", "velocity", "phase", "strip", "multipliers", "all")
 ORBIT = "dry-friction/global-stick"
+ORBITS = (
+    *("rigid-stop/one-impact", "elastic-stop/one-contact", "dry-friction/symmetric"),
+    *(ORBIT, "dry-friction/solution-ii"),
+)
 CONFIGURATIONS = ["stick-stick", "slip-stick", "slip-slip", "stick-slip"]
 
 
@@ -74,15 +73,25 @@ def test_every_kind_draws_into_a_new_figure(kind: str) -> None:
     else:
         assert isinstance(found, Axes)
         assert found.get_title(loc="left") == ORBIT
-    (number,) = pyplot.get_fignums()
-    pyplot.figure(number).canvas.draw()
+    assert len(pyplot.get_fignums()) == 1
+    figure = figure_of(found)
+    figure.draw_without_rendering()
+    for axes in figure.axes:  # legends and titles cover nothing
+        frame, box = axes.get_window_extent(), axes.get_legend()
+        texts = [axes.title, axes._left_title] if kind != "all" else []
+        boxes = [text.get_window_extent() for text in texts if text.get_text()]
+        if box is not None:
+            boxes.append(box.get_window_extent())
+            assert box.get_window_extent().x1 <= figure.bbox.x1
+        assert all(found.y0 >= frame.y1 - 1 for found in boxes)
+        assert all(not a.overlaps(b) for a in boxes for b in boxes if a is not b)
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_draws_into_given_axes_without_pyplot(kind: str) -> None:
     places = axes_of(PANELS if kind == "all" else 1)
     given = places if kind == "all" else places[0]
-    found = plot_orbit(orbit(), kind, given)
+    found = orbit().plot(kind, given)
     assert found == tuple(places) if kind == "all" else found is places[0]
     assert not pyplot.get_fignums()
     for axes in places:
@@ -90,7 +99,7 @@ def test_every_kind_draws_into_given_axes_without_pyplot(kind: str) -> None:
         assert re.search("nondimensional|configuration", axes.get_ylabel())
 
 
-@pytest.mark.parametrize("name", orbit_names())
+@pytest.mark.parametrize("name", ORBITS)
 def test_every_orbit_is_drawn(name: str) -> None:
     places = axes_of(PANELS)
     orbit(name).plot("all", places)
@@ -115,7 +124,6 @@ def test_every_orbit_is_drawn(name: str) -> None:
         ("rigid", "elastic")
     )
     assert len(curve(phase, f"(${letter}_{{1}}$, ${letter}_{{1}}'$)")) > 1000
-    time.figure.draw_without_rendering()
 
 
 @pytest.mark.parametrize("name", ["rigid-stop/one-impact", "elastic-stop/one-contact"])
@@ -286,21 +294,6 @@ def test_a_configuration_has_one_colour_in_all_pictures() -> None:
     assert len(set(time)) == 4
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_legends_and_titles_cover_nothing(kind: str) -> None:
-    figure = orbit_figure(orbit(), kind)
-    figure.draw_without_rendering()
-    for axes in figure.axes:
-        frame, box = axes.get_window_extent(), axes.get_legend()
-        texts = [axes.title, axes._left_title] if kind != "all" else []
-        boxes = [text.get_window_extent() for text in texts if text.get_text()]
-        if box is not None:
-            boxes.append(box.get_window_extent())
-            assert box.get_window_extent().x1 <= figure.bbox.x1
-        assert all(found.y0 >= frame.y1 - 1 for found in boxes)
-        assert all(not a.overlaps(b) for a in boxes for b in boxes if a is not b)
-
-
 def test_digits_do_not_change_the_picture() -> None:
     (rough,), (sharp,) = axes_of(), axes_of()
     orbit().plot("time", rough)
@@ -313,9 +306,11 @@ def test_digits_do_not_change_the_picture() -> None:
 
 @pytest.mark.parametrize("ending", [".svg", ".pdf", ".png"])
 def test_files_are_reproducible(ending: str, tmp_path: Path) -> None:
+    saved = tmp_path / "orbit.json"
+    orbit().save(saved)
     paths = [tmp_path / f"{name}{ending}" for name in ("first", "second")]
     for path in paths:
-        save_figure(orbit_figure(orbit(), "all" if ending == ".svg" else "time"), path)
+        assert run("plot", str(saved), "--kind", "time", "--out", str(path))[0] == 0
     first, second = (path.read_bytes() for path in paths)
     assert first == second
     assert len(first) > 10_000
@@ -323,13 +318,20 @@ def test_files_are_reproducible(ending: str, tmp_path: Path) -> None:
     assert not pyplot.get_fignums()
 
 
-def test_wrong_files(tmp_path: Path) -> None:
-    figure = orbit_figure(orbit(), "strip")
-    with pytest.raises(InputError, match=r"orbit.gif does not end in \.png, \.svg, \.pdf"):
-        save_figure(figure, tmp_path / "orbit.gif")
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("orbit.gif", r"orbit.gif does not end in \.png, \.svg, \.pdf"),
+        ("file/orbit.png", "cannot write .*file is not a folder"),
+    ],
+)
+def test_wrong_files(name: str, message: str, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("mine")
-    with pytest.raises(InputError, match=r"cannot write .*file is not a folder"):
-        save_figure(figure, tmp_path / "file" / "orbit.png")
+    saved = tmp_path / "orbit.json"
+    orbit().save(saved)
+    code, _, told = run("plot", str(saved), "--kind", "strip", "--out", str(tmp_path / name))
+    assert code == 2
+    assert re.search(message, told)
 
 
 # --- wrong input
@@ -377,9 +379,8 @@ def test_no_picture_of_numbers_that_axes_do_not_hold(large: float) -> None:
 
 def test_without_matplotlib(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    for draw in (plot_orbit, orbit_figure):
-        with pytest.raises(MissingExtra, match=r'pip install "nonsmooth\[plot\]"'):
-            draw(orbit(), "time")
+    with pytest.raises(MissingExtra, match=r'pip install "nonsmooth\[plot\]"'):
+        orbit().plot()
 
 
 # --- notebooks
@@ -409,7 +410,7 @@ class Table(HTMLParser):
         self.texts.append(data)
 
 
-@pytest.mark.parametrize("name", orbit_names())
+@pytest.mark.parametrize("name", ORBITS)
 def test_notebooks_show_every_orbit(name: str) -> None:
     text = " ".join(Table(orbit(name)._repr_html_()).texts)
     told = orbit(name).to_json()
@@ -458,21 +459,6 @@ def test_latex_of_an_orbit() -> None:
     numbers = [row.partition(" &= ")[2].removesuffix(" \\\\") for row in rows]
     assert_allclose([float(n) for n in numbers], list(orbit().unknowns.values()), rtol=1e-12)
     assert all(len(number) > 30 for number in numbers)
-
-
-@pytest.mark.parametrize(
-    ("name", "latex"),
-    [
-        ("e1", "e_{1}"),
-        ("us1", "u_{s1}"),
-        ("chi", "\\chi"),
-        ("Omega2", "\\Omega_{2}"),
-        ("w", "w"),
-        ("mass", "\\mathrm{mass}"),
-    ],
-)
-def test_symbols(name: str, latex: str) -> None:
-    assert symbol(name) == latex
 
 
 def test_equations_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -16,12 +16,9 @@ from typer.testing import CliRunner
 import nonsmooth as ns
 from nonsmooth import InputError
 from nonsmooth.runtime.cli.program import app
-from nonsmooth.runtime.core.json_codec import decode, encode
+from nonsmooth.runtime.core.json_codec import decode
 from nonsmooth.runtime.core.result_files import checksum_of
-from nonsmooth.runtime.model.kernels import load_orbit, load_system
-from nonsmooth.runtime.model.saved_system import SavedSystem, named, system_in
-from nonsmooth.runtime.present.files.event_certificates import save_events
-from nonsmooth.runtime.proof.events.certify_event import certify_events
+from nonsmooth.runtime.model.saved_system import SavedSystem
 from tests.user_systems import declare
 
 # a square root, a quotient, a fraction, restitution, an irrational end of a domain
@@ -66,10 +63,10 @@ def fit(source: Path) -> Any:
     )
 
 
-def events(source: Path, path: Path) -> None:
+def event(source: Path) -> Any:
     near = ns.solve(f"{source}:one", {"gap": "-0.332"})
     found = ns.continue_orbit(near, "gap", (-0.335, -0.33))
-    save_events(certify_events(found, 64), path)
+    return ns.certify_event(found, found.events[-1])
 
 
 MAKE: dict[str, Callable[[Path, Path], None]] = {
@@ -91,23 +88,17 @@ MAKE: dict[str, Callable[[Path, Path], None]] = {
     "map.json": lambda source, path: ns.certify_box(
         ns.solve(f"{source}:one"), {"r": ("0.799", "0.801")}, tiles=2
     ).save(path),
-    "events.json": events,
+    "events.json": lambda source, path: event(source).save(path),
     "census.json": lambda source, path: ns.certify_all(
         f"{source}:one", DATA, {"T": ("3.1", "3.2")}
     ).save(path),
 }  # fmt: skip
-LOAD: dict[str, Callable[[Path], Any]] = {
-    "orbit": ns.load, "sharp": ns.load, "found": ns.load, "motion": ns.load,
-    "branch": ns.load, "sweep": ns.load, "fit": ns.load,
-    "proof": ns.load, "map": ns.load,
-    "events": ns.load, "census": ns.load,
-}  # fmt: skip
 COMMANDS = (
     "list orbit.json found.json",
-    "plot orbit.json --out a.png",
-    "plot found.json --out a.png",
-    "plot motion.npz --out a.png",
-    "plot motion.csv --out a.png",
+    "plot orbit.json --kind time --out a.png",
+    "plot found.json --kind time --out a.png",
+    "plot motion.npz --kind time --out a.png",
+    "plot motion.csv --kind time --out a.png",
     "plot branch.json --out a.png",
     "plot sweep.json --out a.png",
     "plot fit.json --out a.png",
@@ -129,6 +120,14 @@ COMMANDS = (
     "chart motions.zarr",
     "plot own.zarr --out a.png",
 )
+
+
+@pytest.fixture(scope="module", autouse=True)
+def uncompiled() -> Iterator[None]:
+    """Kernels run on NumPy, whose compilation would take longer than all that is done here."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CC", "none")
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -167,7 +166,7 @@ def content(path: Path) -> dict[str, Any]:
 
 @pytest.mark.parametrize("name", MAKE)
 def test_files_load_without_their_declaration(name: str, folder: Path) -> None:
-    found = LOAD[name.partition(".")[0]](folder / name)
+    found = ns.load(folder / name)
     assert found is not None
     if hasattr(found, "save") and name != "found.json":  # whose orbits are solved again
         again = folder / f"again-{name}"
@@ -233,7 +232,7 @@ def test_a_forged_name_runs_nothing(name: str, folder: Path) -> None:
             entry["sha256"] = checksum_of(entry)
         forged.write_text(json.dumps(changed))
         with pytest.raises(InputError, match="forged"):
-            LOAD[name.partition(".")[0]](forged)
+            ns.load(forged)
         found = CliRunner().invoke(app, ["plot", "forged.json", "--out", "a.png"])
         assert found.exit_code == 2
 
@@ -309,16 +308,13 @@ def test_data_that_are_not_in_order_are_refused_at_small_cost(where: str, folder
 def test_a_system_comes_back_to_the_last_bit(folder: Path) -> None:
     source = folder / "again.py"
     source.write_text(SYSTEM)
-    for kernels in (load_system(source), load_orbit(f"{source}:one").system):
-        name, orbit, saved = named(kernels, f"{kernels.name}:one")
-        assert saved is not None
-        found = system_in(name, decode(SavedSystem, json.loads(json.dumps(encode(saved)))))
-        assert orbit == f"{name}:one"
-        drawn = np.random.default_rng(1).uniform(0.1, 1, (20, 4))
-        for kernel in ("fields", "rows", "resets"):
-            assert (found.evaluate(kernel, drawn) == kernels.evaluate(kernel, drawn)).all()
-        assert [p.ends for p in found.parameters] == [p.ends for p in kernels.parameters]
-        assert named(found)[0] == name
+    ns.solve(f"{source}:one").save(folder / "again.json")
+    given = ns.solve(f"{source}:one").problem.system
+    back = ns.load(folder / "again.json").problem.system
+    drawn = np.random.default_rng(1).uniform(0.1, 1, (20, 4))
+    for kernel in ("fields", "rows", "resets"):
+        assert (back.evaluate(kernel, drawn) == given.evaluate(kernel, drawn)).all()
+    assert [p.ends for p in back.parameters] == [p.ends for p in given.parameters]
 
 
 def test_a_change_of_the_declaration_is_told_where_it_is_named(folder: Path) -> None:

@@ -15,7 +15,7 @@ from nonsmooth.runtime.present.paper.schematics import (
     poincare_schematic,
     stop_schematic,
 )
-from nonsmooth.runtime.present.pictures.plot import save_figure
+from nonsmooth.runtime.present.pictures import plot
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
@@ -94,7 +94,7 @@ def test_the_same_schematic_has_the_same_bytes(
     paths = [tmp_path / f"{name}.{ending}" for name in ("first", "again", "anew")]
     figure = schematic()
     for path, source in zip(paths, (figure, figure, schematic()), strict=True):
-        save_figure(source, path)
+        plot.save_figure(source, path)
     first, *others = [path.read_bytes() for path in paths]
     assert first.startswith({"svg": b"<?xml", "png": b"\x89PNG"}[ending])
     assert others == [first, first]
@@ -103,7 +103,7 @@ def test_the_same_schematic_has_the_same_bytes(
 @schematics
 def test_the_labels_are_those_of_the_paper(schematic: Callable[[], Figure], tmp_path: Path) -> None:
     with matplotlib.rc_context({"svg.fonttype": "none"}):
-        save_figure(schematic(), tmp_path / "labels.svg")
+        plot.save_figure(schematic(), tmp_path / "labels.svg")
     tree = ElementTree.parse(tmp_path / "labels.svg")
     found = [read(text) for text in tree.iter("{http://www.w3.org/2000/svg}text")]
     assert sorted(found) == sorted(LABELS[schematic])
@@ -115,7 +115,7 @@ def test_the_paper_is_white_and_pyplot_knows_nothing(
 ) -> None:
     with matplotlib.rc_context({"figure.facecolor": "black", "text.color": "white"}):
         figure = schematic()
-        save_figure(figure, tmp_path / "white.png")
+        plot.save_figure(figure, tmp_path / "white.png")
     assert not pyplot.get_fignums()
     pixels = pyplot.imread(tmp_path / "white.png")
     assert (pixels[[0, 0, -1, -1], [0, -1, 0, -1]] == 1).all()

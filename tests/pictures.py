@@ -1,0 +1,30 @@
+"""Figures of results, as they are drawn by themselves and from their files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+
+from nonsmooth.runtime.present.pictures import saved_files
+
+
+def figure_of(axes: Any) -> Any:
+    """Give the figure of what a result's `plot` gave."""
+    return np.ravel(axes)[0].figure
+
+
+def figure_in(path: Path, kind: str = "all", **view: Any) -> Any:
+    """Give the figure of a file, outside pyplot, as the command draws it."""
+    wanted = saved_files.BranchView(**view) if view else None
+    return saved_files.figure_of(path, kind, 1, wanted)[1]
+
+
+def figure_of_saved(result: Any, kind: str = "all", **view: Any) -> Any:
+    """Give the figure of a result that is saved in a file."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "result.json"
+        result.save(path)
+        return figure_in(path, kind, **view)
