@@ -14,7 +14,7 @@ from nonsmooth.runtime.explore.charting.grid import Grid
 from nonsmooth.runtime.orbits import table_limits
 from nonsmooth.runtime.orbits.table_points import _family_margins
 from tests.places import GALLERY
-from tests.user_systems import DAMPED, declare
+from tests.user_systems import declare
 
 IMPACT = f"{GALLERY / 'impact_oscillator.py'}:one-period"
 PLANES: dict[str, dict[str, Any]] = {
@@ -27,11 +27,19 @@ PLANES: dict[str, dict[str, Any]] = {
         "chi": np.linspace(0.35, 0.7, 12),
         "u1": np.linspace(0.35, 0.7, 12),
     },
-    f"{GALLERY / 'two_stops.py'}:broken": {
-        "d": np.linspace(0.3, 0.7, 14),
-        "r": np.linspace(0.6, 0.95, 12),
-    },
 }
+# that its kernels are compiled takes most of the time
+EACH = pytest.mark.parametrize(
+    "orbit",
+    [
+        pytest.param(
+            name,
+            id=name.rpartition("/")[-1],
+            marks=[pytest.mark.slow] if name.endswith("subharmonic") else [],
+        )
+        for name in PLANES
+    ],
+)
 
 
 @cache
@@ -39,7 +47,7 @@ def charted(orbit: str) -> Any:
     return ns.chart(orbit, **PLANES[orbit])
 
 
-@pytest.mark.parametrize("orbit", PLANES, ids=lambda name: name.rpartition("/")[-1])
+@EACH
 def test_chart_says_what_single_orbits_say(orbit: str) -> None:
     plane = charted(orbit)
     names, found = list(ns.solve(orbit).unknowns), np.argwhere(plane.status.values == 0)
@@ -62,7 +70,7 @@ def test_chart_says_what_single_orbits_say(orbit: str) -> None:
             assert told == f"phase {first.phase + 1} {first.configuration}: {first.boundary}"
 
 
-@pytest.mark.parametrize("orbit", PLANES, ids=lambda name: name.rpartition("/")[-1])
+@EACH
 def test_limits_are_those_of_the_guaranteed_search(
     orbit: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -110,7 +118,7 @@ def test_period_doubling_is_where_the_margin_vanishes() -> None:
     assert abs(here) < 1e-9
 
 
-@pytest.mark.parametrize("orbit", PLANES, ids=lambda name: name.rpartition("/")[-1])
+@EACH
 def test_bits_do_not_depend_on_chunks(orbit: str) -> None:
     other = ns.chart(orbit, chunk=11, threads=2, **PLANES[orbit])
     for name in other:
@@ -187,8 +195,8 @@ def test_a_family_is_swept_by_its_period(tmp_path: Path) -> None:
         assert one.admissibility.verdict == bool(point.admissible)
 
 
-def test_a_point_outside_a_domain_has_no_orbit(tmp_path: Path) -> None:
-    line = ns.chart(f"{declare(tmp_path, DAMPED)}:loop", r=[0.25, 0.3, 1.5])
+def test_a_point_outside_a_domain_has_no_orbit() -> None:
+    line = ns.chart(IMPACT, r=[0.7, 0.8, 1.5])
     assert (line.status.values == 0).tolist() == [True, True, False]
     assert np.isnan(line.margin.values[2])
     assert (line.limit.values >= -1).tolist() == [True, True, False]

@@ -46,6 +46,7 @@ def test_torus_curve_in_closed_form() -> None:
     np.testing.assert_allclose(c, np.log(restitution) * 2.8 / math.pi, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_grazing_and_flip_of_an_orbit_with_kernels() -> None:
     found = nonsmooth.continue_orbit(nonsmooth.solve("dry-friction/symmetric"), "V", (0.5, 1.3))
     for event in found.events:

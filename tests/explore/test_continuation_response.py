@@ -108,6 +108,7 @@ def test_no_energy_is_kept() -> None:
                 energy_of(each)
 
 
+@pytest.mark.slow
 def test_picture_of_frequency_over_energy() -> None:
     pytest.importorskip("matplotlib")
     branch = soft_stop()

@@ -99,6 +99,7 @@ def test_to_maximise_is_to_minimise_the_negative() -> None:
     assert lowest.after["v0"] < lowest.before["v0"] < highest.after["v0"]
 
 
+@pytest.mark.slow
 def test_multipliers_of_limits_are_what_relaxing_them_gains() -> None:
     low, middle, high = (stable_enough(most) for most in ("0.8999", "0.9", "0.9001"))
     (limit,) = middle.active
@@ -324,6 +325,7 @@ def test_the_multiplier_of_a_wanted_multiplier_is_what_it_costs() -> None:
     assert limit.multiplier == pytest.approx(cost, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_conditions_that_are_missed_are_approached_first() -> None:
     """Where linear forms of missed conditions contradict each other SLSQP alone ends at once."""
     orbit = ns.solve(f"{GALLERY / 'impact_damper.py'}:struck-twice")
@@ -347,7 +349,7 @@ def test_conditions_that_are_missed_are_approached_first() -> None:
     assert abs(states[:, 0]).max() == pytest.approx(free.after["peak:x"], rel=1e-5)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", ["SLSQP", pytest.param("trust-constr", marks=pytest.mark.slow)])
 @pytest.mark.parametrize("quantity", ["maximum:v", "peak:v"])
 def test_extremes_in_several_places_tie_at_an_optimum(quantity: str, method: Any) -> None:
     """The velocity in front of a stop and that between: one falls with the gap, one rises."""
@@ -406,6 +408,7 @@ def test_a_way_is_followed_up_to_the_end_of_the_branch() -> None:
     assert end - 2e-3 < follower.parameters(reached.numbers)[0] < end
 
 
+@pytest.mark.slow
 def test_the_optimum_does_not_depend_on_where_it_begins() -> None:
     """Nor on the last digits: from some starts the optimiser stops early, and begins again."""
     drawn = np.random.default_rng(7).uniform([0.66, 3], [1.5, 5], size=(60, 2)).tolist()

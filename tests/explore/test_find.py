@@ -208,6 +208,7 @@ def test_equal_seeds_give_equal_results():
     }
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(compiled_engine() is None, reason="the engine is not compiled")
 def test_both_engines_find_the_same(monkeypatch):
     results = []
@@ -252,6 +253,7 @@ def test_progress_is_told_in_words():
     assert len(told) == 3
 
 
+@pytest.mark.slow
 def test_impacts_that_lose_energy_end():
     result = find_orbits(
         "rigid-stop", STOP | {"r": "0.5"}, 3, transitions=3000, box={"x1": (-1, 1)}

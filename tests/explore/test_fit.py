@@ -134,6 +134,7 @@ def test_noise_is_estimated_for_each_column() -> None:
     assert (only.standard_errors > found.standard_errors).all()
 
 
+@pytest.mark.slow
 def test_estimated_noise_is_unbiased() -> None:
     found = fitted(series(0.02, 6), "k", "r", parameters=GUESS)
     (only,) = found.experiments[0].series
@@ -227,6 +228,7 @@ def test_outliers_weigh_little_with_a_robust_loss() -> None:
     assert robust.standard_errors[0] < plain.standard_errors[0] / 3
 
 
+@pytest.mark.slow
 def test_errors_with_a_robust_loss_are_those_of_an_m_estimate() -> None:
     data = series(0.02, 8)
     robust = fitted(data, "k", "r", parameters=GUESS, sigma=0.02, loss="soft_l1")
@@ -518,6 +520,7 @@ def test_archives_that_are_unpacked_as_a_whole_are_refused(tmp_path: Path, packi
     tracemalloc.stop()
 
 
+@pytest.mark.slow
 def test_what_sparse_matrices_of_matlab_unpack_to_is_bounded(tmp_path: Path) -> None:
     """300 MB of zeros, or a matrix whose numbers are as many as it says."""
     path = tmp_path / "sparse.mat"

@@ -55,6 +55,7 @@ IMPACTING = oscillator(
 TRUTH: dict[str, Any] = {"c": 0.1, "k": 1.0, "s": 3.0, "F": 0.3}
 GUESS = {"c": 0.11, "k": 1.03, "s": 2.8}
 SWEEP = np.array([0.6, 0.8, 0.9, 1.0, 1.06, 1.12, 1.3, 1.6])
+SOME = SWEEP[1::2]
 FREE = ("c", "k", "s")
 POINT = {"c": 0.05, "k": 2.5, "r": 0.7, "w": 2.1, "F": 1.0}
 
@@ -67,13 +68,18 @@ def steady(w: float, **changed: float) -> Any:
     return motion, np.linspace(149 * turn, 150 * turn, 4001)
 
 
-def amplitudes(**changed: float) -> np.ndarray:
+def amplitudes(ws: np.ndarray = SWEEP, **changed: float) -> np.ndarray:
     found = []
-    for w_ in SWEEP.tolist():
+    for w_ in ws.tolist():
         motion, times = steady(w_, **changed)
         seen = ns.observe(motion, since=float(times[0]))
         found.append((seen.maxima["x"].value - seen.minima["x"].value) / 2)
     return np.array(found)
+
+
+@functools.cache
+def of_exact_amplitudes() -> Any:
+    return fitted({"w": SOME, "amplitude:x": amplitudes(SOME)}, sigma=1e-3)
 
 
 @functools.cache
@@ -91,7 +97,7 @@ def fitted(data: Any, *free: str, **options: Any) -> Any:
 
 
 def test_exact_amplitudes_give_exact_parameters() -> None:
-    found = fitted({"w": SWEEP, "amplitude:x": amplitudes()}, sigma=1e-3)
+    found = of_exact_amplitudes()
     np.testing.assert_allclose(found.estimates, [0.1, 1, 3], rtol=0, atol=1e-9)
     assert found.status == "converged"
     (only,) = found.experiments
@@ -126,6 +132,7 @@ def test_linear_responses_are_those_of_the_resonance_curve() -> None:
     np.testing.assert_allclose(found.covariance, expected, rtol=1e-7)
 
 
+@pytest.mark.slow
 def test_other_quantities_and_rows_in_any_order() -> None:
     """Peaks and averages of accelerations and forces, against long simulations."""
     texts = ("rms:acceleration:x", "maximum:force:stop", "mean:2*x + 1", "harmonic:x", "phase:v")
@@ -198,6 +205,7 @@ def test_rms_and_mean_through_impacts_are_those_of_the_motion() -> None:
 # --- what a fit tells
 
 
+@pytest.mark.slow
 def test_errors_are_those_of_the_noise() -> None:
     """To first order: by differences of amplitudes of motions that are simulated."""
     found, step, columns = of_noisy_amplitudes(), 1e-4, []
@@ -214,6 +222,7 @@ def test_errors_are_those_of_the_noise() -> None:
     assert 1 < np.linalg.norm(found.residuals) < 4
 
 
+@pytest.mark.slow
 def test_the_unit_of_an_output_does_not_matter() -> None:
     metres = of_noisy_amplitudes()
     (measured,) = metres.experiments[0].series
@@ -223,6 +232,7 @@ def test_the_unit_of_an_output_does_not_matter() -> None:
     np.testing.assert_allclose(millimetres.covariance, metres.covariance, rtol=1e-5)
 
 
+@pytest.mark.slow
 def test_experiments_in_any_order_and_motions_beside_responses() -> None:
     motion = ns.simulate(SYSTEM, TRUTH | {"w": 1.0}, {"x": 0, "v": 0}, until=20)
     times = np.linspace(0.1, 20, 50)
@@ -230,7 +240,7 @@ def test_experiments_in_any_order_and_motions_beside_responses() -> None:
         data={"t": times, "x": motion(times)[:, 0]}, parameters={"w": 1}, start={"x": 0, "v": 0}
     )
     some = slice(2, 5, 2)
-    rows = ns.Experiment(data={"w": SWEEP[some], "amplitude:x": amplitudes()[some]})
+    rows = ns.Experiment(data={"w": SWEEP[some], "amplitude:x": amplitudes(SWEEP[some])})
     both = [fitted([series, rows], sigma=1e-3),
             fitted([rows, series], sigma=1e-3, parameters={})]  # fmt: skip
     for found in both:
@@ -261,7 +271,7 @@ def test_coexisting_responses_are_told_apart_by_what_was_measured() -> None:
     kernels = kernels_of(SYSTEM)
     found: dict[int, float] = {}
     point = TRUTH | {"w": 1.2}
-    for start in ([0, 0, 1, 0], [2.0, 0, 1, 0], [0, 2.5, 1, 0], [-2.5, 0, 1, 0]):
+    for start in ([0, 0, 1, 0], [2.0, 0, 1, 0]):
         for orbit in settled_from(kernels, point, start):
             value, _ = response_quantity("amplitude:x", structure_of(kernels)).of(
                 orbit.derivatives(["c"])
@@ -270,7 +280,7 @@ def test_coexisting_responses_are_told_apart_by_what_was_measured() -> None:
     assert set(found) == {1, 2}
     assert found[2] > 2 * found[1]
     for phases, value in found.items():
-        data = {"w": [0.9, 1.2], "amplitude:x": [amplitudes()[2], value]}
+        data = {"w": [0.9, 1.2], "amplitude:x": [amplitudes(SWEEP[2:3])[0], value]}
         # bounds that keep it from a k at which there is one response alone
         near = {"parameters": {"k": 1.005}, "bounds": {"k": (0.98, 1.02)}}
         fit = fitted(data, "k", sigma=1e-3, **near)
@@ -285,8 +295,8 @@ def test_coexisting_responses_are_told_apart_by_what_was_measured() -> None:
 # --- files and pictures
 
 
-def test_a_fit_of_responses_is_kept_and_drawn(tmp_path: Path) -> None:
-    found = of_noisy_amplitudes()
+def test_a_fit_of_responses_is_kept(tmp_path: Path) -> None:
+    found = of_exact_amplitudes()
     found.save(tmp_path / "fit.json")
     kept = ns.load(tmp_path / "fit.json")
     same = ({n: x for n, x in each.to_json().items() if n != "system"} for each in (kept, found))
@@ -294,11 +304,13 @@ def test_a_fit_of_responses_is_kept_and_drawn(tmp_path: Path) -> None:
     np.testing.assert_array_equal(
         kept.experiments[0].responses[3].start, found.experiments[0].responses[3].start
     )
-    pytest.importorskip("matplotlib")
-    from nonsmooth.runtime.present.pictures.fits import fit_figure
 
-    figure = fit_figure(found)
-    curve, points = figure.axes[0].lines[:2]
+
+@pytest.mark.slow
+def test_a_fit_of_responses_is_drawn() -> None:
+    pytest.importorskip("matplotlib")
+    found = of_noisy_amplitudes()
+    curve, points = found.plot()[0].lines[:2]
     assert len(points.get_xdata()) == len(SWEEP)
     at = np.interp(points.get_xdata(), curve.get_xdata(), curve.get_ydata())
     assert np.isnan(curve.get_ydata()).any()  # where contacts begin and end

@@ -113,12 +113,12 @@ def test_what_comes_to_rest_leaves_no_points():
     start = {"x1": 0, "x2": 0, "v1": 2, "v2": 0}
     data = {"m1": 1, "m2": 2, "k2": 5, "r": "0.5"}
     diagram = sweep(
-        "rigid-stop", data, "k1", [0.9, 1.0], start, state="v1", configuration="free",
+        "rigid-stop", data, "k1", [1.0], start, state="v1", configuration="free",
         transient=10_000, samples=10_000,
     )  # fmt: skip
     assert not np.isfinite(diagram.samples).any()
     short = sweep(
-        "rigid-stop", data, "k1", [0.9, 1.0], start, state="v1", configuration="free",
+        "rigid-stop", data, "k1", [1.0], start, state="v1", configuration="free",
         transient=0, samples=3,
     )  # fmt: skip
     assert np.isfinite(short.samples).any()

@@ -105,7 +105,9 @@ def answers(name: str, length: Any, rate: Any, mass: Any) -> Any:
     return listed, branch, proof
 
 
-@pytest.mark.parametrize("units", UNITS, ids=str)
+@pytest.mark.parametrize(
+    "units", [UNITS[0], pytest.param(UNITS[1], marks=pytest.mark.slow)], ids=str
+)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_orbits_branches_and_proofs_do_not_depend_on_units(name: str, units: Any) -> None:
     wanted, wanted_branch, wanted_proof = answers(name, 1, 1, 1)

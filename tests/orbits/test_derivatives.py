@@ -43,7 +43,17 @@ def quantities(orbit):
     return [*orbit.unknowns.values(), orbit.period, orbit.trace]
 
 
-@pytest.mark.parametrize("name", [*KERNELS, *DECLARED], ids=lambda name: name.split("/")[-1])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(
+            name,
+            id=name.split("/")[-1],
+            marks=[pytest.mark.slow] if "jenkins" in name else [],
+        )
+        for name in (*KERNELS, *DECLARED)
+    ],
+)
 def test_derivatives_are_those_of_orbits_of_sixty_digits(name):
     orbit = ns.solve(name)
     found = orbit.derivatives()
@@ -200,7 +210,14 @@ def test_margins_tell_of_the_next_grazing():
     assert abs(exact).min() > 1e-4
 
 
-@pytest.mark.parametrize("name", [*KERNELS[:2], DECLARED[0], DECLARED[4], DECLARED[5]])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *KERNELS[:2],
+        pytest.param(DECLARED[0], marks=pytest.mark.slow),  # its kernels are compiled first
+        *DECLARED[4:],
+    ],
+)
 def test_many_orbits_have_the_derivatives_of_each(name):
     orbit = ns.solve(name)
     by = tuple(orbit.given)

@@ -25,7 +25,12 @@ VARIED = {
 }
 
 
-@pytest.fixture(params=[pytest.param("c", marks=pytest.mark.compiled), "numpy"])
+@pytest.fixture(
+    params=[
+        pytest.param("c", marks=pytest.mark.compiled),
+        pytest.param("numpy", marks=pytest.mark.slow),
+    ]
+)
 def backend(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
     monkeypatch.setenv("NONSMOOTH_BACKEND", request.param)
     return request.param

@@ -97,6 +97,7 @@ def test_stick_slip_on_a_belt_has_its_closed_period() -> None:
     assert motion.times[-1] - motion.times[-3] == pytest.approx(period, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_coupled_friction_agrees_with_time_stepping() -> None:
     limits = np.array([0.3, 0.5])
     elements = [Friction(x, u, velocity=0.4) for x, u in zip(("x1", "x2"), limits, strict=True)]
@@ -194,6 +195,7 @@ def test_damping_that_switches_has_its_limit_cycle() -> None:
     assert phase[:, 0].max() + 0.2 == pytest.approx(2.150651224, abs=1e-7)
 
 
+@pytest.mark.slow
 def test_a_forced_chain_with_stops_agrees_with_events_of_an_integrator() -> None:
     mass, stiffness, damping = chain_matrices([1, 2, 1], [3, 2, 2], [0.1, 0.2, 0.1])
     stops = [RigidStop("x1", 0.3, 0.8), RigidStop("x3", -0.6, 0.6, "lower")]
@@ -233,7 +235,7 @@ def test_friction_with_stops_never_leaves_its_rules() -> None:
     load = [0.2, -0.2]
     system = oscillator("rubbing", ["x1", "x2"], MASS, STIFFNESS, load=load, elements=elements)
     kernels, rng = kernels_of(system), np.random.default_rng(4)
-    for _ in range(10):
+    for _ in range(4):
         start = rng.uniform([-1, -0.1, -1, -1], [0.1, 1, 1, 1])
         motion = ns.simulate(kernels, {}, start, until=20.0)
         assert motion.end == 20.0

@@ -125,7 +125,9 @@ def declared(seed: int, count: int, order: list[int]) -> System:
     )  # fmt: skip
 
 
-@pytest.mark.parametrize(("seed", "count"), [(1, 1), (3, 2), (4, 3)])
+@pytest.mark.parametrize(
+    ("seed", "count"), [(1, 1), (3, 2), pytest.param(4, 3, marks=pytest.mark.slow)]
+)
 def test_neither_order_nor_direction_of_a_declaration_matters(seed: int, count: int) -> None:
     systems = [declared(seed, count, list(o)) for o in (range(count), reversed(range(count)))]
     start = np.random.default_rng(seed).normal(size=2 * count) * 0.4
@@ -164,7 +166,7 @@ def stopped(seed: int, order: list[int], sign: int) -> System:
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("seed", [11, 14])
+@pytest.mark.parametrize("seed", [11, pytest.param(14, marks=pytest.mark.slow)])
 def test_stops_that_hold_a_contact_leave_the_law_to_the_others(seed: int) -> None:
     ends, touched = [], False
     for order, sign in (([0, 1, 2], 1), ([2, 0, 1], -1)):

@@ -146,14 +146,17 @@ class ByHand:
         return wrapped
 
 
-KINDS = [(True, False), (False, True), (True, True)]
+KINDS = [
+    *(pytest.param(*kind, marks=pytest.mark.slow) for kind in ((True, False), (False, True))),
+    (True, True),
+]
 
 
 @pytest.mark.parametrize(("load", "falling"), KINDS)
 def test_pads_move_as_an_integrator_with_events_says(load: bool, falling: bool) -> None:
     rng, seen = np.random.default_rng(7), set[str]()
     times = np.linspace(0, 15, 61)
-    for _ in range(4):
+    for _ in range(3):
         values = drawn(rng, load=load, falling=falling)
         hand = ByHand(values)
         start = rng.uniform(-0.3, 0.3, 4)
@@ -208,7 +211,13 @@ def rubbing(what: str) -> Any:
 RUBBING = ("exhausted pad and wall", "soft stop", "damped soft stop", "released soft stop", "two")
 
 
-@pytest.mark.parametrize("what", RUBBING)
+@pytest.mark.parametrize(
+    "what",
+    [
+        *(pytest.param(what, marks=pytest.mark.slow) for what in (RUBBING[0], RUBBING[-1])),
+        *RUBBING[1:-1],
+    ],
+)
 def test_friction_stays_within_the_cone_of_its_load_and_brakes(what: str) -> None:
     kernels, rng = rubbing(what), np.random.default_rng(len(what))
     system = piecewise(kernels, {})
@@ -252,7 +261,7 @@ class OnSoftStop(ByHand):
         return super().forces(time, state) - np.array([0, max(self.load(state), 0)])
 
 
-@pytest.mark.parametrize("falling", [False, True])
+@pytest.mark.parametrize("falling", [pytest.param(False, marks=pytest.mark.slow), True])
 def test_a_soft_stop_bears_the_load(falling: bool) -> None:
     stop = SoftStop("y", at=OnSoftStop.AT, stiffness=OnSoftStop.STIFFNESS, name="stop")
     mu, excess, V, phi, A, w = sp.symbols("mu excess V phi A w")
@@ -283,7 +292,7 @@ def test_mirrored_declarations_have_mirrored_motions() -> None:
     """The direction taken the other way round renames slip and overshoot; so does a mirror."""
     rng = np.random.default_rng(9)
     exchanged = {"slip": "overshoot", "overshoot": "slip"}
-    for _ in range(4):
+    for _ in range(2):
         values = drawn(rng, load=True, falling=True)
         start = rng.uniform(-0.5, 0.5, 4)
         given = ns.simulate(kernels(load=True, falling=True), values, [*start, 1, 0], until=15.0)

@@ -90,7 +90,10 @@ def law(system: object, motion: Trajectory) -> list[float]:
     return wanted.tolist()
 
 
-@pytest.mark.parametrize("kind", ["stop", "frequencies", "sticking", "both"])
+@pytest.mark.parametrize(
+    "kind",
+    [pytest.param("frequencies", marks=pytest.mark.slow), "stop", "sticking", "both"],
+)
 def test_exponents_of_forced_orbits_are_those_of_their_multipliers(kind: str) -> None:
     generator = np.random.default_rng(5)
     settled = 0
@@ -123,7 +126,6 @@ def test_the_impact_oscillator(r: str) -> None:
 
 @pytest.mark.parametrize(("system", "data", "start"), [
     ("docs/gallery/mass_on_belt.py", {"u": 1, "e": "0.3", "V": "0.5"}, {"x": 0, "v": 0}),
-    ("dry-friction", DATA_A, [0.3, -0.2, 0.1, 0.4]),
     ("dry-friction", DATA_B, [0.3, -0.2, 0.1, 0.4]),
 ])  # fmt: skip
 def test_exponents_without_forcing(system: str, data: dict, start: object) -> None:

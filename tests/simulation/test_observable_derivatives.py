@@ -30,7 +30,9 @@ def _values(found: ns.Trajectory) -> np.ndarray:
 
 
 @pytest.mark.parametrize("end", [{"until": 15.0}, {"transitions": 9}], ids=["time", "transition"])
-@pytest.mark.parametrize("seed", [0, 1, 6])  # slider and soft stop, friction, both stops
+@pytest.mark.parametrize(  # slider and soft stop, friction, both stops
+    "seed", [*(pytest.param(seed, marks=pytest.mark.slow) for seed in (0, 1)), 6]
+)
 def test_observables_follow_all_parameters(seed: int, end: dict[str, Any]) -> None:
     system, data, start = random_oscillator(np.random.default_rng([7, seed]), f"random-{seed}")
     found = ns.simulate(system, data, start, **end).derivatives(list(data)).observables(2.0)
