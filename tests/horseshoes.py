@@ -47,17 +47,20 @@ _FOLDED_SETS = (
 )
 
 
+def folded_section(system: EnclosedSystem) -> MapSection:
+    """Where it is kicked."""
+    source = system.structure.configuration("back")
+    boundary = system.structure.boundary(source, "rises")
+    target = system.structure.configuration("out")
+    return transition_section(system, source, frozenset({boundary}), target)
+
+
 def folded_horseshoe(*, exponents: bool = False) -> ChaosCertificate:
     """Two sets on a section of one coordinate: A covers B, which covers both."""
 
-    def section(system: EnclosedSystem) -> MapSection:
-        source = system.structure.configuration("back")
-        boundary = system.structure.boundary(source, "rises")
-        target = system.structure.configuration("out")
-        return transition_section(system, source, frozenset({boundary}), target)
-
     guess = Horseshoe(2, _FOLDED_SETS, ((0, 1), (1, 0), (1, 1)), 0.0)
-    return proved(load_system(str(FOLDED)), FOLDED_DATA, section, guess, exponents=exponents)
+    kernels = load_system(str(FOLDED))
+    return proved(kernels, FOLDED_DATA, folded_section, guess, exponents=exponents)
 
 
 def inverted_horseshoe(*, exponents: bool) -> ChaosCertificate:
