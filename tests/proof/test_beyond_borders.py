@@ -305,7 +305,13 @@ FORGERIES: dict[str, Any] = {
 }
 
 
-@pytest.mark.parametrize("name", FORGERIES)
+DEAR = {"twice", "verdicts swapped"}
+
+
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=pytest.mark.slow) if name in DEAR else name for name in FORGERIES],
+)
 def test_edited_files_are_refused(symmetric: Any, name: str) -> None:
     change, reason = FORGERIES[name]
     with pytest.raises(Failure, match=reason):

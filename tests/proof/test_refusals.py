@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.tiles import CheckedBox
 from nonsmooth.runtime.proof.boxes import refusals as of_tiles
 from nonsmooth.runtime.proof.branch import refusals as of_branches

@@ -181,6 +181,7 @@ def test_a_third_impact_and_a_fourth(tmp_path: Path) -> None:
     assert max(float(x.rad()) for x in events) < 1e-32
 
 
+@pytest.mark.slow
 def test_a_motion_that_is_no_function_of_time(tmp_path: Path) -> None:
     """Stick-slip beside a stop: the section of the impact is tangent to the motion that grazes."""
     belt = oscillator(
