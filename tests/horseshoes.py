@@ -33,11 +33,6 @@ FRICTION_DATA = {
     "ur1": "2.04",
     "ur2": "1.83",
 }
-_FRICTION_SETS = (
-    HSet("A", ("10.7007",), (("0.1006",),)),
-    HSet("B", ("10.9712",), (("0.1006",),)),
-)
-
 # a mass that is folded back by a wall: its horseshoe is proved and checked in a blink
 FOLDED = Path(__file__).with_name("folded_oscillator.py")
 FOLDED_DATA = {"r": "3", "c": "0.8"}
@@ -47,17 +42,20 @@ _FOLDED_SETS = (
 )
 
 
+def folded_section(system: EnclosedSystem) -> MapSection:
+    """Where it is kicked."""
+    source = system.structure.configuration("back")
+    boundary = system.structure.boundary(source, "rises")
+    target = system.structure.configuration("out")
+    return transition_section(system, source, frozenset({boundary}), target)
+
+
 def folded_horseshoe(*, exponents: bool = False) -> ChaosCertificate:
     """Two sets on a section of one coordinate: A covers B, which covers both."""
 
-    def section(system: EnclosedSystem) -> MapSection:
-        source = system.structure.configuration("back")
-        boundary = system.structure.boundary(source, "rises")
-        target = system.structure.configuration("out")
-        return transition_section(system, source, frozenset({boundary}), target)
-
     guess = Horseshoe(2, _FOLDED_SETS, ((0, 1), (1, 0), (1, 1)), 0.0)
-    return proved(load_system(str(FOLDED)), FOLDED_DATA, section, guess, exponents=exponents)
+    kernels = load_system(str(FOLDED))
+    return proved(kernels, FOLDED_DATA, folded_section, guess, exponents=exponents)
 
 
 def inverted_horseshoe(*, exponents: bool) -> ChaosCertificate:
@@ -68,21 +66,6 @@ def inverted_horseshoe(*, exponents: bool) -> ChaosCertificate:
 
     guess = Horseshoe(1, _INVERTED_SETS, ((0, 0), (0, 1), (1, 0)), 0.0)
     return proved(load_system(str(INVERTED)), INVERTED_DATA, section, guess, exponents=exponents)
-
-
-def friction_horseshoe(*, exponents: bool) -> ChaosCertificate:
-    """Two sets on a section of one coordinate: A covers B, which covers both."""
-
-    def section(system: EnclosedSystem) -> MapSection:
-        structure = system.structure
-        source = structure.configuration("stick-stick")
-        boundary = structure.boundary(source, "first-breaks-forward")
-        target = structure.configuration("slip-stick")
-        return transition_section(system, source, frozenset({boundary}), target)
-
-    guess = Horseshoe(2, _FRICTION_SETS, ((0, 1), (1, 0), (1, 1)), 0.0)
-    kernels = load_system("dry-friction")
-    return proved(kernels, FRICTION_DATA, section, guess, exponents=exponents)
 
 
 def proved(

@@ -70,6 +70,7 @@ def test_a_true_file_of_a_declared_orbit_is_proved_again(near):
     assert check.claims == {"basin": "proved"}
 
 
+@pytest.mark.slow
 def test_a_true_file_is_proved_again(path):
     check = ns.check_certificate(path)
     assert check.difference is None
@@ -129,6 +130,7 @@ def edited_ranks(content, change):
     return {**content, "ranks": runs(ranks)}
 
 
+@pytest.mark.slow
 def test_a_box_that_leads_elsewhere_has_no_rank(content, tmp_path):
     def too_near(ranks):
         ranks[ranks.index(max(ranks))] = 1

@@ -10,8 +10,7 @@ from typing import Any
 import pytest
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker import Failure, check_cascade
-from nonsmooth.runtime.checker.shape import Malformed
+from nonsmooth.runtime.checker import Failure, Malformed, check_cascade
 from tests.certified import prove_cascade
 from tests.shared import shared_file
 

@@ -251,8 +251,14 @@ def narrower(cones, place, side):
     [
         (lambda cones: None, None),
         (lambda cones: cones.update(expansion="50"), "cone condition"),
-        (lambda cones: cones.update(contraction="1/50"), "cone condition"),
-        (lambda cones: cones["forms"].update(A=["1/100", "1"]), "cone condition"),
+        pytest.param(
+            lambda cones: cones.update(contraction="1/50"), "cone condition", marks=pytest.mark.slow
+        ),
+        pytest.param(
+            lambda cones: cones["forms"].update(A=["1/100", "1"]),
+            "cone condition",
+            marks=pytest.mark.slow,
+        ),
         # what is mapped into the target from the rest is noticed
         (lambda cones: narrower(cones, 0, 0), "stretched by is not proved"),
         (lambda cones: narrower(cones, 1, 1), "stretched by is not proved"),
@@ -364,7 +370,7 @@ def few(coned):
         lambda content: content.update(iterates=10**6, entropy="1e-9"),
         lambda content: content.update(parts=10**9),
         lambda content: longer(content, 2),
-        lambda content: content["parameters"].update(w="1e9"),
+        pytest.param(lambda content: content["parameters"].update(w="1e9"), marks=pytest.mark.slow),
         lambda content: content["parameters"].update(a="1e300"),
     ],
 )

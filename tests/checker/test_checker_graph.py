@@ -221,7 +221,7 @@ def test_other_entries_are_refused(content, tmp_path, name, value, told):
 
 def test_other_parameters_and_declarations_are_refused(tmp_path):
     few = ns.certify_graph(
-        "dry-friction", DATA, [5, 4, 0.5, 0.25], region={"x2": (3.75, 5)}, boxes=8
+        "dry-friction", DATA, [5, 4, 0.5, 0.25], region={"x2": (3.75, 5)}, boxes=4
     )
     few.save(tmp_path / "few.json")
     content = json.loads((tmp_path / "few.json").read_text())

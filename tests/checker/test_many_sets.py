@@ -7,7 +7,7 @@ import pytest
 from flint import fmpq
 
 import nonsmooth as ns
-from nonsmooth.runtime.checker.exact import Failure
+from nonsmooth.runtime.checker import Failure
 from nonsmooth.runtime.checker.many_sets import ManyMotions
 from nonsmooth.runtime.checker.switching import StatedSection
 from nonsmooth.runtime.core.float_sets import ManySets

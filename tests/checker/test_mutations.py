@@ -281,7 +281,13 @@ def sampled(content: Any, drawn: random.Random, count: int) -> list[Mutation]:
     return [drawn.choice(group) for group in drawn.sample(list(groups.values()), count)]
 
 
-@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.slow) if name == "branch-vanishing" else name
+        for name in FILES
+    ],
+)
 def test_no_change_of_a_file_is_shown_as_proved(name: str, tmp_path: Path) -> None:
     drawn = random.Random(name)
     content = json.loads(written(name))

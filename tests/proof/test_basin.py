@@ -191,6 +191,7 @@ def test_files_are_read_as_they_were(found, tmp_path):
         assert np.array_equal(getattr(again, name), getattr(found, name))
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_with_a_forcing_the_section_holds_all_states(impact):
     found = ns.certify_basin(impact, box={"x": (-0.6, -0.5), "v": (0.045, 0.085)})

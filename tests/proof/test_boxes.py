@@ -23,7 +23,6 @@ from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
 from nonsmooth.runtime.core.arithmetic import exact_ball
 from nonsmooth.runtime.model.kernels import load_system
 from nonsmooth.runtime.proof.boxes.refusals import BoxRefusals
-from nonsmooth.runtime.proof.boxes.tile_event import side_of
 from nonsmooth.runtime.proof.boxes.tile_places import Place
 from tests.certified import loop
 
@@ -90,30 +89,6 @@ def test_verdicts_along_a_line_are_those_of_the_points() -> None:
         assert bool(orbit.admissibility.verdict) == (wanted != "not admissible")
     assert sum(found.shares.values()) == 1
     assert "outside the unit circle" in found.reasons["stability"]
-
-
-def test_a_map_of_the_plane_agrees_with_its_points() -> None:
-    # below us2 = 0.7228 (at V = 1) the second mass breaks away
-    orbit = ns.solve(STICK, {"us1": "1", "us2": "0.76"})
-    found = ns.certify_box(orbit, {"V": ("0.9", "1.1"), "us2": ("0.7", "0.8")}, tiles=60)
-    assert found.decided == 1
-    rng = np.random.default_rng(7)
-    seen = set()
-    for speed, friction in zip(rng.uniform(0.9, 1.1, 12), rng.uniform(0.7, 0.8, 12), strict=True):
-        at = Fraction(speed), Fraction(friction)
-        tile = found.tile_at(dict(zip(("V", "us2"), at, strict=True)))
-        verdict = tile.verdict
-        if tile.event is not None:
-            ends = zip(at, found.where(tile).values(), strict=True)
-            inside = [(2 * x - low - high) / (high - low) for x, (low, high) in ends]
-            side = side_of(tile.event.band, inside)
-            assert side is not None
-            verdict = getattr(tile.event, side)
-        point = ns.solve(STICK, {"us1": "1", "us2": float(friction), "V": float(speed)})
-        assert (verdict == "proved") == bool(point.admissibility.verdict)
-        assert tile.enclosures["trace"].lower <= point.trace <= tile.enclosures["trace"].upper
-        seen.add(verdict)
-    assert seen == {"proved", "not admissible"}
 
 
 def test_closed_forms_over_boxes() -> None:
@@ -374,14 +349,14 @@ def test_the_orbit_is_handed_on_from_its_own_point() -> None:
         (ns.solve(SYMMETRIC), {"V": ("0.2", "5")}),
         (loop(), {"k": ("1/100", "11/10"), "r": ("1/4", "3/4")}),
     ):
-        found = ns.certify_box(orbit, box, tiles=50)
+        found = ns.certify_box(orbit, box, tiles=20)
         tile = found.tile_at({name: orbit.given[name] for name in box})
         period = tile.enclosures["period"]
         assert period.lower <= float(orbit.period) <= period.upper
         for other in found.tiles:
             if other.verdict == "not admissible":
                 assert "negative" not in other.reasons["admissibility"]
-    wide = ns.certify_box(loop(), {"k": ("1/100", "100")}, tiles=400)
+    wide = ns.certify_box(loop(), {"k": ("1/10", "10")}, tiles=100)
     # the period is pi/sqrt(k) + pi/2 wherever the orbit is proved
     for tile in wide.tiles:
         if tile.claims["existence"] == "proved" and tile.enclosures:

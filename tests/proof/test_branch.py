@@ -35,7 +35,9 @@ from nonsmooth.runtime.proof.branch.passage import CyclePassage, time_of_touch
 from nonsmooth.runtime.proof.branch.stating import _event, stated_branch
 from nonsmooth.runtime.proof.branch.tube import orbit_at, proved_piece
 from nonsmooth.runtime.proof.orbit_to_prove import subject_near
+from tests.certified import prove_branch
 from tests.explore import test_continuation_forced as impacts
+from tests.shared import shared_file
 
 
 @pytest.fixture(scope="module")
@@ -44,8 +46,8 @@ def branch() -> Any:
 
 
 @pytest.fixture(scope="module")
-def found(branch: Any) -> CertifiedBranch:
-    return ns.certify_branch(branch)
+def found() -> CertifiedBranch:
+    return ns.load(shared_file("branch of friction", prove_branch))
 
 
 def curve_near(value: str) -> OrbitCurve:
@@ -367,6 +369,7 @@ def test_narrow_tiles_are_proved_again(tmp_path: Path) -> None:
     assert check.claims == {"branch": "proved"}, check.difference
 
 
+@pytest.mark.slow
 def test_little_is_looked_at_beside_an_event_at_an_end(branch: Any) -> None:
     """What is undecided at an end grows by doubling, not tile by tile of the smallest width."""
     event = branch.events[-1]
@@ -446,6 +449,7 @@ def bump_stop() -> Any:
     )
 
 
+@pytest.mark.slow
 def test_a_fold_is_passed_by_another_coordinate(tmp_path: Path) -> None:
     system = bump_stop()
     orbit = ns.find_orbits(system, {"F": 2, "Omega": 26}, 50, transitions=500).orbits[0].orbit
@@ -557,8 +561,9 @@ def call_it_admissible(content: dict[str, Any]) -> None:
 @pytest.mark.parametrize(
     "attack",
     [
-        undivide, divide_another, divide_none_that_is_there, hide_the_turn, turn_in_another_phase,
-        hide_a_tangency, vanish_at_the_other_end, call_it_admissible,
+        undivide, divide_another, divide_none_that_is_there, turn_in_another_phase,
+        hide_a_tangency, vanish_at_the_other_end,
+        *(pytest.param(one, marks=pytest.mark.slow) for one in (hide_the_turn, call_it_admissible)),
     ],
     ids=lambda attack: attack.__name__,
 )  # fmt: skip

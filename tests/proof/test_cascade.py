@@ -21,12 +21,12 @@ from nonsmooth.runtime.proof.doubling.doubling_tube import proved_tube
 from tests.explore import test_continuation_forced as impacts
 
 pytestmark = pytest.mark.compiled  # much slower without it
-ENDS = Fraction(1), Fraction("1.2")
+ENDS = Fraction("1.07"), Fraction("1.09")
 
 
 @pytest.fixture(scope="module")
 def branch() -> Any:
-    return ns.continue_orbit(ns.solve("dry-friction/symmetric", {"V": "1.05"}), "V", (1.0, 1.2))
+    return ns.continue_orbit(ns.solve("dry-friction/symmetric", {"V": "1.08"}), "V", (1.07, 1.09))
 
 
 @pytest.fixture(scope="module")
@@ -186,6 +186,7 @@ def test_a_cascade_can_be_interrupted_and_resumed(
         ns.certify_cascade(branch, interval=("1", "1.1"), resume=part)
 
 
+@pytest.mark.slow
 def test_time_and_an_interruption_along_the_doubled_branch_keep_what_is_proved(
     branch: Any, found: CertifiedCascade, tmp_path: Path
 ) -> None:
@@ -246,10 +247,11 @@ def test_wrong_questions_are_refused(branch: Any, words: dict[str, Any]) -> None
 @pytest.fixture(scope="module")
 def struck() -> CertifiedCascade:
     """An impact oscillator beyond two flips."""
-    branch = ns.continue_orbit(impacts.orbit(-0.05), "sigma", (-0.1, -0.032))
+    branch = ns.continue_orbit(impacts.orbit(-0.05), "sigma", (-0.06, -0.032))
     return ns.certify_cascade(branch, doublings=2, tiles=60)
 
 
+@pytest.mark.slow
 def test_impacts_double_twice_from_the_flip_in_closed_form(
     struck: CertifiedCascade, tmp_path: Path
 ) -> None:
@@ -262,6 +264,7 @@ def test_impacts_double_twice_from_the_flip_in_closed_form(
     assert ns.check_certificate(tmp_path / "struck.json").claims == {"doublings": "proved"}
 
 
+@pytest.mark.slow
 def test_motions_settle_on_the_doubled_impacts(struck: CertifiedCascade) -> None:
     """The exact motion between the two flips strikes twice before it comes back."""
     first, second = (float(event.enclosures["sigma"]) for event in struck.flips)

@@ -11,6 +11,7 @@ import nonsmooth as ns
 from nonsmooth.runtime.model.kernels import load_system
 from tests.horseshoes import INVERTED, INVERTED_DATA, inverted_horseshoe
 
+pytestmark = pytest.mark.slow  # on a section of one coordinate they are looked at in test_chaos
 PERIOD = 2 * math.pi / float(INVERTED_DATA["w"])
 STEP = 1e-6
 

@@ -21,9 +21,7 @@ from flint import arb
 import nonsmooth as ns
 from nonsmooth import Orbit
 from nonsmooth.derive import Harmonic, Parameter, RigidStop, oscillator
-from nonsmooth.runtime.checker.exact import Failure
-from nonsmooth.runtime.checker.shape import Malformed
-from nonsmooth.runtime.checker.tiles import check_tiles
+from nonsmooth.runtime.checker import Failure, Malformed, check_tiles
 from nonsmooth.runtime.core.result_files import checksum_of
 from nonsmooth.runtime.proof.boxes.box_certificate import Tile
 from nonsmooth.runtime.proof.boxes.orbit_over_box import region_of
@@ -34,7 +32,7 @@ from nonsmooth.runtime.proof.boxes.tile_fold import FoldTube, fold_tube
 
 IMPACT = (("free", "wall-reaches-stop"),)
 W, PERIOD = Fraction(12, 5), 2 * math.pi / 2.4
-BOX = {"sigma": ("-1.7", "-1.0"), "r": ("0.76", "0.84")}
+BOX = {"sigma": ("-1.7", "-1.0"), "r": ("0.785", "0.815")}
 SMALL = {"sigma": ("-1.26", "-1.21"), "r": ("0.795", "0.805")}  # one tile
 
 

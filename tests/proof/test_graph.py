@@ -18,6 +18,7 @@ from nonsmooth.runtime.proof.motion.enclosures import enclosed_system
 from nonsmooth.runtime.proof.sets.branching import BranchingMap, Leaves
 from nonsmooth.runtime.proof.sets.sections import transition_section
 from nonsmooth.runtime.proof.sets.visited_declaration import visited_declaration
+from tests.certified import kicked
 
 GALLERY = Path(__file__).parents[2] / "docs" / "gallery"
 # the paper's orbit with a phase in which both masses stick
@@ -231,6 +232,7 @@ def chaotic():
     return ns.certify_graph("dry-friction", CHAOTIC, [1.93, 7.18, 1.18, 1.18], levels=1)
 
 
+@pytest.mark.slow
 def test_a_chaotic_set_lies_in_an_attracting_component(chaotic):
     motion = ns.simulate("dry-friction", CHAOTIC, [1.93, 7.18, 1.18, 1.18], transitions=4000)
     names = motion.configurations
@@ -249,6 +251,7 @@ def test_a_chaotic_set_lies_in_an_attracting_component(chaotic):
     assert other is not component
 
 
+@pytest.mark.slow
 def test_a_box_where_both_masses_break_away_together_has_a_known_image(chaotic):
     corner = (float(CHAOTIC["ur2"]) / 0.34 + float(CHAOTIC["ur1"])) / 0.66
     box = chaotic.box_of([corner])
@@ -263,6 +266,7 @@ def test_a_box_where_both_masses_break_away_together_has_a_known_image(chaotic):
         assert ((low[:, 0] <= there) & (there <= high[:, 0])).any()
 
 
+@pytest.mark.slow
 def test_several_processes_find_the_same_graph(impacts):
     system = load_system(str(GALLERY / "impact_oscillator.py"))
     region = {"x": (-2, 0), "v": (-2, 2)}
@@ -298,22 +302,21 @@ def test_boxes_are_divided_where_it_helps():
 
 
 def test_an_interrupted_graph_goes_on():
-    start, region = [5, 4, 0.5, 0.25], {"x2": (2, 14)}
-    counts = []
+    data, counts = {"k": 1, "r": "1/2", "a": 10}, []
 
     def stopping(done, count):
         counts.append(count)
         assert (done == 0) == (len(counts) % 2 == 1)  # each level tells its boxes before the first
-        if len(counts) == 4:
+        if len(counts) == 3:
             raise KeyboardInterrupt
 
-    asked = {"region": region, "boxes": 32, "levels": 2}
+    asked = {"region": {"v": (0.5, 4)}, "boxes": 16, "levels": 2}
     with pytest.raises(Interrupted) as stopped:
-        ns.certify_graph("dry-friction", DATA, start, progress=stopping, **asked)
+        ns.certify_graph(kicked(), data, [0, 1.5], progress=stopping, **asked)
     known = stopped.value.partial
     assert 0 < known.graph.unknown.sum() < len(known.graph.grid)
-    whole = ns.certify_graph("dry-friction", DATA, start, **asked)
-    again = ns.certify_graph("dry-friction", DATA, start, resume=known, **asked)
+    whole = ns.certify_graph(kicked(), data, [0, 1.5], **asked)
+    again = ns.certify_graph(kicked(), data, [0, 1.5], resume=known, **asked)
     assert again.to_json() == whole.to_json()
 
 

@@ -84,7 +84,9 @@ def test_orbits_of_the_paper(name: str, tmp_path: Path) -> None:
     assert again.to_json() == found.to_json()
 
 
-@pytest.mark.parametrize("bits", [53, 64, 300, 1000])
+@pytest.mark.parametrize(
+    "bits", [53, *(pytest.param(bits, marks=pytest.mark.slow) for bits in (64, 300)), 1000]
+)
 def test_every_precision_is_proved_again(bits: int, tmp_path: Path) -> None:
     for name in BUILT_IN:
         found = ns.certify(ns.solve(name), bits, derivatives=True)
@@ -125,7 +127,7 @@ def test_differences_of_refined_orbits(name: str) -> None:
 @pytest.mark.parametrize(
     "name",
     [
-        "backlash_gear.py:rattle",
+        pytest.param("backlash_gear.py:rattle", marks=pytest.mark.slow),
         "brake_pad.py:pressed",
         "den_hartog.py:without-rest",
         "impact_damper.py:struck-twice",
