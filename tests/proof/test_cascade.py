@@ -247,7 +247,7 @@ def test_wrong_questions_are_refused(branch: Any, words: dict[str, Any]) -> None
 @pytest.fixture(scope="module")
 def struck() -> CertifiedCascade:
     """An impact oscillator beyond two flips."""
-    branch = ns.continue_orbit(impacts.orbit(-0.05), "sigma", (-0.06, -0.032))
+    branch = ns.continue_orbit(impacts.orbit(-0.05), "sigma", (-0.1, -0.032))
     return ns.certify_cascade(branch, doublings=2, tiles=60)
 
 
