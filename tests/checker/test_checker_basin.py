@@ -64,6 +64,7 @@ def refused(content, tmp_path, told):
     assert told in difference, difference
 
 
+@pytest.mark.slow
 def test_a_true_file_of_a_declared_orbit_is_proved_again(near):
     check = ns.check_certificate(near)
     assert check.difference is None
@@ -176,6 +177,7 @@ def test_tiles_are_those_of_the_box_that_is_stated(content, tmp_path, ends):
     refused(edited, tmp_path, "tiles of another box")
 
 
+@pytest.mark.slow
 def test_another_core_is_refused(content, tmp_path):
     core = content["core"]
     wide = {**core, "sides": [["3.5"]]}

@@ -203,6 +203,7 @@ def test_guesses_in_other_places_are_refused(content: dict[str, Any]) -> None:
         refused(content, "in the tile")
 
 
+@pytest.mark.slow
 @of("stick", "rigid", "forced", "flip", "wall", "irrational")
 def test_wider_boxes_are_refused(content: dict[str, Any]) -> None:
     for name in content["box"]:
@@ -215,6 +216,7 @@ def test_wider_boxes_are_refused(content: dict[str, Any]) -> None:
         refused(changed, "the box is empty")
 
 
+@pytest.mark.slow
 @of("stick", "rigid", "forced", "irrational")
 def test_another_system_has_another_orbit(content: dict[str, Any]) -> None:
     configurations = content["declaration"]["configurations"]

@@ -180,6 +180,7 @@ ATTACKS: list[Callable[[Content], None]] = [
 ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_branch_is_proved_again(content: Content) -> None:
     check_branch(content)
 
@@ -206,6 +207,7 @@ def width(number: Any) -> float:
     return float(abs(range_of(number - number.mid())).upper())
 
 
+@pytest.mark.slow
 def test_a_tile_is_proved_on_parts(content: Content, preloaded: Content) -> None:
     """On each half of a tile the orbits are at least as narrowly enclosed, and are there."""
     for tile in [*checked_tiles(content), *checked_tiles(preloaded)]:

@@ -135,6 +135,7 @@ EDITS: tuple[Callable[[Content], None], ...] = (
 )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("edit", EDITS, ids=lambda edit: edit.__name__)
 def test_what_is_false_is_refused(content: Content, edit: Callable[[Content], None]) -> None:
     edited = copy.deepcopy(content)
@@ -152,6 +153,7 @@ def test_one_of_two_doublings_alone_is_not_the_claim(content: Content) -> None:
         check_cascade(signed(edited))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["dry-friction/global-stick", "rigid-stop/one-impact", "mine"])
 def test_the_name_of_another_orbit_is_refused(content: Content, name: str, tmp_path: Path) -> None:
     path = tmp_path / "edited.json"

@@ -382,6 +382,7 @@ def test_a_false_file_takes_no_more_than_several_times_the_work_of_the_true_one(
     assert calls < most, calls / most
 
 
+@pytest.mark.slow
 def test_a_check_encloses_few_times_as_many_images_as_the_file_states(coned, tmp_path):
     for parts, told in ((1, "too many parts"), (400, None)):
         found = changed(
@@ -415,6 +416,7 @@ def test_parameters_without_chaos_are_refused(written, tmp_path):
     assert changed(written, tmp_path, stable).difference
 
 
+@pytest.mark.slow
 def test_the_command(rated, tmp_path, monkeypatch):
     monkeypatch.setattr("nonsmooth.runtime.proof.chaos.certify_chaos._BASES", 100)
     runner = CliRunner()

@@ -55,6 +55,7 @@ def refused(content, tmp_path, told):
     assert told in difference, difference
 
 
+@pytest.mark.slow
 def test_a_true_file_is_proved_again_and_loaded(found, path):
     check = ns.check_certificate(path)
     assert check.difference is None
@@ -145,6 +146,7 @@ def test_edges_are_stated_once_and_in_order(content, tmp_path):
     refused({**content, "edges": edges[::-1]}, tmp_path, "edges are not in order")
 
 
+@pytest.mark.slow
 def test_what_is_not_trapping_is_not_added(found, content, tmp_path):
     outer = next(k for k in range(len(found.graph.grid)) if k not in found.trapping)
 
@@ -161,6 +163,7 @@ def test_what_is_not_trapping_is_not_added(found, content, tmp_path):
     refused({**content, "trapping": runs(told)}, tmp_path, "a trapping region is left")
 
 
+@pytest.mark.slow
 def test_every_edge_counts_where_images_are_sharp(found, content, tmp_path):
     wide = [box for box in range(len(found.graph.grid)) if len(found.targets(box)) > 2]
     for box in wide[:: max(len(wide) // 2, 1)]:
@@ -175,6 +178,7 @@ def test_every_edge_counts_where_images_are_sharp(found, content, tmp_path):
     assert wide
 
 
+@pytest.mark.slow
 def test_an_image_that_leaves_the_region_is_said_to(content, tmp_path):
     def narrower(content):
         # the same boxes, moved by one: their images are others
@@ -219,6 +223,7 @@ def test_other_entries_are_refused(content, tmp_path, name, value, told):
     refused({**content, name: value}, tmp_path, told)
 
 
+@pytest.mark.slow
 def test_other_parameters_and_declarations_are_refused(tmp_path):
     few = ns.certify_graph(
         "dry-friction", DATA, [5, 4, 0.5, 0.25], region={"x2": (3.75, 5)}, boxes=4
@@ -232,6 +237,7 @@ def test_other_parameters_and_declarations_are_refused(tmp_path):
     refused({**content, "declaration": declared}, tmp_path, "")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("region", [(11.23, 11.25), (5.51, 5.53)])
 def test_the_check_follows_sets_at_corners(region, tmp_path):
     """One mass breaks away, or reaches the belt, just as the other one breaks away."""

@@ -127,6 +127,7 @@ def missed(leaves, name, each):
     return away, ran, several
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name, _ in KINDS])
 def test_every_state_comes_to_a_box(found, name):
     away, ran, several = missed(found[name], name, 6)
@@ -197,6 +198,7 @@ def test_sets_are_lost_where_nothing_is_stated(proved, found):
     assert leaves.lost.sum() > found[name].lost.sum() + 10
 
 
+@pytest.mark.slow
 def test_a_boundary_that_is_dropped_leads_elsewhere(proved):
     name = "slip-slip"
 
@@ -209,6 +211,7 @@ def test_a_boundary_that_is_dropped_leads_elsewhere(proved):
     assert missed(leaves, name, 2)[0] >= 3
 
 
+@pytest.mark.slow
 def test_a_condition_that_is_flipped_leads_elsewhere(proved, found):
     name = "overshoot-slip"
 
@@ -260,6 +263,7 @@ def stroboscopic(forced, data):
     return away, ran, several, leaves.lost.sum()
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_every_state_comes_to_a_box_at_the_phase_of_a_forcing(forced):
     away, ran, several, lost = stroboscopic(forced, FORCED)
@@ -269,6 +273,7 @@ def test_every_state_comes_to_a_box_at_the_phase_of_a_forcing(forced):
     assert lost <= forced[3].lost.sum() + 2
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_another_restitution_leads_elsewhere(forced):
     away, ran, _, _ = stroboscopic(forced, {**FORCED, "r": "0.4"})

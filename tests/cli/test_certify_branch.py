@@ -29,6 +29,7 @@ def run(*arguments: str) -> Answer:
     return Answer(result.exit_code, result.stdout, result.stderr)
 
 
+@pytest.mark.slow
 def test_a_branch_is_proved_saved_drawn_and_checked(tmp_path: Path) -> None:
     file, picture = tmp_path / "branch.json", tmp_path / "branch.svg"
     found = run(*ASKED, "--save", str(file), "--plot", str(picture), "--require", "proved")
@@ -43,6 +44,7 @@ def test_a_branch_is_proved_saved_drawn_and_checked(tmp_path: Path) -> None:
     assert drawn.code == 0
 
 
+@pytest.mark.slow
 def test_it_goes_on_with_what_was_kept(tmp_path: Path) -> None:
     file = tmp_path / "branch.json"
     part = run(*ASKED, "--tiles", "1", "--save", str(file))

@@ -415,6 +415,7 @@ def test_long_numbers_are_grouped() -> None:
     assert trace in re.sub(r"\s", "", out)
 
 
+@pytest.mark.slow
 def test_piped_output_has_no_colours_and_whole_numbers() -> None:
     """Whatever the width and the encoding are said to be."""
     narrow = {"COLUMNS": "40", "PYTHONIOENCODING": "ascii"}
@@ -470,6 +471,7 @@ def saved(tmp_path: Path) -> Path:
 STARTS = {"png": b"\x89PNG", "SVG": b"<?xml"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("kind", "ending"),
     [
@@ -484,6 +486,7 @@ def test_plot(kind: str, ending: str, saved: Path) -> None:
     assert target.read_bytes().startswith(STARTS[ending])
 
 
+@pytest.mark.slow
 def test_plot_names_its_file(saved: Path) -> None:
     target = saved.with_suffix(".png")
     assert run("plot", str(saved)) == (0, f"{target} written\n", "")
@@ -716,6 +719,7 @@ def test_unknown_backend_is_2(monkeypatch: pytest.MonkeyPatch) -> None:
     )
 
 
+@pytest.mark.slow
 def test_no_traceback_reaches_the_process() -> None:
     done = nonsmooth_process("solve", ORBIT, "chi=1.2", "--json")
     assert done.returncode == 2
@@ -937,6 +941,7 @@ def test_scripts_are_the_commands(script: str, command: str) -> None:
     assert done.stdout.partition("\n \n")[2] == run(command, "--help")[1].partition("\n \n")[2]
 
 
+@pytest.mark.slow
 def test_verify_trace_script() -> None:
     path = str(CHECKOUT / "scripts" / "verify_trace.py")
     words = (ORBIT, "eta=0.98", "--require", "admissible", "--json")

@@ -90,6 +90,7 @@ def test_a_time_may_be_an_expression():
     assert found["status"] == "until"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ending", "start", "kind"),
     [(*picture, kind) for picture, kind in zip(PICTURES[:2], ("npz", "csv"), strict=True)],
@@ -224,6 +225,7 @@ def found():
     return find_orbits("dry-friction", values(B), 12, transitions=400)
 
 
+@pytest.mark.slow
 def test_json_of_find(found):
     document = told(*FIND.split())
     assert list(document) == [
@@ -247,6 +249,7 @@ def test_json_of_find(found):
         assert isinstance(entry["multipliers"][0]["re"], str)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_find_shows_saves_and_maps(found, tmp_path):
     pytest.importorskip("matplotlib")
@@ -265,6 +268,7 @@ def test_find_shows_saves_and_maps(found, tmp_path):
     np.testing.assert_array_equal(load_found(kept).labels, found.labels)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_seed_and_box_reach_the_search(found):
     document = told(*f"{FIND} --seed 3 --box x1=0:1/2,v2=-1:0".split())

@@ -156,6 +156,7 @@ def test_doctor_compares_versions_as_numbers(version, good, monkeypatch) -> None
     assert {f.name: f.good for f in doctor.diagnoses()}["mpmath"] is good
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(BASH is None, reason="there is no bash")
 def test_a_reader_that_has_seen_enough_is_no_error(tmp_path: Path) -> None:
     script = 'nonsmooth list dry-friction 2>said | head -n 1; echo "${PIPESTATUS[0]}"'

@@ -21,6 +21,7 @@ def run(*arguments: str) -> tuple[int, str, str]:
     return result.exit_code, result.stdout, result.stderr
 
 
+@pytest.mark.slow
 def test_numbers_are_those_of_python(tmp_path: Path) -> None:
     file, picture = tmp_path / "design.json", tmp_path / "design.png"
     options = ("--json", "--save", str(file), "--plot", str(picture), "--require", "stable")
@@ -37,6 +38,7 @@ def test_numbers_are_those_of_python(tmp_path: Path) -> None:
     assert run("plot", str(file), "--out", str(tmp_path / "again.png"))[0] == 0
 
 
+@pytest.mark.slow
 def test_people_see_where_it_begins_and_ends() -> None:
     code, out, _ = run(
         "design", ORBIT, "V=0.6:3", "eta=3:5", "--minimise", "spectral_radius",

@@ -230,6 +230,7 @@ def test_a_closed_pipe_is_quiet(words: str) -> None:
 _MAIN = (sys.executable, "-c", "from nonsmooth.runtime.cli.program import main; main()")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="closed by a shell")
 @pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-"])
 def test_a_closed_stream_is_one_that_nobody_reads(closed: str, tmp_path: Path) -> None:
@@ -245,6 +246,7 @@ def test_a_closed_stream_is_one_that_nobody_reads(closed: str, tmp_path: Path) -
     assert wrong or ns.load(file).name == ORBIT
 
 
+@pytest.mark.slow
 def test_pictures_do_not_depend_on_the_users_windows(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     ns.solve(ORBIT).save(tmp_path / "o.json")

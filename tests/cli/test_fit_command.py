@@ -36,6 +36,7 @@ def run(command: str) -> tuple[int, str, str]:
     return result.exit_code, result.stdout, result.stderr
 
 
+@pytest.mark.slow
 def test_the_answer_holds_the_truth_and_is_kept() -> None:
     pytest.importorskip("matplotlib")
     code, out, err = run(f"{FIT} --starts 3 --seed 1 --save fit.json --plot fit.png --json")

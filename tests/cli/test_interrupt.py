@@ -123,6 +123,7 @@ def test_a_sweep_goes_on_to_the_same_diagram(tmp_path: Path) -> None:
     np.testing.assert_array_equal(gone_on.samples, whole.samples)
 
 
+@pytest.mark.slow
 def test_a_branch_goes_on_to_both_ends(tmp_path: Path) -> None:
     ended = interrupted(
         "continue dry-friction/global-stick V=0.99:1.01 --step 1e-4 --points 1000000"
@@ -217,6 +218,7 @@ def test_each_long_command_keeps_what_it_has(
         assert (ns.load(tmp_path / file).status.values != -128).any()
 
 
+@pytest.mark.slow
 def test_what_is_written_at_once_leaves_nothing(tmp_path: Path) -> None:
     ended = interrupted("reproduce --out new/paper", "orbit rigid", tmp_path)
     assert ended.code == 130

@@ -189,6 +189,7 @@ def test_an_orbit_of_another_file_is_held_wherever_it_goes_on(
     assert (code, "does not hold orbit.json: name that too" in err) == (2, True)
 
 
+@pytest.mark.slow
 def test_events_go_on_though_none_is_enclosed_yet(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

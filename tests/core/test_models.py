@@ -121,6 +121,7 @@ def quotients(draw: st.DrawFn) -> RationalFunction:
     return above / (1 + numbers[3] * ETA * ETA)
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(quotients(), quotients(), quotients(), rationals, rationals)
 def test_rational_functions_are_a_field(

@@ -66,6 +66,7 @@ def test_yes_begins_what_takes_long(monkeypatch) -> None:
     assert CliRunner().invoke(app, [*command, "--yes"]).exit_code == 0
 
 
+@pytest.mark.slow
 def test_a_long_graph_says_how_long_before_it_begins(monkeypatch) -> None:
     start = "--from x1=5,x2=4,v1=0.5,v2=0.25 --region x2=2:14"
     command = f"graph dry-friction V=1 {DATA} {start} --boxes 16".split()

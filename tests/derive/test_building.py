@@ -154,6 +154,7 @@ def decided(system: System, source: str, boundaries: set[str], state: np.ndarray
     return structure.configurations[found.target]
 
 
+@pytest.mark.slow
 def test_coupled_contacts_take_the_solution_of_the_complementarity_problem() -> None:
     limits = np.array([0.3, 0.5])
     elements = [Friction(x, u, velocity=0.75) for x, u in zip(("x1", "x2"), limits, strict=True)]
@@ -177,6 +178,7 @@ def test_coupled_contacts_take_the_solution_of_the_complementarity_problem() -> 
     assert len(seen) == 9
 
 
+@pytest.mark.slow
 def test_a_contact_and_a_stop_that_are_coupled_are_decided_together() -> None:
     elements = [Friction("x1", 0.4), RigidStop("x2", at=0.25, restitution=0.5)]
     names = ["x1", "x2", "x3"]
@@ -257,6 +259,7 @@ def test_a_chain_stores_the_energy_of_its_springs(fixed: str, links: int) -> Non
     assert damping.is_zero_matrix
 
 
+@pytest.mark.slow
 def test_every_product_has_transitions_for_all_sets_of_boundaries() -> None:
     mass, stiffness, damping = chain_matrices([m1, m2], [k1, k2], sp.symbols("d1 d2"))
     elements = [

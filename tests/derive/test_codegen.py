@@ -181,6 +181,7 @@ def agree(found: Sequence[Any], expected: Sequence[Any]) -> bool:
     return all(abs(a - b) <= abs(b) * 1e-30 + 1e-30 for a, b in zip(found, expected, strict=True))
 
 
+@pytest.mark.slow
 @PROPERTY
 @given(programs())
 def test_eliminating_common_terms_keeps_every_value(kernel: Kernel) -> None:
@@ -210,6 +211,7 @@ def test_eliminating_common_terms_keeps_every_value(kernel: Kernel) -> None:
     assert agree(values_of((*fixed, *moving), results), expected)
 
 
+@pytest.mark.slow
 @PROPERTY
 @given(programs())
 def test_the_emitted_source_keeps_every_value(kernel: Kernel) -> None:

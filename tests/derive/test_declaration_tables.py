@@ -112,6 +112,7 @@ def test_fields_are_the_equations_of_motion(name):
             assert not rate[[size + i for i in held]].any()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.usefixtures("backend")
 def test_transitions_and_resets_are_the_declared_ones(name):

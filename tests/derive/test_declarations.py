@@ -347,6 +347,7 @@ polynomials = st.lists(
 units = st.fractions(Fraction(1, 1000), Fraction(999, 1000), max_denominator=1000)
 
 
+@pytest.mark.slow
 @settings(PROPERTY, max_examples=15)
 @given(polynomials, polynomials, st.lists(st.tuples(*[units] * 6), min_size=4, max_size=4))
 def test_true_is_a_proof(numerator: sp.Expr, denominator: sp.Expr, points: list[Any]) -> None:

@@ -99,6 +99,7 @@ DOCUMENTS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_the_lines_say_what_they_show(name: str) -> None:
     """LaTeX, read back at random numbers, is the expression beside it."""
@@ -347,6 +348,7 @@ def test_equal_transitions_are_described_once() -> None:
     assert len(text) < 1.15 * len(short) + 12 * 90
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_any_itinerary_can_be_described(name: str) -> None:
     """Held coordinates, presentations, a given period and a border collision too."""

@@ -92,6 +92,7 @@ def test_forced_orbits_have_documents_as_true(name: str) -> None:
     defined_in_order(written)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", marked((*VARIANTS, *GALLERY), *LONG))
 def test_other_itineraries_have_documents_as_true(name: str) -> None:
     written = Written(derive_equations(VARIANTS[name]())) if name in VARIANTS else derived(name)

@@ -109,6 +109,7 @@ def joined(sign: int, text: str) -> str:
     return f"- {text}" if sign < 0 else text
 
 
+@pytest.mark.slow
 @settings(max_examples=80, derandomize=True, deadline=None)
 @example(sp.sin(STATES[0] * sp.cos(1)))
 @given(EXPRESSIONS)
@@ -128,6 +129,7 @@ def signed_behind(expression: sp.Expr) -> tuple[str, ...]:
     return ("-" if sign < 0 else "+", text)
 
 
+@pytest.mark.slow
 @settings(max_examples=40, derandomize=True, deadline=None)
 @given(st.lists(st.tuples(NUMBERS, st.lists(st.sampled_from(LETTERS), max_size=4)), max_size=5))
 def test_a_polynomial_that_is_put_in_order_is_the_polynomial(
@@ -140,6 +142,7 @@ def test_a_polynomial_that_is_put_in_order_is_the_polynomial(
     check(" ".join(signed(NOTATION, arranged)) or "0", expression)
 
 
+@pytest.mark.slow
 @settings(max_examples=20, derandomize=True, deadline=None)
 @given(st.lists(EXPRESSIONS, min_size=4, max_size=4))
 def test_a_matrix_is_its_entries(entries: list[sp.Expr]) -> None:

@@ -32,6 +32,7 @@ def written(name: str) -> Written:
     return written_of(name)
 
 
+@pytest.mark.slow
 def test_saltation_matrices_are_those_of_the_kernel(name: str, written: Written) -> None:
     orbit = solved_of(name)
     numbers = written.at(orbit)

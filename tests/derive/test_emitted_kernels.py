@@ -311,6 +311,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
     return lambda system: _library(system, folder)
 
 
+@pytest.mark.slow
 @needs_compiler
 def test_a_c_program_gives_the_residual_and_the_trace(
     library: Callable[[str], Path], tmp_path: Path

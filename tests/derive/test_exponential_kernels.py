@@ -105,6 +105,7 @@ def worst(compiled: Call, factors: Sequence[Factor], t: float, k: int) -> float:
     return error(found[k], k, t, factors)
 
 
+@pytest.mark.slow
 @needs_compiler
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(forced(), periods, st.integers(0, 3))

@@ -246,6 +246,7 @@ def worst(
         return float(missed / unit)
 
 
+@pytest.mark.slow
 @property_test
 @given(st.sampled_from([1.0, 1.0, 0.0, -1.0]), RATIO, FREQUENCY, FREQUENCY, PERIODS, STATES)
 @pytest.mark.parametrize("name", ["forced", "slider"])
@@ -260,6 +261,7 @@ def test_one_coordinate(
     assert worst(library, name, values, periods, state) <= 1
 
 
+@pytest.mark.slow
 @property_test
 @given(
     NEARLY_ONE, st.sampled_from([0.0, 1e-9, 1e-5, 0.3, 1.0]), st.sampled_from([1, -1]),
@@ -276,6 +278,7 @@ def test_two_coordinates(
     assert worst(library, name, values, periods, state) <= 1
 
 
+@pytest.mark.slow
 @property_test
 @given(STIFFNESS, STIFFNESS, DAMPING, PERIODS, STATES)
 @pytest.mark.parametrize("name", ["three undamped", "three proportional", "three"])

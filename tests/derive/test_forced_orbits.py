@@ -97,6 +97,7 @@ def test_the_quadratic_is_that_of_the_impulse_response(one_impact, texts):
             assert abs(mpmath.polyval(quadratic, speed)) < 1e-20
 
 
+@pytest.mark.slow
 def test_linear_equations_of_any_number_are_solved_with_their_derivatives():
     t = sp.Symbol("t", positive=True)
     names = sp.symbols("q1:8", real=True)

@@ -76,6 +76,7 @@ def test_a_folder_holds_all_files_and_serves_every_command(place: Path) -> None:
         assert float(json.loads(out)["times"][-1]) == pytest.approx(1.5 * math.pi, rel=1e-14)
 
 
+@pytest.mark.slow
 def test_a_second_run_changes_nothing_and_check_agrees(place: Path) -> None:
     declare(place)
     assert len(generated("mine.py", "--out", "kernels")["written"]) == len(FILES)
@@ -177,6 +178,7 @@ compiler = pytest.mark.skipif(
 )
 
 
+@pytest.mark.slow
 @compiler
 def test_compiled_kernels_are_used_and_agree(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("NONSMOOTH_BACKEND", raising=False)

@@ -154,6 +154,7 @@ def test_a_flow_is_the_exponential(name: str, point: str) -> None:
         assert max(map(abs, derived - exponential)) < size * mpmath.mpf(10) ** -DIGITS
 
 
+@pytest.mark.slow
 def test_derivatives_by_every_coefficient() -> None:
     """They agree with differences, where roots meet too."""
     draw = random.Random(1)

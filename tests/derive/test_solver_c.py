@@ -96,6 +96,7 @@ def expected(source, data):
     return solve(solver(source, "plain"), *data)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("build", BUILDS)
 def test_every_instruction_set_gives_the_same_bits(source, data, expected, build):
     for found, wanted in zip(solve(solver(source, build), *data), expected, strict=True):

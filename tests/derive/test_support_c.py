@@ -169,6 +169,7 @@ def balls():
     return x, nearest, rest
 
 
+@pytest.mark.slow
 def test_sine_and_cosine_are_within_nine_tenths_of_an_ulp(vector, balls):
     x, nearest, rest = balls
     assert len(x) > 200000
@@ -199,6 +200,7 @@ def test_every_build_gives_the_same_bits(scalar, vector):
         assert maxima(vector.maxima_cloned, *case).tobytes() == expected
 
 
+@pytest.mark.slow
 def test_loops_over_sincos_vectorise(folder):
     version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True)
     machine = subprocess.run([compiler, "-dumpmachine"], capture_output=True, text=True, check=True)

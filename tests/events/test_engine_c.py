@@ -72,6 +72,7 @@ def written(path: Path, system: PiecewiseLinear, states: np.ndarray, transitions
     return path
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_the_engine_is_clean_and_follows_the_reference(
     harness: Path, name: str, tmp_path: Path
@@ -92,6 +93,7 @@ def test_the_engine_is_clean_and_follows_the_reference(
         np.testing.assert_allclose(np.array(end, dtype=float), known.states[-1], atol=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["chain", "factors", "stops"])
 def test_the_engine_is_clean_on_large_systems(harness: Path, name: str, tmp_path: Path) -> None:
     system, states = large(name)

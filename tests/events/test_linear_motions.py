@@ -122,6 +122,7 @@ def test_maxima_are_attained_and_not_exceeded():
             assert abs(function(times[7]) - values[7]) <= error
 
 
+@pytest.mark.slow
 def test_the_compiled_search_is_that_of_python(search):
     for motion, rows in motions(300, 2):
         functions = [along(motion, row) for row in rows]

@@ -111,6 +111,7 @@ def random_function(generator, kind):
 KINDS = ("plain", "ratio", "cluster", "decay", "growth", "powers")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_first_crossing_is_the_first(kind):
     generator = np.random.default_rng(KINDS.index(kind))

@@ -249,6 +249,7 @@ def law_choices(
     return found
 
 
+@pytest.mark.slow
 def test_balls_say_of_a_law_what_floats_say() -> None:
     exact_system = enclosed_system(declared(5, 2, [0, 1]), {"sign": "1"})(128)
     structure, exact = exact_system.structure, exact_system.exact

@@ -63,6 +63,7 @@ def store(finished: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(finished, tmp_path / "F.zarr"))
 
 
+@pytest.mark.slow
 def test_chart_says_what_one_orbit_says(finished: Path) -> None:
     plane = ns.load(finished)
     assert list(plane.sizes.items()) == [("V", 40), ("eta", 33)]
@@ -133,6 +134,7 @@ def test_bits_do_not_depend_on_chunks_and_threads(finished: Path, chunk: int) ->
         assert plane[name].values.tobytes() == other[name].values.tobytes(), name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("simulated", [False, True])
 def test_other_charts_do_not_depend_on_chunks(tmp_path: Path, simulated: bool) -> None:
     if simulated:
@@ -150,6 +152,7 @@ def test_other_charts_do_not_depend_on_chunks(tmp_path: Path, simulated: bool) -
     assert (whole.status.values == 0).any()
 
 
+@pytest.mark.slow
 def test_killed_chart_goes_on(finished: Path, tmp_path: Path) -> None:
     store = tmp_path / "F.zarr"
     code = (
@@ -448,6 +451,7 @@ def test_a_lost_lock_is_left_to_who_took_it_over(tmp_path: Path) -> None:
     assert not lock.exists()
 
 
+@pytest.mark.slow
 def test_full_disk(finished: Path, store: Path) -> None:
     for name in ("trace", "tau"):
         (store / name / "c" / "0" / "0").unlink()

@@ -46,6 +46,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_a_chart_has_the_labels_of_single_planes(found: Path) -> None:
     plane = ns.chart(str(found), **STARTS, start={"x2": "1/2"})
     x, v = (("x1", -1.5, 1.5, 11), ("v1", -1.0, 1.0, 7))

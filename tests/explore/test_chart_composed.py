@@ -47,6 +47,7 @@ def charted(orbit: str) -> Any:
     return ns.chart(orbit, **PLANES[orbit])
 
 
+@pytest.mark.slow
 @EACH
 def test_chart_says_what_single_orbits_say(orbit: str) -> None:
     plane = charted(orbit)
@@ -70,6 +71,7 @@ def test_chart_says_what_single_orbits_say(orbit: str) -> None:
             assert told == f"phase {first.phase + 1} {first.configuration}: {first.boundary}"
 
 
+@pytest.mark.slow
 @EACH
 def test_limits_are_those_of_the_guaranteed_search(
     orbit: str, monkeypatch: pytest.MonkeyPatch
@@ -118,6 +120,7 @@ def test_period_doubling_is_where_the_margin_vanishes() -> None:
     assert abs(here) < 1e-9
 
 
+@pytest.mark.slow
 @EACH
 def test_bits_do_not_depend_on_chunks(orbit: str) -> None:
     other = ns.chart(orbit, chunk=11, threads=2, **PLANES[orbit])

@@ -152,6 +152,7 @@ def test_period_as_the_parameter() -> None:
         assert mine.value == pytest.approx(theirs.value, abs=1e-8)
 
 
+@pytest.mark.slow
 def test_border_collision_is_passed() -> None:
     branch = stick()
     (event,) = branch.events

@@ -207,6 +207,7 @@ def test_a_phase_vanishes_where_the_linear_response_grazes() -> None:
     assert event.value == pytest.approx(math.sqrt(squares.max()), rel=1e-7)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [2, 5, 8])
 def test_a_branch_ends_once_where_a_phase_vanishes(seed: int) -> None:
     """x'' + 2 zeta x' + x = cos(w t) touches x = 1 where w^2 = 2 - 4 zeta^2, whatever the stop.

@@ -96,6 +96,7 @@ def test_picture() -> None:
     assert axes.lines[2].get_color() != curve.get_color()
 
 
+@pytest.mark.slow
 def test_command(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     saved, picture = tmp_path / "flips.json", tmp_path / "flips.png"

@@ -27,6 +27,7 @@ def closed_flip(w: np.ndarray) -> np.ndarray:
     return np.asarray(ratio * speed)
 
 
+@pytest.mark.slow
 def test_fold_and_flip_curves_in_closed_form() -> None:
     for kind, closed in (("fold", closed_fold), ("flip", closed_flip)):
         event = [e for e in branch().events if e.kind == kind][-1]

@@ -13,6 +13,7 @@ from tests.places import GALLERY
 PAGE = GALLERY / "den_hartog.py"
 
 
+@pytest.mark.slow
 def test_den_hartogs_response() -> None:
     orbit = ns.solve(f"{PAGE}:without-rest")
     branch = ns.continue_orbit(orbit, "W", (0.56, 0.64), points=40)

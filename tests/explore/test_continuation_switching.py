@@ -68,6 +68,7 @@ def test_halves_differ_by_the_root_of_the_distance() -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_cascade() -> None:
     orbit = doubled().switch(flip_of_doubled())
     assert len(orbit.itinerary) == 4
@@ -191,6 +192,7 @@ def test_wrong_input() -> None:
         touched.switch(touched.events[0])
 
 
+@pytest.mark.slow
 def test_command() -> None:
     words = ("continue", f"{PAGE}:two-periods", "sigma=0:0.1", "--step", "0.05")
     code, out, _ = run(*words)

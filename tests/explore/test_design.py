@@ -58,6 +58,7 @@ def scanned() -> tuple[np.ndarray, np.ndarray]:
     return values, np.abs(scan).max(axis=-1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", METHODS)
 def test_the_stablest_orbit_is_that_of_a_scan(method: Any) -> None:
     found = ns.design(symmetric(), minimise="spectral_radius", over={"V": (0.3, 3)}, method=method)

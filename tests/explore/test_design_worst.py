@@ -76,6 +76,7 @@ def test_at_the_worst_frequency_the_peak_changes_with_nothing() -> None:
     assert abs(slopes[1]) < 1e-7
 
 
+@pytest.mark.slow
 def test_the_worst_at_the_end_of_the_interval_is_active_there() -> None:
     """Toward a resonance that is cut off the end is worst, and the bound of the gap acts."""
     found = cut_off()
@@ -176,6 +177,7 @@ def test_the_optimum_is_drawn_and_its_orbit_certified() -> None:
     assert proof.stability == "stable"
 
 
+@pytest.mark.slow
 def test_an_interrupted_design_goes_on_to_the_same_end() -> None:
     def stop(iterates: int, _: int) -> None:
         if iterates >= 2:

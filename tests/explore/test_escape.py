@@ -59,6 +59,7 @@ def outcomes_from(kernels, data, starts, transitions=200):
     return settled(kernels, data, motions).outcomes
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("masses", "contacts"), KINDS)
 def test_what_is_damped_never_escapes(masses, contacts):
     """Its energy decays, but for what a bounded force of one frequency can give."""
@@ -104,6 +105,7 @@ def test_friction_bounds_a_resonance_as_den_hartog_says(force):
     assert (outcomes == Outcome.DIVERGENT).tolist() == [force > 1] * 3
 
 
+@pytest.mark.slow
 def test_a_start_that_leaves_an_unstable_orbit_does_not_escape():
     system = "docs/gallery/impact_oscillator.py"
     found = find_orbits(system, {"w": "2.5555555", "sigma": "1/5", "r": "4/5"}, 30)

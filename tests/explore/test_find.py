@@ -47,6 +47,7 @@ def by_period(name, period):
 # --- what is known to live there
 
 
+@pytest.mark.slow
 def test_the_global_stick_orbit_attracts_nearly_all():
     orbit = by_period("A", 7.8686)
     assert orbit.period == pytest.approx(7.868625596740777, abs=1e-12)
@@ -80,6 +81,7 @@ def test_a_planted_attractor_is_found_from_a_box():
     np.testing.assert_allclose(near.box.mean(axis=1), target, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_two_attractors_and_two_unstable_orbits():
     stable = [o for o in found("B").orbits if o.verdict == "stable"]
     unstable = [o for o in found("B").orbits if o.verdict == "unstable"]
@@ -194,6 +196,7 @@ def test_a_doubled_orbit_is_the_same_from_either_turn(monkeypatch):
 # --- seeds, boxes, engines
 
 
+@pytest.mark.slow
 def test_equal_seeds_give_equal_results():
     one, same, other = (
         find_orbits("dry-friction", B, 30, transitions=600, seed=seed, threads=threads)

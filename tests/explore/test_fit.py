@@ -116,6 +116,7 @@ def test_errors_are_those_of_the_noise(kind: str) -> None:
     np.testing.assert_allclose(np.sum(found.residuals**2), found.chi2, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_noise_is_estimated_for_each_column() -> None:
     data = {**series(0.02, 1), "gap": np.full(len(TIMES), np.nan)}
     motion = ns.simulate(SYSTEM, TRUTH, START, until=9)(TIMES)
@@ -159,6 +160,7 @@ def test_clock_and_start_are_found() -> None:
     assert np.isinf(both.standard_errors).all()
 
 
+@pytest.mark.slow
 def test_missing_values_are_left_out_and_missing_events_count() -> None:
     gaps = series()
     gaps["x"][5:20] = np.nan
@@ -173,6 +175,7 @@ def test_missing_values_are_left_out_and_missing_events_count() -> None:
     assert wrong.chi2 > 1e4
 
 
+@pytest.mark.slow
 def test_experiments_have_parameters_and_starts_of_their_own() -> None:
     heavy = ns.simulate(SYSTEM, {**TRUTH, "m": 2}, {"x": -0.8, "v": 0.3}, until=9)
     data = [
@@ -219,6 +222,7 @@ def test_a_prior_tells_it() -> None:
     assert found.chi2 < 20
 
 
+@pytest.mark.slow
 def test_outliers_weigh_little_with_a_robust_loss() -> None:
     data = series(0.01, 4)
     data["x"][::10] += 1.0
@@ -269,6 +273,7 @@ def test_without_a_degree_of_freedom_no_error_is_told() -> None:
 # --- several starts
 
 
+@pytest.mark.slow
 def test_several_starts_find_what_one_misses_and_are_seeded() -> None:
     limits = {"k": (1, 12), "r": (0.3, 1)}
     told: list[tuple[int, int]] = []
@@ -437,6 +442,7 @@ def test_a_parameter_that_nothing_depends_on_is_named() -> None:
 # --- tables
 
 
+@pytest.mark.slow
 def test_files_give_the_same_fit(tmp_path: Path) -> None:
     data = series(0.02, 1)
     data["sigma_x"] = np.full(len(TIMES), 0.02)

@@ -96,6 +96,7 @@ def fitted(data: Any, *free: str, **options: Any) -> Any:
 # --- the truth comes back
 
 
+@pytest.mark.slow
 def test_exact_amplitudes_give_exact_parameters() -> None:
     found = of_exact_amplitudes()
     np.testing.assert_allclose(found.estimates, [0.1, 1, 3], rtol=0, atol=1e-9)
@@ -112,6 +113,7 @@ def test_exact_amplitudes_give_exact_parameters() -> None:
         assert orbit.given["w"] == response.parameters["w"]
 
 
+@pytest.mark.slow
 def test_linear_responses_are_those_of_the_resonance_curve() -> None:
     """Without a contact: F / |k - w^2 + i c w|, and the phase of that."""
     ws = np.array([0.3, 0.5, 1.6, 2.0, 2.5])
@@ -251,6 +253,7 @@ def test_experiments_in_any_order_and_motions_beside_responses() -> None:
     assert both[0].motion(0).end > 19
 
 
+@pytest.mark.slow
 def test_grazing_of_a_response_is_that_of_its_height() -> None:
     """Without a contact the largest x is the amplitude, which stays below the stop at 1."""
     ws = np.array([1.7, 2.0, 2.4])
@@ -266,6 +269,7 @@ def test_grazing_of_a_response_is_that_of_its_height() -> None:
     assert near.standard_errors == pytest.approx(expected, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_coexisting_responses_are_told_apart_by_what_was_measured() -> None:
     """Above the resonance of the bent curve a response with and one without contact live."""
     kernels = kernels_of(SYSTEM)
@@ -332,6 +336,7 @@ def accelerations() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return times, 0.3 * cosine - 0.1 * v - x + force, force
 
 
+@pytest.mark.slow
 def test_accelerometers_and_load_cells_tell_the_parameters() -> None:
     times, acceleration, force = accelerations()
     known = {"parameters": GUESS | {"w": 1}, "start": {"x": 0, "v": 0}, "sigma": 1e-3}
@@ -344,6 +349,7 @@ def test_accelerometers_and_load_cells_tell_the_parameters() -> None:
     np.testing.assert_allclose(scaled.estimates, [0.1, 1, 3], rtol=0, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_derivatives_of_accelerations_are_those_of_differences() -> None:
     times, acceleration, _ = accelerations()
     known = {"start": {"x": 0.01, "v": 0}, "sigma": 1e-3, "offset": 0.002}

@@ -150,6 +150,7 @@ def law(build, seed):
     return data, found_at(build(), data)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("build", "seed"), CASES)
 def test_each_orbit_closes_and_is_primitive(build, seed):
     _, found = law(build, seed)
@@ -300,6 +301,7 @@ def test_grazing_ends_it():
     assert event.value == pytest.approx(abs(response(0.05, 2.6)), abs=1e-12)
 
 
+@pytest.mark.slow
 def test_several_forcings_and_their_common_period():
     data = {"mu": "1/100", "F": 1, "w1": "3/2", "w2": 1}
     steady = stopped()
@@ -328,6 +330,7 @@ def test_an_equilibrium_has_eigenvalues():
     assert not found.outcomes
 
 
+@pytest.mark.slow
 def test_steady_sliding_that_is_unstable_is_listed():
     found = found_at(on_belt(), {"mu": "1/2", "c": "-1/50", "V": 3})
     (entry,) = found.equilibria
@@ -453,6 +456,7 @@ def apart(orbit, image, other):
     return np.abs(curves[0] - np.roll(curves[1], turn, axis=0)).max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("declared", [free_on_the_ground, twins, between_soft_stops])
 def test_an_orbit_that_is_its_own_mirror_image_has_no_other(declared):
     found = found_at(declared(), {}, 4)
@@ -516,6 +520,7 @@ def test_impacts_that_follow_each_other_ever_faster_come_back_with_the_forcing()
     assert set(found.outcomes) <= {Outcome.UNCLASSIFIED}  # no orbit, but no chaos either
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("build", "data"),
     [

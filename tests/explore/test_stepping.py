@@ -54,6 +54,7 @@ def turned(points: np.ndarray) -> np.ndarray:
     return np.abs(angles)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("limits", [(-2.0, 2.0), (-0.5, 2.0)])
 def test_a_path_goes_on_to_the_whole_from_every_point(limits: tuple[float, float]) -> None:
     circle, step = Circle(), 0.2

@@ -107,6 +107,7 @@ def test_following_continues_from_chunk_to_chunk():
     assert not np.array_equal(anew.samples[64:], diagram.samples[64:], equal_nan=True)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_what_comes_to_rest_leaves_no_points():
     # the stop takes all the energy: after a few impacts no boundary is reached
@@ -170,6 +171,7 @@ def found():
     return find_orbits("dry-friction", TWO, 60, transitions=1000)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_labels_agree_with_following_single_starts():
     told = []

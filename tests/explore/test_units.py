@@ -124,6 +124,7 @@ def test_orbits_branches_and_proofs_do_not_depend_on_units(name: str, units: Any
     assert set(proof.claims.values()) == {"proved"}
 
 
+@pytest.mark.slow
 def test_an_event_is_followed_in_two_parameters_in_all_units() -> None:
     wanted, found = [
         ns.continue_event(branch, branch.events[0], "hold", (0.7, 0.8), points=1).values

@@ -47,6 +47,7 @@ def transformations(jax: Any, mode: str) -> list[Callable[..., Any]]:
     return [jax.jacrev] if mode == "reverse" else [jax.jacrev, jax.jacfwd]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize("mode", MODES)
 def test_jacobians_are_those_of_the_function(jax: Any, mode: Any, compiled: bool) -> None:
@@ -96,6 +97,7 @@ def test_forward_mode_along_a_direction(jax: Any) -> None:
     np.testing.assert_allclose(along, source.jvp(x, dx), rtol=1e-14)
 
 
+@pytest.mark.slow
 def test_it_composes_with_what_jax_differentiates_itself(jax: Any) -> None:
     function, numpy = differentiable(made()), jax.numpy
 

@@ -81,6 +81,7 @@ def compiled(orbit: str) -> bool:
     return load_orbit(orbit).system.compiled is not None
 
 
+@pytest.mark.slow
 @compiler
 def test_tables_numpy_and_compiled_kernels_agree(
     tmp_path: Path, filled: Path, monkeypatch: pytest.MonkeyPatch
@@ -160,6 +161,7 @@ def test_a_folder_that_others_can_write_is_not_used(
     assert "others can write" in capfd.readouterr().err
 
 
+@pytest.mark.slow
 @posix
 @compiler
 def test_a_failed_compilation_is_told_once_and_nothing_else_changes(

@@ -53,6 +53,7 @@ def test_forcing_near_resonance(small: float, damped: bool) -> None:
             assert missed(soft(stiffness, damping, load, frequency), t) < 1e-12 * response
 
 
+@pytest.mark.slow
 def test_two_masses_with_small_and_nearly_equal_stiffness() -> None:
     random = np.random.default_rng(8)
     for _ in range(6):

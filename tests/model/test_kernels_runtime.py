@@ -71,6 +71,7 @@ def test_c_is_the_backend_when_it_is_built(chosen):
     assert [line[:2] for line in lines] == [["c", "True"]] * len(orbit_names())
 
 
+@pytest.mark.slow
 def test_numpy_can_be_asked_for_and_does_all_that_c_does():
     plain, best = run(SHOW, "numpy"), run(SHOW, None)
     assert plain.returncode == best.returncode == 0, plain.stderr

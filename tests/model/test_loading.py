@@ -214,6 +214,7 @@ def test_an_orbit_without_a_closed_form_is_kept_to_be_composed(tmp_path: Path) -
 # --- the cache ---------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_the_second_process_derives_nothing(tmp_path: Path) -> None:
     path = declare(tmp_path)
     code = (
@@ -523,6 +524,7 @@ def test_a_folder_in_one_that_all_may_use_is_the_users_own(
     assert caching.cached("text", lambda: "again") == "ours"
 
 
+@pytest.mark.slow
 def test_memory_does_not_grow_with_what_was_loaded() -> None:
     """Sixteen systems more take less than their texts: these are kept packed."""
     text = "VALUE = {0}\n" + "".join(f"def f{i}(x):\n    return x * {i}\n" for i in range(30))

@@ -10,6 +10,7 @@ from nonsmooth.runtime.shooting.shooting_map import finite_at, itinerary_shape, 
 from tests.declared_documents import chain
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("visited", [(0,), (2, 0), (0, 1, 2, 3)])
 def test_modes_of_visited_configurations_are_the_same_and_no_others_are_found(
     visited: tuple[int, ...], monkeypatch: pytest.MonkeyPatch

@@ -125,6 +125,7 @@ def exact_value(orbit, violation):
         return float((piece.boundaries[violation.boundary] @ (piece.flow(time) @ start))[0])
 
 
+@pytest.mark.slow
 def test_stiff_stops_are_never_refused_for_rounding():
     """Each phase ends on a boundary, which a stiff stop's orbit meets to few digits."""
     generator = np.random.default_rng(43)

@@ -49,6 +49,7 @@ def test_a_boundary_that_is_missed_by_more_is_crossed_behind_it():
     assert verdict(released(), [0, -1e-3, 0]) is False
 
 
+@pytest.mark.slow
 def test_a_contact_that_has_just_broken_loose_is_no_crossing():
     """There forces cancel: whether the speed rises at once is not told by their rounding."""
     capsule = oscillator(

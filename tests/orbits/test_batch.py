@@ -365,6 +365,7 @@ def backends(tmp_path_factory):
         return given, dict(file)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @every_orbit
 def test_numpy_agrees_with_c(name, backends):

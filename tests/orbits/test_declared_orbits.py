@@ -358,6 +358,7 @@ def test_what_is_drawn() -> None:
         orbit().plot("time", axes, periods=0)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_pictures_of_found_orbits(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")

@@ -145,6 +145,7 @@ ALONG = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ALONG, ids=lambda name: name.split("/")[-1])
 def test_what_is_seen_along_an_orbit_has_derivatives(name):
     """Extremes, forces, dissipation, margins: against differences of the values themselves.

@@ -133,6 +133,7 @@ def test_exchanged_orbits_have_derivatives_along_their_motion():
     assert_allclose(precise.astype(float), ours, rtol=1e-11)
 
 
+@pytest.mark.slow
 def test_along_a_border_collision_both_boundaries_stay_together():
     """What is solved for, e1, keeps the collision: all against differences."""
     name = "dry-friction/solution-ii"

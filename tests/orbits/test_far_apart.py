@@ -141,6 +141,7 @@ def table_points(count: int, decades: float) -> list[dict[str, float]]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("decades", [0, 8, 14])
 def test_digits_of_composed_orbits_are_those_of_fifty(decades: float, backend: str) -> None:
     every = table_points(6 if backend == "c" else 3, decades)
@@ -182,6 +183,7 @@ def test_composed_orbits_beyond_doubles_are_told(tiny: float, backend: str) -> N
         assert many.trace[i] == pytest.approx(float(exact.stability.trace), rel=1e-6, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_composed_orbits_far_apart_have_the_status_that_says_so() -> None:
     for decades in (14, 20):
         every = table_points(20, decades)

@@ -57,6 +57,7 @@ def lost(orbit: ns.Orbit) -> float:
     return total
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", ["x2", {"x2": 1, "x1": -1}], ids=["wall", "between"])
 @pytest.mark.parametrize("coupled", [False, True])
 def test_the_work_balance_holds_over_a_period(place: Any, coupled: bool) -> None:

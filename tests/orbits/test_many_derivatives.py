@@ -91,6 +91,7 @@ def cases(forced: Any) -> list[tuple[Any, dict[str, float], Any, Any]]:
     return [*found, (CAPSULE, SHAKEN, crawling, None)]
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_c_and_numpy_agree(forced: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     for system, data, orbit, given in cases(forced):

@@ -185,6 +185,7 @@ def test_numbers_carry_their_digits_into_arithmetic(orbit):
 # --- the derivatives and the stability of a refined orbit
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arithmetic", ARITHMETICS)
 def test_orbits_close_under_matrix_exponentials(every, arithmetic):
     for orbit in every:
@@ -196,6 +197,7 @@ def test_orbits_close_under_matrix_exponentials(every, arithmetic):
             assert mpmath.norm(declared.end - declared.start, mpmath.inf) < mpmath.mpf(10) ** -58
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arithmetic", ARITHMETICS)
 def test_the_trace_is_that_of_matrix_exponentials(every, arithmetic):
     for orbit in every:

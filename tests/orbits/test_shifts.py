@@ -260,6 +260,7 @@ def test_a_sled_that_is_pulled_for_ever_neither_rests_nor_diverges(damper, outco
     assert (max(speeds) > 0.1) == (outcome == Outcome.FAMILY)
 
 
+@pytest.mark.slow
 def test_many_points_at_once_give_the_same():
     orbit = sled()
     data = {name: float(value) for name, value in orbit.parameters.items()}
@@ -275,6 +276,7 @@ def test_many_points_at_once_give_the_same():
         assert many.trace[place] == pytest.approx(one.trace, abs=1e-8)
 
 
+@pytest.mark.slow
 def test_a_branch_of_them_is_followed():
     branch = ns.continue_orbit(sled(), "V", (0.45, 0.55), step=0.2)
     assert branch.ends == ("end of the interval", "end of the interval")
@@ -283,6 +285,7 @@ def test_a_branch_of_them_is_followed():
     np.testing.assert_allclose(branch.period, period, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_they_are_saved_and_solved_again(tmp_path):
     path = tmp_path / "sled.json"
     ns.refine(sled(), 30).save(path)
@@ -308,6 +311,7 @@ def test_an_itinerary_that_is_declared_is_composed():
     assert ns.solve(orbit).period == pytest.approx(sled().period, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_the_report_tells_the_shift():
     told = sled().to_json()
     assert list(told["shift"]) == ["x", "y"]

@@ -392,6 +392,7 @@ def test_the_search_lists_distinct_orbits_admissible_ones_first():
             assert np.abs(equations(values)).max() < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_an_admissible_orbit_is_found_where_the_first_attempt_leads_elsewhere():
     generator, kernels = np.random.default_rng(6), load_orbit(ORBIT)

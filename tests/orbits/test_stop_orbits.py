@@ -329,6 +329,7 @@ def is_contact_orbit(values: dict[str, float], corner: float, stop: float, root:
 DATA = PAPER | {"k3": 1.0, "T": 2 * np.pi}
 
 
+@pytest.mark.slow
 def test_the_contact_orbit_is_the_admissible_root_of_an_independent_scan() -> None:
     for stop in (1.0, 4.0, 30.0):
         values = DATA | {"k3": stop}
@@ -453,6 +454,7 @@ def reduced_roots(itinerary: Any) -> list[dict[str, float]]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("printed", [False, True])
 def test_the_printed_stiffness_matrix_has_no_contact_orbit(printed: bool) -> None:
     itinerary = printed_itinerary() if printed else elastic_stop.one_contact

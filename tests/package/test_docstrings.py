@@ -120,6 +120,7 @@ def texts() -> dict[Path, str]:
     return {file.relative_to(CHECKOUT): file.read_text(encoding="utf-8") for file in files}
 
 
+@pytest.mark.slow
 def test_docstrings_name_what_exists() -> None:
     known = {part for file in texts() for part in file.with_suffix("").parts}
     for text in texts().values():

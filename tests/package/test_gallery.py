@@ -422,6 +422,7 @@ def test_the_elastic_stop_agrees_with_direct_integration(name: str, w: float, tu
     assert area == pytest.approx(math.exp(-0.1 * orbit.period), rel=1e-11)
 
 
+@pytest.mark.slow
 def test_the_elastic_stop_doubles_periods() -> None:
     def least(w: float) -> float:
         return multipliers(solved("piecewise_stiffness", "one-contact", {"w": repr(w)}))[0].real

@@ -153,6 +153,7 @@ def sampled(suffix: str, files: int, count: int) -> list[tuple[str, Place]]:
     return chosen
 
 
+@pytest.mark.slow
 def test_a_bug_of_the_repository_parses_and_changes_its_place_alone() -> None:
     chosen = sampled(".py", 12, 4)
     assert len(chosen) > 36

@@ -80,6 +80,7 @@ def install(wheel: Path, target: Path) -> Path:
     return target
 
 
+@pytest.mark.slow
 @pytest.mark.packaging
 def test_wheel_has_one_top_level_name(wheel: Path) -> None:
     assert {name.partition("/")[0] for name in contents(wheel)} == {"nonsmooth"}

@@ -44,6 +44,7 @@ def declared(tmp_path, monkeypatch):
     return tmp_path
 
 
+@pytest.mark.slow
 @pytest.mark.compiled  # finding orbits takes minutes in Python
 @pytest.mark.usefixtures("declared")
 def test_the_session_of_the_readme_prints_what_it_shows(capsys):

@@ -14,6 +14,7 @@ MODULES = [
 ]
 
 
+@pytest.mark.slow
 def test_a_module_says_in_one_sentence_what_it_is() -> None:
     first: dict[str, list[str]] = {}
     for path in MODULES:

@@ -125,6 +125,7 @@ def run(*arguments: str) -> tuple[int, str, str]:
     return result.exit_code, result.stdout, result.stderr
 
 
+@pytest.mark.slow
 def test_command(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     saved, picture = tmp_path / "branch.json", tmp_path / "branch.png"

@@ -99,6 +99,7 @@ def test_every_kind_draws_into_given_axes_without_pyplot(kind: str) -> None:
         assert re.search("nondimensional|configuration", axes.get_ylabel())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ORBITS)
 def test_every_orbit_is_drawn(name: str) -> None:
     places = axes_of(PANELS)
@@ -304,6 +305,7 @@ def test_digits_do_not_change_the_picture() -> None:
 # --- files
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", [".svg", ".pdf", ".png"])
 def test_files_are_reproducible(ending: str, tmp_path: Path) -> None:
     saved = tmp_path / "orbit.json"
@@ -461,6 +463,7 @@ def test_latex_of_an_orbit() -> None:
     assert all(len(number) > 30 for number in numbers)
 
 
+@pytest.mark.slow
 def test_equations_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None:
     equations = derive_equations(dry_friction.global_stick)
     latex = equations._repr_latex_()

@@ -19,6 +19,7 @@ BROKEN = """<!DOCTYPE html>
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [1280, 390])
 def test_page_opens_offline_and_fits(width: int, tmp_path: Path) -> None:
     path = tmp_path / "report.html"

@@ -117,6 +117,7 @@ def test_numbers_of_the_report_solve_the_equations_at_50_digits(results: dict[st
         assert max(abs(a - b) for a, b in zip(start, end, strict=True)) < mp.mpf(10) ** -29
 
 
+@pytest.mark.slow
 def test_misprints_are_shown_and_not_asserted(results: dict[str, Any]) -> None:
     assert [finding["verdict"] for finding in results["misprints"]] == ["misprint"] * 9
     # of another orbit's data the printed digits are none: nothing is written down beforehand

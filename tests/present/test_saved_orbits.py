@@ -186,6 +186,7 @@ def test_a_file_lists_its_orbits_with_the_parameters_of_its_system(folder):
     assert {p["name"]: p["default"] for p in third["orbits"][0]["parameters"]} == DATA
 
 
+@pytest.mark.slow
 def test_found_orbits_are_appended_to_the_declaration(folder):
     shutil.copy(folder / "gear.py", folder / "mine.py")
     data = [f"{name}={value}" for name, value in DATA.items()]

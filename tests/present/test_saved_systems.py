@@ -164,6 +164,7 @@ def content(path: Path) -> dict[str, Any]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", MAKE)
 def test_files_load_without_their_declaration(name: str, folder: Path) -> None:
     found = ns.load(folder / name)

@@ -84,6 +84,7 @@ def levels(axes: Axes) -> list[str]:
 # --- every kind
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "kind"),
     [*(("few", kind) for kind in KINDS[:-1]), *((name, "all") for name in MOTIONS)],

@@ -63,6 +63,7 @@ def on_section(x2):
     return [4.0195 + x2 / 2, x2, 1.0, 1.0]
 
 
+@pytest.mark.slow
 def test_the_core_is_around_the_orbit_and_contracted(orbit, found):
     assert found.proved
     assert found.coordinates == ("x2",)
@@ -141,6 +142,7 @@ def test_a_share_is_that_of_the_box_which_was_asked_for(found):
     assert replace(some, attracted=np.ones(48, dtype=bool)).share == 1
 
 
+@pytest.mark.slow
 def test_several_processes_find_what_one_finds(orbit, found):
     none = np.zeros_like(found.looked)
     begun = replace(found, looked=none, attracted=none)
@@ -152,6 +154,7 @@ def test_several_processes_find_what_one_finds(orbit, found):
         ns.certify_basin(orbit, workers=0)
 
 
+@pytest.mark.slow
 def test_an_interrupt_keeps_what_several_processes_found(orbit, found):
     def interrupted(share, count):
         if share:

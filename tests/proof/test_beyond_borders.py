@@ -82,6 +82,7 @@ def only(found: CertifiedBranch) -> OrbitBeyond:
     return beyond
 
 
+@pytest.mark.slow
 def test_a_contact_that_grazes_begins_to_stick(symmetric: Any) -> None:
     found, path = symmetric
     assert found.complete
@@ -123,6 +124,7 @@ def test_motions_beside_the_border_are_those_that_are_proved(symmetric: Any) -> 
         assert np.allclose(sorted(dwell), wanted, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_the_other_boundary_takes_over(relay: Any) -> None:
     found, path = relay
     beyond = only(found)
@@ -191,6 +193,7 @@ def test_itineraries_follow_each_other_or_end_together(
     assert claims == {"existence": "proved", "admissibility": "proved", "stability": told}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["entry", "condition", "tangent"])
 def test_nothing_is_claimed_where_nothing_is_found(kind: str) -> None:
     system, value, low, high = SYSTEMS[kind]
@@ -213,6 +216,7 @@ def pad(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Path
     return found, path
 
 
+@pytest.mark.slow
 def test_a_contact_begins_where_a_soft_stop_is_touched(pad: Any) -> None:
     found, path = pad
     beyond = only(found)

@@ -71,6 +71,7 @@ def test_enclosures_hold_the_refined_values_of_every_point(speed: int, eta: int)
             assert enclosures[name].ball.contains(exact_ball(number))
 
 
+@pytest.mark.slow
 def test_verdicts_along_a_line_are_those_of_the_points() -> None:
     found = line()
     branch = ns.continue_orbit(ns.solve(SYMMETRIC), "V", (0.6, 1.3))
@@ -113,6 +114,7 @@ def test_a_wall_that_is_touched_inside_the_box_is_undecided_there() -> None:
     assert "wall" in found.reasons["admissibility"]
 
 
+@pytest.mark.slow
 def test_a_multiplier_on_the_unit_circle_is_never_decided() -> None:
     found = ns.certify_box(loop(r="1/2"), {"r": ("0.4", "1.6")}, tiles=60)
     assert found.tile_at({"r": 1}).verdict == "undecided"  # there the orbit is infinite
@@ -202,6 +204,7 @@ def same(left: ns.BoxCertificate, right: ns.BoxCertificate) -> bool:
     return told(left) == told(right)
 
 
+@pytest.mark.slow
 def test_what_was_stopped_goes_on_from_its_file(tmp_path: Path) -> None:
     path = tmp_path / "map.json"
     orbit, box = ns.solve(SYMMETRIC), {"V": ("0.6", "1.3")}
@@ -225,6 +228,7 @@ def test_what_was_stopped_goes_on_from_its_file(tmp_path: Path) -> None:
     assert finished.to_json() == whole.to_json()
 
 
+@pytest.mark.slow
 def test_states_are_kept_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
     from nonsmooth.runtime.proof.boxes import certify_box as certify
 
@@ -313,6 +317,7 @@ def test_places_are_exact() -> None:
     assert left.share + right.share == place.share == 1
 
 
+@pytest.mark.slow
 def test_maps_are_drawn(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     from nonsmooth.runtime.present.pictures.proven_maps import draw_box
@@ -342,6 +347,7 @@ def test_narrow_boxes_show_the_derived_slope_of_the_trace(parameter: str) -> Non
     assert (trace.upper - trace.lower) / float(2 * width) == pytest.approx(slope, rel=0.02)
 
 
+@pytest.mark.slow
 def test_the_orbit_is_handed_on_from_its_own_point() -> None:
     # Newton's method from far away leads to other roots, which are none of this orbit
     for orbit, box in (
@@ -384,6 +390,7 @@ def test_ctrl_c_while_what_is_left_is_checked(monkeypatch: pytest.MonkeyPatch) -
     assert sum(tile.place.share for tile in stopped.value.partial.tiles) == 1
 
 
+@pytest.mark.slow
 def test_totals_do_not_grow_with_the_number_of_tiles() -> None:
     found = ns.certify_box(loop(), {"k": ("1/2", "3"), "a": ("1.9", "4")}, tiles=60)
     assert len(found.tiles) > 40

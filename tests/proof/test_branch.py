@@ -65,6 +65,7 @@ def piece_of(curve: OrbitCurve, low: str, high: str) -> Any:
     return piece
 
 
+@pytest.mark.slow
 def test_the_papers_orbit_has_three_intervals_and_two_events(found: CertifiedBranch) -> None:
     assert found.complete
     assert found.claims == {"branch": "proved"}
@@ -115,6 +116,7 @@ def test_orbits_solved_anywhere_are_in_their_tubes_with_the_verdict(
         assert told == verdict
 
 
+@pytest.mark.slow
 def test_a_branch_can_be_interrupted_and_resumed(
     branch: Any, found: CertifiedBranch, tmp_path: Path
 ) -> None:
@@ -137,6 +139,7 @@ def test_a_branch_can_be_interrupted_and_resumed(
         ns.certify_branch(branch, resume=other)
 
 
+@pytest.mark.slow
 def test_progress_rises_to_all_of_it(branch: Any) -> None:
     """In between it is the part of the interval that the tiles so far cover."""
     told: list[tuple[float, int]] = []
@@ -173,6 +176,7 @@ def test_derivatives_along_the_branch_are_those_of_differences() -> None:
                 assert abs(part_of(x, 1) - slope) < 1e-18
 
 
+@pytest.mark.slow
 def test_a_vanishing_phase_is_one_event(tmp_path: Path) -> None:
     branch = ns.continue_orbit(ns.solve("dry-friction/global-stick"), "V", (0.9, 1.3))
     found = ns.certify_branch(branch, interval=("0.9", "1.3"))
@@ -254,6 +258,7 @@ def forged(
     return replace(empty, tiles=(tile,), ends=(FINISHED, FINISHED))
 
 
+@pytest.mark.slow
 def test_a_pair_that_leaves_the_circle_at_both_ends_is_not_one_flip(tmp_path: Path) -> None:
     """With a period that is given m + 1/m may pass 2 where the equations stay regular."""
     values = {"m2": "1.13", "k1": "7.74", "k2": "0.85", "T": "7.425"}
@@ -320,6 +325,7 @@ def test_a_touch_behind_the_end_of_its_phase_is_none() -> None:
             assert time_of_touch(shorter, which, window) is not None
 
 
+@pytest.mark.slow
 def test_a_neutral_saddle_is_no_torus(tmp_path: Path) -> None:
     """Two real multipliers whose product passes 1 do not pass the circle."""
     found = forged(impacts.orbit(-0.05), "c", ("-0.2", "0.1"), ("-0.2", "-0.197"), "neimark-sacker")
@@ -334,6 +340,7 @@ def test_a_neutral_saddle_is_no_torus(tmp_path: Path) -> None:
     assert ns.check_certificate(tmp_path / "plain.json").claims == {"branch": "proved"}
 
 
+@pytest.mark.slow
 def test_a_torus_is_an_event(tmp_path: Path) -> None:
     branch = ns.continue_orbit(impacts.orbit(-0.5), "c", (-0.4, 0.4), step=0.02)
     found = ns.certify_branch(branch, interval=("-0.2", "0.1"))
@@ -358,6 +365,7 @@ def test_what_is_asked_wrongly_is_told(branch: Any) -> None:
         ns.certify_branch(branch, resume=branch)
 
 
+@pytest.mark.slow
 def test_narrow_tiles_are_proved_again(tmp_path: Path) -> None:
     """Where tubes are as narrow as rounding the check takes more bits."""
     orbit = ns.solve("dry-friction/symmetric", {"V": "1.08"})
@@ -387,6 +395,7 @@ def near_a_flip() -> Any:
     return ns.continue_orbit(ns.solve("dry-friction/symmetric", {"V": "1.07"}), "V", (1.06, 1.1))
 
 
+@pytest.mark.slow
 def test_a_tile_that_the_check_refuses_is_divided(
     near_a_flip: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -498,6 +507,7 @@ def grazing(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_a_branch_ends_where_a_contact_with_a_soft_stop_vanishes(grazing: Path) -> None:
     found = ns.load(grazing)
     assert found.complete
@@ -572,6 +582,7 @@ def test_an_edited_end_is_refused(grazing: Path, attack: Any) -> None:
         check_branch(edited(grazing, attack))
 
 
+@pytest.mark.slow
 def test_an_end_that_claims_nothing_is_accepted(grazing: Path) -> None:
     """It is refused above for what is hidden in it."""
     check_branch(edited(grazing, first_tile))

@@ -108,6 +108,7 @@ SYSTEMS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", SYSTEMS)
 def test_a_lone_border_is_one_event(kind: str, tmp_path: Path) -> None:
     system, value, low, high = SYSTEMS[kind]
@@ -148,6 +149,7 @@ def edited(path: Path, **changes: Any) -> dict[str, Any]:
     return {**content, "sha256": digest}
 
 
+@pytest.mark.slow
 def test_a_condition_without_effect_is_no_event(tmp_path: Path) -> None:
     """A transition whose other condition fails does not follow, whatever this one does."""
     idle = Condition(-A, "off"), Condition(A - THRESHOLD.symbol, "off")
@@ -215,6 +217,7 @@ def shrinking(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_numbers_that_are_zero_are_proved_again(shrinking: Path) -> None:
     """The reset sets them to zero: no ball around them is that narrow in every proof."""
     assert ns.check_certificate(shrinking).claims == {"branch": "proved"}

@@ -88,6 +88,7 @@ def inside(leaves, number, point):
     return ((leaves.low[own] - 1e-9 <= point) & (point <= leaves.high[own] + 1e-9)).all(axis=1)
 
 
+@pytest.mark.slow
 def test_every_start_of_a_box_comes_to_a_leaf(system, mapped):
     random = np.random.default_rng(3)
     tested = several = 0

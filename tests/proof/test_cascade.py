@@ -44,6 +44,7 @@ def flip(found: CertifiedCascade) -> tuple[Any, int, list[Any]]:
     return region, *told
 
 
+@pytest.mark.slow
 def test_the_papers_flip_is_subcritical(found: CertifiedCascade) -> None:
     (doubling,) = found.doublings
     assert found.claims == {"doublings": "proved"}
@@ -55,6 +56,7 @@ def test_the_papers_flip_is_subcritical(found: CertifiedCascade) -> None:
     assert replace(found, doublings=(left,)).claims == {"doublings": "undecided"}
 
 
+@pytest.mark.slow
 def test_doubled_orbits_by_newton_are_where_the_rate_says(
     branch: Any, found: CertifiedCascade
 ) -> None:
@@ -94,6 +96,7 @@ def test_motions_leave_the_unstable_doubled_orbit_and_settle_on_the_stable_one(
     assert sum(dwell) == pytest.approx(float(tables.period), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_solutions_of_the_doubled_equations_are_in_the_tube(flip: Any) -> None:
     region, scaled, point = flip
     proved = proved_tube(region, scaled, Fraction(1, 20), point)
@@ -160,6 +163,7 @@ def test_a_degenerate_flip_and_a_tube_too_wide_are_refused(flip: Any) -> None:
     assert isinstance(proved_tube(region, scaled, Fraction(1, 1000), away), str)
 
 
+@pytest.mark.slow
 def test_a_cascade_can_be_interrupted_and_resumed(
     branch: Any, found: CertifiedCascade, tmp_path: Path
 ) -> None:

@@ -59,6 +59,7 @@ def test_both_flips_of_an_impact_oscillator_are_found() -> None:
     assert sorted(float(value) for value in values) == pytest.approx([-abs(flip), abs(flip)])
 
 
+@pytest.mark.slow
 def test_the_flip_lies_where_the_box_is_undecided() -> None:
     whole = branch(SYMMETRIC, "V", 0.6, 1.3)
     flip = ns.certify_event(whole, of_kind(whole, "flip"), 128)

@@ -83,6 +83,7 @@ def test_states_of_the_sets_go_where_their_images_are_said_to_be(chaos, returned
             assert any(low - 1e-9 <= image <= high + 1e-9 for (low,), (high,) in parts)
 
 
+@pytest.mark.slow
 def test_words_are_periodic_motions(chaos, returned):
     # each closed walk has a periodic point in its first set: bisection finds it
     sets = {h_set.name: h_set for h_set in chaos.h_sets}
@@ -118,6 +119,7 @@ def test_a_stable_motion_is_not_called_chaos():
     assert found.entropy == "0"
 
 
+@pytest.mark.slow
 def test_a_mass_that_rests_at_its_stop_when_the_forcing_has_a_phase_is_not_called_chaos():
     system = load_system(str(GALLERY / "impact_oscillator.py"))
     found = certify_chaos(system, {"r": "0.2", "sigma": "0", "w": "0.7"}, {"x": -0.5, "v": 0.1})

@@ -63,6 +63,7 @@ def borders(v: str) -> float:
     return float(((z1 - z2) / 2 - z1.__class__("0.4831")) / 2)
 
 
+@pytest.mark.slow
 def test_one_curve_decides_all() -> None:
     assert found().decided == 1
     assert [region.verdict for region in found().regions] == ["stable", "not admissible"]
@@ -187,5 +188,6 @@ def test_false_files_are_refused(name: str) -> None:
         check_tiles({**edited, "sha256": checksum_of(edited)})
 
 
+@pytest.mark.slow
 def test_the_true_file_passes() -> None:
     check_tiles(json.loads(content()))

@@ -184,6 +184,7 @@ def test_singular_linear_equations_are_no_obstacle() -> None:
     assert len(centres) == len(exact) == 7
 
 
+@pytest.mark.slow
 def test_all_orbits_of_the_paper_in_a_box_and_newton_finds_no_other() -> None:
     told: list[float] = []
     census = ns.certify_all(STICK, box={"tau": (0, "12.6"), "tau1": (0, 20)}, progress=told.append)
@@ -211,6 +212,7 @@ def test_all_orbits_of_the_paper_in_a_box_and_newton_finds_no_other() -> None:
     assert admissible.enclosures["tau"].contains(ns.refine(orbit, 30).unknowns["tau"])
 
 
+@pytest.mark.slow
 def test_dwell_times_that_follow_may_be_bounded_too() -> None:
     census = ns.certify_all(STICK, box={"tau": 3, "tau1": 10, "ta": (1, 2)})
     assert census.decided
@@ -229,6 +231,7 @@ def test_its_four_dwell_times_give_the_same_orbit() -> None:
     assert census.admissible == 1
 
 
+@pytest.mark.slow
 def test_orbits_in_dwell_times_are_those_that_newton_finds() -> None:
     census = ns.certify_all("dry-friction", PAPER, {"tau1": (3, 7), "tau2": 6}, itinerary=TWO)
     assert census.decided

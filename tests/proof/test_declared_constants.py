@@ -78,6 +78,7 @@ def entries(one: System, two: System, values: Any, lib: Any) -> list[tuple[Any, 
     return [pair for a, b in pairs for pair in zip(a, b, strict=True)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [0, 1, 2])
 def test_constants_are_parameters_of_their_values(seed: int, tmp_path: Path) -> None:
     declared, over, texts = both(drawn(random.Random(seed)))

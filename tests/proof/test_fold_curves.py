@@ -124,6 +124,7 @@ def folds(found: ns.BoxCertificate) -> list[Tile]:
     return [tile for tile in found.tiles if tile.event is not None and tile.event.fold is not None]
 
 
+@pytest.mark.slow
 def test_a_box_with_a_fold_is_decided() -> None:
     found = folded()
     assert sorted(region.verdict for region in found.regions) == [BEYOND, "stable"]
@@ -157,6 +158,7 @@ def test_the_curve_is_that_of_the_closed_form_to_forty_digits() -> None:
     assert count > 8
 
 
+@pytest.mark.slow
 def test_random_points_have_two_orbits_with_their_verdicts_or_none() -> None:
     found, drawn, seen = folded(), random.Random(3), set()
     region = region_of(orbit(True), found.box)
@@ -208,6 +210,7 @@ def tube_of(found: ns.BoxCertificate, tile: Tile) -> FoldTube:
     return tube
 
 
+@pytest.mark.slow
 def test_the_other_orbit_has_the_same_curve_and_the_other_verdict() -> None:
     found = ns.certify_box(orbit(False), {"sigma": ("-1.24", "-1.22"), "r": ("0.799", "0.801")})
     assert [region.verdict for region in found.regions] in (
@@ -221,6 +224,7 @@ def test_the_other_orbit_has_the_same_curve_and_the_other_verdict() -> None:
         assert sigma == pytest.approx(float(fold_at(r)), abs=1e-6)
 
 
+@pytest.mark.slow
 def test_a_map_with_a_fold_is_kept_and_resumed(tmp_path: Path) -> None:
     part = ns.certify_box(orbit(True), BOX, tiles=5)
     part.save(tmp_path / "map.json")
@@ -278,6 +282,7 @@ def content(*, small: bool = True) -> str:
         return path.read_text()
 
 
+@pytest.mark.slow
 def test_true_maps_pass_and_a_wider_band_is_true() -> None:
     check_tiles(json.loads(content(small=False)))
     found = json.loads(content())
@@ -349,6 +354,7 @@ CHANGES: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CHANGES)
 def test_false_folds_are_refused(name: str) -> None:
     change, told = CHANGES[name]
@@ -358,6 +364,7 @@ def test_false_folds_are_refused(name: str) -> None:
         check_tiles({**found, "sha256": checksum_of(found)})
 
 
+@pytest.mark.slow
 def test_the_other_orbit_is_not_that_of_the_tiles_beside_it() -> None:
     found = json.loads(content(small=False))
     both_exchanged(event_in(found))

@@ -61,6 +61,7 @@ def returned(place):
     return None
 
 
+@pytest.mark.slow
 def test_motions_go_along_edges(friction):
     random = np.random.default_rng(7)
     low, high = friction.graph.grid.bounds(np.arange(len(friction.graph.grid)))
@@ -76,6 +77,7 @@ def test_motions_go_along_edges(friction):
     assert tested > 120
 
 
+@pytest.mark.slow
 def test_motions_go_along_edges_in_two_dimensions(impacts):
     system = load_system(str(GALLERY / "impact_oscillator.py"))
     graph = impacts.graph
@@ -131,6 +133,7 @@ def test_motions_do_not_leave_trapping_regions(friction, impacts):
     assert any(own.attracting for own in impacts.components)
 
 
+@pytest.mark.slow
 def test_the_check_carries_no_state_out_of_what_is_trapping(friction):
     boxes = friction.trapping
     with flint_precision(64):
@@ -278,6 +281,7 @@ def test_several_processes_find_the_same_graph(impacts):
         ns.certify_graph("dry-friction", DATA, [5, 4, 0.5, 0.25], workers=0)
 
 
+@pytest.mark.slow
 def test_boxes_are_divided_where_it_helps():
     asked = {"region": {"x2": (2, 14)}, "boxes": 64}
     start = [5, 4, 0.5, 0.25]
@@ -301,6 +305,7 @@ def test_boxes_are_divided_where_it_helps():
         ns.certify_graph("dry-friction", {**DATA, "ur1": "4.02"}, start, resume=coarse, **asked)
 
 
+@pytest.mark.slow
 def test_an_interrupted_graph_goes_on():
     data, counts = {"k": 1, "r": "1/2", "a": 10}, []
 

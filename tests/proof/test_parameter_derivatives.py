@@ -101,6 +101,7 @@ def test_every_precision_is_proved_again(bits: int, tmp_path: Path) -> None:
             assert widest * exact_ball(2) ** bits < 1000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BUILT_IN)
 def test_differences_of_refined_orbits(name: str) -> None:
     """Starts too: they are in the system's coordinates, at parameters that were chosen."""
@@ -209,6 +210,7 @@ def _settled(kernels: SystemKernels, values: dict[str, str]) -> Orbit | None:
     return orbit if orbit.converged else None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("declared", [_forced, _struck])
 def test_random_forced_systems(declared: Any, tmp_path: Path) -> None:
     drawn, kernels, seen = random.Random(7), load_system(declared()), 0

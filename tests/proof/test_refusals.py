@@ -126,6 +126,7 @@ def test_an_event(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert passes(found, tmp_path).claims == {"events": "undecided"}
 
 
+@pytest.mark.slow
 def test_a_tile_of_a_box_is_halved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The check refuses the whole box, and all tiles at one of its corners."""
     with monkeypatch.context() as planted:
@@ -162,6 +163,7 @@ def test_what_is_said_of_a_whole_box(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert passes(found, tmp_path).claims == found.claims
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("refused", "begins"), [({0, 1}, "inside"), ({0}, "first"), ({1}, "last")])
 def test_an_end_of_a_branch(
     refused: set[int], begins: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -207,6 +209,7 @@ def test_chaos(monkeypatch: pytest.MonkeyPatch) -> None:
         folded_horseshoe(exponents=False)  # which is to be proved
 
 
+@pytest.mark.slow
 def test_cones(monkeypatch: pytest.MonkeyPatch) -> None:
     false = ConeCondition({"A": ("1",), "B": ("1",)}, (), "9", "0", "1")
     monkeypatch.setattr(certify_chaos, "cone_condition", lambda *told: false)

@@ -66,6 +66,7 @@ def inside(found: ns.BoxCertificate, tile: Tile, point: dict[str, Fraction]) -> 
     return [(2 * point[n] - low - high) / (high - low) for n, (low, high) in where.items()]
 
 
+@pytest.mark.slow
 def test_a_box_consists_of_regions_curves_and_one_open_corner() -> None:
     found = corner()
     assert [region.verdict for region in found.regions] == ["not admissible", "unstable", "stable"]
@@ -144,6 +145,7 @@ def test_every_point_of_a_region_has_its_verdict() -> None:
             assert (found.stability if own == "proved" else own) == region.verdict
 
 
+@pytest.mark.slow
 def test_the_flip_of_the_paper_is_where_its_event_is_proved() -> None:
     found = paper()
     assert found.decided == 1
@@ -163,6 +165,7 @@ def test_the_flip_of_the_paper_is_where_its_event_is_proved() -> None:
         assert tile.event.band.radius < 1e-4
 
 
+@pytest.mark.slow
 def test_an_event_on_the_edge_of_the_box(tmp_path: Path) -> None:
     # r = -1 is the right edge: there is a flip, and beside it all is unstable
     found = ns.certify_box(loop(r="-5/4"), {"r": ("-3/2", "-1"), "k": ("4/5", "6/5")}, tiles=60)
@@ -173,6 +176,7 @@ def test_an_event_on_the_edge_of_the_box(tmp_path: Path) -> None:
     check_tiles(content_of(found, tmp_path / "map.json"))
 
 
+@pytest.mark.slow
 def test_a_thin_tongue_is_found() -> None:
     # not admissible only between the edge a = 1/2 and a = 1/(1 - r), below 1e-3 of the box
     box = {"r": ("-101/100", "-999/1000"), "a": ("1/2", "5/8")}
@@ -183,6 +187,7 @@ def test_a_thin_tongue_is_found() -> None:
     assert tile.verdict in ("divided", "not admissible", "undecided")
 
 
+@pytest.mark.slow
 def test_maps_with_curves_are_kept_and_resumed(tmp_path: Path) -> None:
     orbit = loop(r="-19/20", a="3/5")
     part = ns.certify_box(orbit, BESIDE, tiles=3)
@@ -325,6 +330,7 @@ def test_a_curve_beside_its_tile_is_none_of_the_box(tmp_path: Path) -> None:
     assert told.curves == ()
 
 
+@pytest.mark.slow
 def test_the_command_tells_regions_curves_and_open_boxes(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     path, picture = tmp_path / "map.json", tmp_path / "map.png"

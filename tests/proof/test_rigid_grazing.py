@@ -133,6 +133,7 @@ def test_an_impact_begins_with_the_speed_zero(
     assert ns.check_certificate(tmp_path / "branch.json").claims == {"branch": "proved"}
 
 
+@pytest.mark.slow
 def test_a_branch_of_impacts_is_proved_up_to_the_speed_zero(tmp_path: Path) -> None:
     """The multiplier grows beyond all bounds; behind it the motion without impacts is stable."""
     closed = Closed("2.4", "0.8")
@@ -203,6 +204,7 @@ def test_a_motion_that_is_no_function_of_time(tmp_path: Path) -> None:
     assert ns.check_certificate(tmp_path / "branch.json").difference is None
 
 
+@pytest.mark.slow
 def test_where_a_motion_grazes_twice_the_branch_ends_and_nothing_is_said_beyond(
     tmp_path: Path,
 ) -> None:
@@ -241,6 +243,7 @@ def test_the_map_times_the_speed_is_that_product() -> None:
         assert not passage.unstable_if_reached(0)
 
 
+@pytest.mark.slow
 def test_the_check_has_a_map_of_its_own(fast: Any) -> None:
     _, path = fast
     content = json.loads(path.read_text())

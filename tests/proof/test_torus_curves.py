@@ -111,6 +111,7 @@ def test_multipliers_of_points_beside_the_curve_are_on_its_sides(r: str) -> None
             assert side is None or abs(high - low) < 1e-9
 
 
+@pytest.mark.slow
 def test_the_curve_is_that_of_the_closed_form() -> None:
     """r^2 exp(-c T) = 1, T = 2 pi/2.8, of a mass of negative damping that strikes a wall."""
     assert closed().decided == 1
@@ -136,6 +137,7 @@ EDITS: dict[str, Callable[[dict[str, Any]], object]] = {
 }
 
 
+@pytest.mark.slow
 def test_the_file_passes_and_false_ones_do_not() -> None:
     check_tiles(json.loads(content()))
     for change in EDITS.values():

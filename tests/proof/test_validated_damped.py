@@ -173,6 +173,7 @@ def test_a_damped_mass_agrees_with_50_digits(a: str, k: str, g: str, start: list
     agrees(proof, *impacts(field, mp.mpf(1) / 2, start, 5), 1e-28)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("w", ["1/2", "1", "999/1000", "7/10"])
 def test_a_forced_impact_oscillator_agrees_with_50_digits(w: str) -> None:
     """At resonance and next to it as well: without damping, w = 1 is defective."""

@@ -66,6 +66,7 @@ class Lib:
         return mpmath.mpf(p) / q
 
 
+@pytest.mark.slow
 def test_they_are_the_derivatives_of_the_exponential() -> None:
     shape = cycle()
     start, size = start_of(shape), len(shape.structure.states)

@@ -168,6 +168,7 @@ def test_perturbations_change_by_the_trace_each_period(orbits, unstable):
         assert_allclose(ratios, orbit.trace, rtol=1e-3)
 
 
+@pytest.mark.slow
 def test_the_verdict_is_what_becomes_of_a_perturbation(unstable):
     stable = orbits_where(lambda many: np.abs(many.trace) < 0.7, 3)
     for orbit, verdict in [(o, "stable") for o in stable] + [(o, "unstable") for o in unstable]:

@@ -50,6 +50,7 @@ def test_motions_of_the_built_in_systems_come_out_again(name: str) -> None:
         assert np.allclose(built.times, given.times, rtol=1e-13, atol=1e-10)
 
 
+@pytest.mark.slow
 def test_elastic_impacts_with_a_full_mass_keep_the_energy() -> None:
     stops = [RigidStop("x1", 0.8, 1), RigidStop({"x2": 1, "x3": -1}, -0.3, 1, "lower")]
     system = oscillator("full", ["x1", "x2", "x3"], FULL, SPRINGS, elements=stops)
@@ -136,6 +137,7 @@ def direct(rates: Callable[[float, np.ndarray], Any], start: list[float], end: f
     return np.asarray(found.y[:, -1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("released", "damping"), [("gap", 0), ("gap", 0.8), ("force", 0.8)])
 def test_soft_stops_agree_with_direct_integration(released: str, damping: float) -> None:
     w, end = 1.3, 8.0
@@ -225,6 +227,7 @@ def test_a_forced_chain_with_stops_agrees_with_events_of_an_integrator() -> None
         assert np.abs(end - entry[:6]).max() < 1e-9
 
 
+@pytest.mark.slow
 def test_friction_with_stops_never_leaves_its_rules() -> None:
     elements = [
         Friction("x1", 0.03, 0.06, 0),
@@ -249,6 +252,7 @@ def test_friction_with_stops_never_leaves_its_rules() -> None:
                 assert regime != "stick" or abs(relative) < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", [pytest.param("c", marks=pytest.mark.compiled), "numpy"])
 def test_impacts_that_accumulate_never_pass_the_stop(
     backend: str, monkeypatch: pytest.MonkeyPatch

@@ -219,6 +219,7 @@ def test_orders_that_agree_have_a_derivative() -> None:
     assert np.isnan(found.vjp(event_times=[1.0])).tolist() == apart
 
 
+@pytest.mark.slow
 def test_configurations_that_were_not_visited_are_made() -> None:
     """Eight masses in equal pairs, each with a stop, four with friction as well."""
     h, r = found = [Parameter(name, name) for name in ("h", "r")]

@@ -54,6 +54,7 @@ def stack(reverse: bool) -> System:
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("reverse", [False, True])
 def test_the_contact_that_needs_less_than_its_limit_holds(reverse: bool) -> None:
     system = stack(reverse)
@@ -275,6 +276,7 @@ def test_the_choice_is_the_minimum(seed: int, count: int, monkeypatch: pytest.Mo
     assert len(seen) > 3
 
 
+@pytest.mark.slow
 def test_four_coupled_contacts_are_declared_at_all() -> None:
     system = declared(7, 4, [2, 0, 3, 1])
     assert len(system.configurations) == 81

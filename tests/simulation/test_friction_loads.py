@@ -152,6 +152,7 @@ KINDS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("load", "falling"), KINDS)
 def test_pads_move_as_an_integrator_with_events_says(load: bool, falling: bool) -> None:
     rng, seen = np.random.default_rng(7), set[str]()
@@ -288,6 +289,7 @@ def test_a_soft_stop_bears_the_load(falling: bool) -> None:
     assert seen >= {"contact-slip", "contact-stick", "contact-overshoot"}
 
 
+@pytest.mark.slow
 def test_mirrored_declarations_have_mirrored_motions() -> None:
     """The direction taken the other way round renames slip and overshoot; so does a mirror."""
     rng = np.random.default_rng(9)

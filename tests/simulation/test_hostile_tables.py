@@ -145,6 +145,7 @@ def test_both_engines_tell_the_same_of_hostile_parameters(name: str) -> None:
     assert compared > 20
 
 
+@pytest.mark.slow
 def test_the_oscillator_of_the_commands_page_ends_at_numbers_beyond_doubles(tmp_path: Path) -> None:
     text = (CHECKOUT / "docs/how_to/commands.md").read_text(encoding="utf-8")
     begin = text.index("# my_oscillator.py")

@@ -78,6 +78,7 @@ def compared(system: System, motion: ns.Trajectory, seed: int) -> float:
     return float(max(missed, abs(pulled)) / largest / found.condition)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [9, 19])  # 20 and 40 states: modes as eigenvectors
 def test_chains_agree_with_fifty_digits(count: int) -> None:
     system = chain(count)
@@ -108,6 +109,7 @@ def test_factors_and_matrices_have_the_same_derivatives() -> None:
     np.testing.assert_allclose(np.tensordot(fields, found), moved, rtol=1e-11)
 
 
+@pytest.mark.slow
 def test_configurations_that_are_made_when_visited_have_derivatives() -> None:
     system, data = rubbing(8)
     start = [*np.linspace(-0.6, 0.7, 8).tolist(), *np.linspace(0.1, 0.45, 8).tolist()]

@@ -124,6 +124,7 @@ def test_the_impact_oscillator(r: str) -> None:
         assert found == pytest.approx([-0.0657016] * 2, abs=1e-7)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("system", "data", "start"), [
     ("docs/gallery/mass_on_belt.py", {"u": 1, "e": "0.3", "V": "0.5"}, {"x": 0, "v": 0}),
     ("dry-friction", DATA_B, [0.3, -0.2, 0.1, 0.4]),
@@ -164,6 +165,7 @@ def test_neighbours_part_as_perturbations_of_one_motion_grow(data: dict) -> None
     assert errors < abs(one.value)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("since", [0, 0.1, 0.5])
 def test_regular_motions_that_keep_energy_are_not_called_chaotic(since: float) -> None:
     """Their perturbations grow like the time: at a rate that looks like an exponent."""

@@ -126,6 +126,7 @@ def test_a_boundary_is_the_extreme_of_what_it_bounds() -> None:
 # --- averages
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "last"), [(NAMES[3], 60), *((name, 28.3) for name in NAMES)])
 def test_averages_are_those_of_adaptive_quadrature(name: str, last: float) -> None:
     trajectory = motion(name)

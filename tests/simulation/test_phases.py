@@ -54,6 +54,7 @@ def test_the_force_is_that_of_the_phase() -> None:
     np.testing.assert_allclose(acceleration + 0.1 * velocity + x[1], force, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_a_certificate_is_of_the_phase() -> None:
     """Its cosine and sine are exact, rational or not, and never as if they were zero."""
     for phase in (sp.atan2(4, 3), 1):

@@ -224,6 +224,7 @@ def test_a_missing_row_is_refused(tmp_path: Path) -> None:
     assert refusal(path) == "edited or damaged: the checksum differs"
 
 
+@pytest.mark.slow
 def test_a_changed_character_is_refused_or_changes_nothing(path: Path) -> None:
     friction().save(path)
     whole = path.read_bytes()
@@ -282,6 +283,7 @@ def test_an_archive_that_unpacks_to_too_much(
     assert refusal(path) == "too large for a saved motion"
 
 
+@pytest.mark.slow
 def test_an_archive_whose_directory_lies(tmp_path: Path) -> None:
     """It takes no more memory than its directory tells."""
     path = tmp_path / "motion.npz"

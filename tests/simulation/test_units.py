@@ -65,6 +65,7 @@ ENGINES = [pytest.param("c", marks=pytest.mark.compiled), "numpy"]
 SEEDS = [*(pytest.param(k, marks=[pytest.mark.slow] * (k not in (0, 3))) for k in range(24))]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("engine", ENGINES, indirect=True)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_motions_do_not_depend_on_units(seed: int, engine: str) -> None:

@@ -154,6 +154,7 @@ def test_a_start_anywhere_belongs_where_the_listed_system_puts_it(make, monkeypa
     assert len(visited) > 1
 
 
+@pytest.mark.slow
 def test_many_motions_are_those_of_the_listed_system(monkeypatch) -> None:
     whole, data = listed(striking, 2)
     monkeypatch.setattr(growing, "_LARGEST", 0)
