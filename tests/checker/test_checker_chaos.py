@@ -246,6 +246,7 @@ def narrower(cones, place, side):
     entries[0] = str(sum(map(Fraction, entries)) / 2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "told"),
     [
@@ -357,6 +358,7 @@ def few(coned):
     return content, calls
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "change",
     [

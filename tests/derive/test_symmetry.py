@@ -83,6 +83,7 @@ def test_half_of_a_period_in_closed_form() -> None:
     assert sp.simplify(sp.solve(condition, u)[0] - sp.tan(period / 2)) == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "rotation"),
     [

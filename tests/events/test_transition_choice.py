@@ -284,6 +284,7 @@ def mirrored(name: str) -> str:
     return "-".join(swaps.get(part, part) for part in name.split("-"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("seed", "count"), [(2, 2), pytest.param(4, 3, marks=pytest.mark.slow)])
 def test_the_law_says_the_same_of_mirrored_and_reordered_declarations(
     seed: int, count: int

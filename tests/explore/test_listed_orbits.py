@@ -120,6 +120,7 @@ def same_motion(one, other):
     return bool(near.any(axis=0).all() and near.any(axis=1).all())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("build", RANGES, ids=lambda build: build.__name__)
 def test_what_is_listed_is_true(build, seed, tmp_path):

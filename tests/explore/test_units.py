@@ -105,6 +105,7 @@ def answers(name: str, length: Any, rate: Any, mass: Any) -> Any:
     return listed, branch, proof
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "units", [UNITS[0], pytest.param(UNITS[1], marks=pytest.mark.slow)], ids=str
 )

@@ -184,6 +184,7 @@ def two_stops() -> Itinerary:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", [pytest.param("", marks=pytest.mark.slow), "numpy"])
 def test_parameters_that_decide_nothing_have_domains_and_names_of_functions_in_c(
     backend: str, monkeypatch: pytest.MonkeyPatch

@@ -65,6 +65,7 @@ def test_the_page_in_python_runs(capsys):
     assert "(201, 101)" in printed
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.usefixtures("committed_derivation", "empty_reproduction", "declared")
 @pytest.mark.parametrize(

@@ -161,6 +161,7 @@ def corner(push: float) -> System:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("push", "side", "verdict", "scenario"),
     [
@@ -312,6 +313,7 @@ FORGERIES: dict[str, Any] = {
 DEAR = {"twice", "verdicts swapped"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
     [pytest.param(name, marks=pytest.mark.slow) if name in DEAR else name for name in FORGERIES],

@@ -177,6 +177,7 @@ EDITS: dict[str, tuple[Callable[[dict[str, Any]], object], str]] = {
 DEAR = {"an entry is left out", "of another phase", "another condition"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=pytest.mark.slow) if name in DEAR else name for name in EDITS]
 )

@@ -84,6 +84,7 @@ def test_orbits_of_the_paper(name: str, tmp_path: Path) -> None:
     assert again.to_json() == found.to_json()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "bits", [53, *(pytest.param(bits, marks=pytest.mark.slow) for bits in (64, 300)), 1000]
 )

@@ -182,6 +182,7 @@ def test_an_end_of_a_branch(
     assert passes(found, tmp_path).claims == {"branch": "undecided"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", [pytest.param("verdict", marks=pytest.mark.slow), "doubling"])
 def test_a_doubling(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def claimed(doubling: dict[str, Any], *_: Any) -> object:

@@ -92,6 +92,7 @@ def fast(tmp_path_factory: pytest.TempPathFactory) -> tuple[CertifiedBranch, Pat
     return found, path
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("w", "r", "side", "scenario"),
     [

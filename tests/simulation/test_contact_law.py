@@ -126,6 +126,7 @@ def declared(seed: int, count: int, order: list[int]) -> System:
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("seed", "count"), [(1, 1), (3, 2), pytest.param(4, 3, marks=pytest.mark.slow)]
 )
@@ -167,6 +168,7 @@ def stopped(seed: int, order: list[int], sign: int) -> System:
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [11, pytest.param(14, marks=pytest.mark.slow)])
 def test_stops_that_hold_a_contact_leave_the_law_to_the_others(seed: int) -> None:
     ends, touched = [], False

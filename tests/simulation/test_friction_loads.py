@@ -262,6 +262,7 @@ class OnSoftStop(ByHand):
         return super().forces(time, state) - np.array([0, max(self.load(state), 0)])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("falling", [pytest.param(False, marks=pytest.mark.slow), True])
 def test_a_soft_stop_bears_the_load(falling: bool) -> None:
     stop = SoftStop("y", at=OnSoftStop.AT, stiffness=OnSoftStop.STIFFNESS, name="stop")

@@ -90,6 +90,7 @@ def law(system: object, motion: Trajectory) -> list[float]:
     return wanted.tolist()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "kind",
     [pytest.param("frequencies", marks=pytest.mark.slow), "stop", "sticking", "both"],

@@ -29,6 +29,7 @@ def _values(found: ns.Trajectory) -> np.ndarray:
     return np.array([getattr(part, "value", part) for part in parts])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("end", [{"until": 15.0}, {"transitions": 9}], ids=["time", "transition"])
 @pytest.mark.parametrize(  # slider and soft stop, friction, both stops
     "seed", [*(pytest.param(seed, marks=pytest.mark.slow) for seed in (0, 1)), 6]

@@ -81,6 +81,7 @@ def listed(make, seed: int) -> tuple[System, dict[str, float]]:
     return make(seed)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("make", [rubbing, striking, mixed])
 @pytest.mark.parametrize(
     "seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 2))]
