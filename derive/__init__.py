@@ -126,7 +126,12 @@ _HOMES = {
     "codegen.emit": ("emit_library", "emit_many_points"),
     "codegen.piece": ("emit_piece", "table_of_composed"),
     "codegen.python_file": ("emit_python",),
-    "document.equation_table": ("equation_html", "equation_latex", "equation_lines"),
+    "document.equation_table": (
+        "equation_html",
+        "equation_latex",
+        "equation_lines",
+        "expression_latex",
+    ),
 }
 register({name: f"nonsmooth.derive.{home}" for home, names in _HOMES.items() for name in names})
 

@@ -95,11 +95,11 @@ def orbit_kernels(orbit: EquationSystem) -> tuple[Kernel, ...]:
     moved = (parameters, spectrum, derivatives, unknowns)
     stages, chain = orbit.stages, orbit.chain.stages
 
-    jacobian_stages, jacobian = orbit.jacobian
-    moved_stages, parameter_jacobian = orbit.parameter_jacobian
-    poincare_stages, poincare = orbit.poincare_jacobian
-    trace_stages, trace = orbit.trace
-    gradient_stages, gradient = orbit.trace_gradient
+    jacobian_stages, jacobian = orbit.jacobian_program
+    moved_stages, parameter_jacobian = orbit.parameter_jacobian_program
+    poincare_stages, poincare = orbit.map_program
+    trace_stages, trace = orbit.trace_program
+    gradient_stages, gradient = orbit.trace_gradient_program
     names = orbit.system.states
     saltation_stages, saltations = saltation_matrices(orbit.chain, names)
     monodromy_stages, full = monodromy(orbit.chain, names)
@@ -285,7 +285,7 @@ def reduced_equations(orbit: EquationSystem) -> Kernel:
     """
     reduction = orbit.reduction
     stages, jacobian = reduction.jacobian()
-    trace_stages, trace = orbit.trace
+    trace_stages, trace = orbit.trace_program
     equations = [e for _, e in reduction.equations]
     values = [reduction.values[u] for u in orbit.unknowns]
     # states behind the phases have one name in the chain and in the reduction
@@ -316,9 +316,9 @@ def direction_kernels(orbit: EquationSystem) -> tuple[Kernel, Kernel, Kernel]:
     unknowns and by the parameters, and those of the trace, whose stages may assign other
     functions of the unknowns to the same symbols.
     """
-    jacobian_stages, jacobian = orbit.jacobian
-    moved_stages, parameter_jacobian = orbit.parameter_jacobian
-    trace_stages, gradient = orbit.trace_gradient
+    jacobian_stages, jacobian = orbit.jacobian_program
+    moved_stages, parameter_jacobian = orbit.parameter_jacobian_program
+    trace_stages, gradient = orbit.trace_gradient_program
     stages = merged(merged(orbit.stages, jacobian_stages), moved_stages)
     tables = _table("jacobian", jacobian), _table("parameter_jacobian", parameter_jacobian)
     slopes = _flat("trace_gradient", gradient)

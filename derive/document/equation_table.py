@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from html import escape
+from typing import Any
 
 from nonsmooth.derive.document.blocks import Formula
 from nonsmooth.derive.document.describe import describe_orbit
+from nonsmooth.derive.document.views.view import view_of
 from nonsmooth.derive.equations.equation_system import EquationSystem
 
-__all__ = ["equation_html", "equation_latex", "equation_lines"]
+__all__ = ["equation_html", "equation_latex", "equation_lines", "expression_latex"]
 
 
 def equation_lines(orbit: EquationSystem) -> list[tuple[str, str]]:
@@ -24,6 +26,12 @@ def equation_latex(lines: Sequence[tuple[str, str]]) -> str:
     rows = [f"& {latex} && \\text{{{note.replace('*', '')}}}" for latex, note in lines]
     body = " \\\\\n".join(rows)
     return f"$$\\begin{{aligned}}\n{body}\n\\end{{aligned}}$$"
+
+
+def expression_latex(orbit: EquationSystem, expression: Any) -> str:
+    """LaTeX of an expression or a matrix in the orbit's symbols, as its document writes it."""
+    naming, _ = view_of(orbit)
+    return naming.notation.latex(expression)
 
 
 def equation_html(lines: Sequence[tuple[str, str]], name: str) -> str | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any, NamedTuple
 
 import sympy as sp
 
@@ -12,7 +13,7 @@ from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.chain import Chain, poincare_jacobian, sensitivities
-from nonsmooth.derive.equations.program import Stage, derivative_of, differentiate, prune
+from nonsmooth.derive.equations.program import Stage, derivative_of, differentiate, evaluate, prune
 from nonsmooth.derive.equations.reduction import Reduction
 from nonsmooth.derive.equations.section import Section, section_of
 from nonsmooth.derive.errors import DerivationError
@@ -22,6 +23,7 @@ from nonsmooth.derive.registry import registered
 __all__ = [
     "BoundaryFunction",
     "EquationSystem",
+    "Program",
     "frequencies_of",
 ]
 
@@ -46,9 +48,21 @@ class BoundaryFunction:
     begins: bool  # whether the phase begins on the boundary, so that the sum is zero there
 
 
-@dataclass(frozen=True)
+class Program(NamedTuple):
+    """Expressions of symbols that stages assign, one after the other."""
+
+    stages: tuple[Stage, ...]
+    expressions: Any  # one expression, a matrix or a list of them
+
+
+@dataclass(frozen=True, repr=False)
 class EquationSystem:
     """Switching and periodicity equations of an itinerary, and all that is derived from them.
+
+    The expressions of `residual`, `jacobian`, `map` and `trace` are those of SymPy. They hold
+    symbols that stages assign, such as `z1_2` for a coordinate of the state behind the second
+    phase: `stages_of` lists the stages, `expand` inserts them, `latex` writes an expression with
+    the names of the orbit's document.
 
     Attributes
     ----------
@@ -76,6 +90,16 @@ class EquationSystem:
         Coordinates of the start that the closure makes zero.
     conservative : bool
         Whether energy is a first integral along the itinerary.
+
+    Examples
+    --------
+    >>> from nonsmooth.derive import derive_equations
+    >>> from nonsmooth.derive.systems import declaration
+    >>> equations = derive_equations(declaration("rigid-stop").orbits[0])
+    >>> equations
+    EquationSystem rigid-stop/one-impact: 2 equations in y, u
+    >>> equations.jacobian.shape
+    (2, 2)
     """
 
     itinerary: Itinerary
@@ -98,16 +122,109 @@ class EquationSystem:
         """Left-hand sides of the equations."""
         return [expression for _, expression in self.equations]
 
+    @property
+    def jacobian(self) -> sp.Matrix:
+        """Derivatives of the equations by the unknowns, (n, n)."""
+        return self.jacobian_program.expressions
+
+    @property
+    def map(self) -> sp.Matrix:
+        """Jacobian of the Poincare map in the coordinates of the section."""
+        return self.map_program.expressions
+
+    @property
+    def trace(self) -> sp.Expr:
+        """Trace of the Poincare map's Jacobian.
+
+        Where the map has rank one it is written by the reduced unknowns, and is its multiplier.
+        """
+        return self.trace_program.expressions
+
+    def stages_of(self, quantity: str) -> tuple[Stage, ...]:
+        """List the stages of a quantity, in the order in which they can be computed.
+
+        Parameters
+        ----------
+        quantity : {"residual", "jacobian", "map", "trace"}
+
+        Returns
+        -------
+        tuple of Stage
+            Each with a title and assignments, frequencies and projectors first.
+
+        Raises
+        ------
+        DerivationError
+            If the quantity is none of these.
+        """
+        stages = {
+            "residual": lambda: self.stages,
+            "jacobian": lambda: (*self.stages, *self.jacobian_program.stages),
+            "map": lambda: (*self.chain.stages, *self.map_program.stages),
+            "trace": lambda: self.trace_program.stages,
+        }
+        if quantity not in stages:
+            raise DerivationError(f"unknown quantity {quantity!r} (known: {', '.join(stages)})")
+        return (Stage("spectrum", tuple(self.spectrum.entries)), *stages[quantity]())
+
+    def expand(self, quantity: str, *titles: str) -> Any:
+        """Insert stages into a quantity.
+
+        Parameters
+        ----------
+        quantity : {"residual", "jacobian", "map", "trace"}
+        titles : str
+            Of the stages that are inserted, all of them if there are none.
+
+        Returns
+        -------
+        sympy.Matrix or sympy.Expr
+            In parameters and unknowns if all stages are inserted. The trace of a map of rank one
+            is written with what the equations say, and is the trace where they hold.
+
+        Raises
+        ------
+        DerivationError
+            If there is no such quantity, or no stage of a title.
+        """
+        stages = self.stages_of(quantity)
+        known = [stage.title for stage in stages]
+        for title in titles:
+            if title not in known:
+                raise DerivationError(f"there is no stage {title!r} (known: {', '.join(known)})")
+        inserted = [stage for stage in stages if not titles or stage.title in titles]
+        short = getattr(self, quantity)
+        if quantity == "trace":
+            return evaluate(inserted, [short], {})[0]
+        short = sp.Matrix(short)
+        return sp.Matrix(*short.shape, evaluate(inserted, short, {}))
+
+    def latex(self, expression: Any) -> str:
+        """Write an expression with the names that the orbit's document uses.
+
+        Parameters
+        ----------
+        expression : sympy.Expr or sympy.Matrix
+
+        Returns
+        -------
+        str
+            LaTeX, without dollar signs.
+        """
+        text: str = registered("expression_latex")(self, expression)
+        return text
+
     @cached_property
-    def jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
+    def jacobian_program(self) -> Program:
         """Stages and entries of the derivatives of the equations by the unknowns."""
         itinerary = self.itinerary
         if itinerary.reversor or itinerary.solved_for or itinerary.period is not None:
             seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns}
             stages, moving = differentiate(self.stages, seeds)
-            return stages, sp.Matrix(
-                [[derivative_of(e, moving[str(u)]) for u in self.unknowns] for e in self.residual]
-            )
+            rows = [
+                [derivative_of(e, moving[str(u)]) for u in self.unknowns] for e in self.residual
+            ]
+            return Program(stages, sp.Matrix(rows))
         stages, ends = sensitivities(self.chain, self.system.states, self.unknowns)
         start = self.chain.start
         rows = [link.normal * end for link, end in zip(self.chain.links, ends[:-1], strict=True)]
@@ -120,15 +237,14 @@ class EquationSystem:
         # those of the forcing are written in the unknowns themselves
         for equation in self.residual[len(rows) :]:
             rows.append(sp.Matrix([[sp.diff(equation, u) for u in self.unknowns]]))
-        return stages, sp.Matrix.vstack(*rows)
+        return Program(stages, sp.Matrix.vstack(*rows))
 
     @cached_property
-    def parameter_jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
+    def parameter_jacobian_program(self) -> Program:
         """Stages and entries of the total derivatives of the equations by the parameters."""
         stages, moving = differentiate(self.stages, self.parameter_seeds)
-        return stages, sp.Matrix(
-            [[derivative_of(e, moving[str(p)]) for p in self.parameters] for e in self.residual]
-        )
+        rows = [[derivative_of(e, moving[str(p)]) for p in self.parameters] for e in self.residual]
+        return Program(stages, sp.Matrix(rows))
 
     @property
     def parameter_seeds(self) -> dict[str, dict[sp.Symbol, sp.Expr]]:
@@ -144,12 +260,12 @@ class EquationSystem:
         }
 
     @cached_property
-    def poincare_jacobian(self) -> tuple[tuple[Stage, ...], sp.Matrix]:
+    def map_program(self) -> Program:
         """Stages and entries of the Poincare map's Jacobian on the section."""
-        return poincare_jacobian(self.chain, self.system.states)
+        return Program(*poincare_jacobian(self.chain, self.system.states))
 
     @cached_property
-    def trace(self) -> tuple[tuple[Stage, ...], sp.Expr]:
+    def trace_program(self) -> Program:
         """Stages (all that are needed) and expression of the trace.
 
         Zero where the orbit passes through a section that is a point, the slope of the map
@@ -157,25 +273,25 @@ class EquationSystem:
         otherwise the sum of the diagonal of the Poincare map's Jacobian.
         """
         if self.reduction.rank == 0:
-            return (), sp.Integer(0)
+            return Program((), sp.Integer(0))
         # a coordinate that stays unknown in the reduction has a name of its own there
         own = [u for u in self.reduction.unknowns if u not in self.unknowns]
         if self.reduction.start is not None and (not own or self.reduction.rotation == 0):
             coordinates = self.chain.section.coordinates[: len(own)]
             begin = Stage("start on the section", tuple(zip(own, coordinates, strict=True)))
             stages, slope = self.reduction.slope()
-            return prune((begin, *self.reduction.stages, *stages), [slope]), slope
-        stages, matrix = self.poincare_jacobian
+            return Program(prune((begin, *self.reduction.stages, *stages), [slope]), slope)
+        stages, matrix = self.map_program
         trace = sp.sympify(matrix.trace())
-        return prune((*self.chain.stages, *stages), [trace]), trace
+        return Program(prune((*self.chain.stages, *stages), [trace]), trace)
 
     @cached_property
-    def trace_gradient(self) -> tuple[tuple[Stage, ...], list[sp.Expr]]:
+    def trace_gradient_program(self) -> Program:
         """Derivatives of the trace by the unknowns and, in total, by the parameters."""
-        stages, trace = self.trace
+        stages, trace = self.trace_program
         seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns} | self.parameter_seeds
         more, moving = differentiate(stages, seeds)
-        return (*stages, *more), [derivative_of(trace, m) for m in moving.values()]
+        return Program((*stages, *more), [derivative_of(trace, m) for m in moving.values()])
 
     @cached_property
     def trigonometric(self) -> bool:
@@ -252,13 +368,21 @@ class EquationSystem:
         lines: list[tuple[str, str]] = registered("equation_lines")(self)
         return lines
 
+    def __repr__(self) -> str:
+        unknowns = ", ".join(map(str, self.unknowns))
+        count = f"{len(self.equations)} equation{'s' * (len(self.equations) != 1)}"
+        return f"EquationSystem {self._name}: {count} in {unknowns}"
+
+    @property
+    def _name(self) -> str:
+        return f"{self.itinerary.system.name}/{self.itinerary.name}"
+
     def _repr_latex_(self) -> str:
         latex: str = registered("equation_latex")(self._shown)
         return latex
 
     def _repr_html_(self) -> str | None:
-        name = f"{self.itinerary.system.name}/{self.itinerary.name}"
-        html: str | None = registered("equation_html")(self._shown, name)
+        html: str | None = registered("equation_html")(self._shown, self._name)
         return html
 
 

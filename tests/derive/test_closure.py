@@ -34,7 +34,7 @@ def at_the_orbit(equations: EquationSystem) -> tuple[np.ndarray, np.ndarray]:
     for symbol, expression in equations.spectrum.entries:
         known[symbol] = sp.N(expression.xreplace(known), 30)
     known |= {u: sp.Float(found.get(str(u), 0.0)) for u in equations.unknowns}
-    stages, jacobian = equations.jacobian
+    stages, jacobian = equations.jacobian_program
     numbers = evaluate((*equations.stages, *stages), [*equations.residual, *jacobian], known)
     size = len(equations.unknowns)
     values = np.array([float(sp.N(n, 20)) for n in numbers])

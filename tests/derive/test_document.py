@@ -175,7 +175,11 @@ def raw_names() -> set[str]:
     names: set[str] = set()
     for name in ORBITS:
         equations = written_of(name).equations
-        stages = (*equations.chain.stages, *equations.trace[0], *equations.reduction.stages)
+        stages = (
+            *equations.chain.stages,
+            *equations.trace_program.stages,
+            *equations.reduction.stages,
+        )
         names |= {str(s) for stage in (*stages, *equations.stages) for s, _ in stage.assignments}
         names |= {str(s) for s in (*equations.unknowns, *equations.spectrum.symbols)}
         names |= {p.name for p in equations.system.parameters}

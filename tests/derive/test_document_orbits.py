@@ -211,7 +211,9 @@ def test_everything_is_named(written: Written) -> None:
 def test_one_letter_stands_for_one_thing(written: Written) -> None:
     equations, notation = written.equations, written.notation
     stages = (*equations.chain.stages, *equations.reduction.stages, *equations.stages)
-    symbols = {s for stage in (*stages, *equations.trace[0]) for s, _ in stage.assignments}
+    symbols = {
+        s for stage in (*stages, *equations.trace_program.stages) for s, _ in stage.assignments
+    }
     symbols |= {*equations.unknowns, *equations.vanishing, *notation.constants, *notation.states}
     symbols -= {s for s, e in notation.functions.items() if not e.is_Function}
     texts = [notation.symbol(s) for s in symbols]

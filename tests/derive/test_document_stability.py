@@ -154,9 +154,10 @@ def test_the_trace_as_written_is_that_of_the_kernel(name: str, written: Written)
         symbols = {str(s): s for s in numbers}
         own = {u: u for u in equations.reduction.unknowns}
         numbers = written.run(
-            {**numbers, **{u: numbers[symbols[str(u)]] for u in own}}, equations.trace[0]
+            {**numbers, **{u: numbers[symbols[str(u)]] for u in own}},
+            equations.trace_program.stages,
         )
-        (line,) = (x for x in written.lines if x.shows == equations.trace[1])
+        (line,) = (x for x in written.lines if x.shows == equations.trace)
         assert written.reader(numbers)(text_of(line)) == pytest.approx(trace, abs=1e-9)
         assert r"$|\operatorname{tr} J| < 1$" in text
     elif name == "dry-friction/symmetric":

@@ -276,13 +276,14 @@ class Derived:
             rows = [o.chain.links[0].before, *(link.following for link in o.chain.links)]
             return o.unknowns, chain, [e for row in rows for e in row]
         if name in ("jacobian", "parameter_jacobian", "poincare_jacobian"):
-            stages, matrix = getattr(o, name)
+            program = "map_program" if name == "poincare_jacobian" else f"{name}_program"
+            stages, matrix = getattr(o, program)
             base = chain if name == "poincare_jacobian" else o.stages
             return o.unknowns, (*base, *stages), list(matrix)
         if name == "trace":
-            return o.unknowns, o.trace[0], [o.trace[1]]
+            return o.unknowns, o.trace_program.stages, [o.trace]
         if name == "trace_gradient":
-            stages, entries = o.trace_gradient
+            stages, entries = o.trace_gradient_program
             return o.unknowns, stages, [sp.sympify(e) for e in entries]
         if name == "monodromy":
             first = o.chain.links[0]

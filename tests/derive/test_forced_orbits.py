@@ -69,7 +69,7 @@ def test_the_velocity_of_one_impact_is_the_root_of_a_quadratic(one_impact):
     full = evaluate(reduction.stages, one_impact.unknowns, known, digits=30)
     at = values | dict(zip(one_impact.unknowns, full, strict=True))
     assert max(map(abs, evaluate(one_impact.stages, one_impact.residual, at, 30))) < 1e-26
-    stages, trace = one_impact.trace
+    stages, trace = one_impact.trace_program
     assert float(evaluate(stages, [trace], at, 30)[0]) == pytest.approx(1.36747825761582, rel=1e-14)
 
 

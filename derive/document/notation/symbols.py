@@ -97,6 +97,9 @@ class Notation:
         inner, by, variable = text.rpartition("_by_")
         if by:
             return rf"\partial_{{{self.symbol(variable)}}} {self.symbol(inner)}"
+        passing = text.removesuffix("_on_boundary")
+        if passing != text:
+            return rf"{self.symbol(passing)}|_{{\Sigma}}"
         reduced = _REDUCED.fullmatch(text)
         if reduced:
             return f"{self.symbol(reduced[1])}^{{[{reduced[2]}]}}"

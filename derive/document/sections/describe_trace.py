@@ -195,7 +195,7 @@ def _slope(view: View) -> list[Block]:
     notation, symbol, image = naming.notation, naming.notation.symbol, reduction.image
     first, *others = reduction.unknowns
     x, start = symbol(first), symbol(reduction.start)
-    stages, trace = view.equations.trace
+    stages, trace = view.equations.trace_program
     blocks: list[Block] = [
         Paragraph(
             "The section at the start of the reduction has one coordinate,"
