@@ -83,7 +83,7 @@ def _reset(size: int, bounced: tuple[int, ...], r: Any) -> list[list[Any]]:
     return unit
 
 
-def two_stops(asymmetry: float = 0.0) -> SystemKernels:
+def two_stops(asymmetry: float = 0) -> SystemKernels:
     """One mass between stops at d and -d (1 + asymmetry), driven by F c."""
 
     def fields(p: Any, lib: Any) -> Any:

@@ -186,7 +186,7 @@ def equations(
     "nonsmooth solve dry-friction/global-stick --unknown e1,e2 --given ta=1,tau=2\n\n"
     "nonsmooth solve dry-friction/global-stick --save orbit.json\n\n"
     "nonsmooth solve dry-friction/global-stick --derivatives eta,V\n\n"
-    "nonsmooth solve found.json:2 Omega=2.5 --digits 30"
+    "nonsmooth solve found.json:1 Omega=2.5 --digits 30"
 )
 @answering
 def solve(

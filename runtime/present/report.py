@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from nonsmooth.runtime.core.errors import InputError
 from nonsmooth.runtime.core.values import decimal_string, flint_precision
 from nonsmooth.runtime.model.completion import default_parameters
 from nonsmooth.runtime.model.kernels import (
@@ -123,9 +124,13 @@ def trace_proof_json(orbit: Orbit) -> dict[str, Any]:
         ball = enclosed_trace(orbit)
         found = None if ball is None else Stated.around(ball, bits)
     else:
-        certificate = certify(orbit, bits)
-        found = certificate.enclosures.get("trace")
-        reason = "; ".join(certificate.reasons.values()) or reason
+        try:
+            certificate = certify(orbit, bits)
+        except InputError as problem:  # the system is not stated exactly
+            reason = str(problem)
+        else:
+            found = certificate.enclosures.get("trace")
+            reason = "; ".join(certificate.reasons.values()) or reason
     stability = orbit.stability
     statement, verdict = None, None
     if stability.rank == 1 and not any(m.trivial for m in stability.multipliers):
