@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.dry_friction
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 09d7fc9637b7ada5 */
+ * SymPy 1.14.0, derivation e3765aa45fa93668 */
 #ifndef DRY_FRICTION_H
 #define DRY_FRICTION_H
 

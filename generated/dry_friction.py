@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.dry_friction
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 09d7fc9637b7ada5
+# SymPy 1.14.0, derivation e3765aa45fa93668
 """Kernels and tables of the system dry-friction, over any arithmetic ``lib``."""
 
-DERIVATION = "09d7fc9637b7ada5"
+DERIVATION = "e3765aa45fa93668"
 
 SYSTEM = {'name': 'dry-friction',
  'description': 'two coupled oscillators on a driving belt with dry friction (Sec. 3)',
@@ -2711,7 +2711,7 @@ def symmetric_trace_gradient(parameters, spectrum, spectrum_derivatives, unknown
         p2_by_eta, p3_by_chi, p3_by_eta, omega3_by_chi, omega3_by_eta.
     Takes unknowns (5): z10, z20, v10, tau, tau1.
     Gives trace_gradient (9).
-    Operations: 1300. Intermediate terms: 390.
+    Operations: 662. Intermediate terms: 146.
     """
     [chi, eta, V, _] = parameters
     [_, omega1, omega2, p1, p2, p3, _] = spectrum
@@ -2726,474 +2726,167 @@ def symmetric_trace_gradient(parameters, spectrum, spectrum_derivatives, unknown
     sin_omega2_tau = lib.sin(t3)
     # slip-slip for tau, until second-reaches-belt
     t6 = 1/omega1
-    t7 = sin_omega1_tau*t6
-    t8 = p1 - 1
-    t10 = 1/omega2
-    t11 = sin_omega2_tau*t10
-    t12 = p1*t7 - t11*t8
-    t13 = cos_omega1_tau*p1 - cos_omega2_tau*t8
+    t7 = p1*sin_omega1_tau
+    t8 = 1/omega2
+    t9 = p1 - 1
+    t11 = -sin_omega2_tau*t9
+    t12 = t11*t8 + t6*t7
+    t13 = cos_omega1_tau*p1 - cos_omega2_tau*t9
     t14 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    t15 = p2*sin_omega1_tau*t6 - p2*t11
-    z1_1 = V*t15 + t12*v10 + t13*z10 + t14*z20
-    t16 = p3*sin_omega1_tau*t6 - p3*t11
-    t17 = cos_omega1_tau*p3 - cos_omega2_tau*p3
-    t18 = -cos_omega1_tau*t8 + cos_omega2_tau*p1
-    t19 = p1*t11 - t7*t8
-    z2_1 = V*t19 + t16*v10 + t17*z10 + t18*z20
-    t20 = omega2*sin_omega2_tau
-    t21 = omega1*sin_omega1_tau
-    t22 = p1*t21 - t20*t8
-    t24 = -omega2*p2*sin_omega2_tau + p2*t21
-    v1_1 = V*t14 + t13*v10 - t22*z10 - t24*z20
-    t26 = -omega2*p3*sin_omega2_tau + p3*t21
-    t28 = p1*t20 - t21*t8
-    v2_1 = V*t18 + t17*v10 - t26*z10 - t28*z20
+    t15 = p2*sin_omega2_tau
+    t16 = p2*sin_omega1_tau*t6 - t15*t8
+    z1_1 = V*t16 + t12*v10 + t13*z10 + t14*z20
+    t17 = p3*sin_omega2_tau
+    t18 = p3*sin_omega1_tau*t6 - t17*t8
+    t19 = cos_omega1_tau*p3 - cos_omega2_tau*p3
+    t20 = -cos_omega1_tau*t9 + cos_omega2_tau*p1
+    t21 = p1*sin_omega2_tau
+    t22 = -sin_omega1_tau*t9
+    t23 = t21*t8 + t22*t6
+    z2_1 = V*t23 + t18*v10 + t19*z10 + t20*z20
+    t24 = -omega2*t9
+    t25 = omega1*p1
+    t26 = sin_omega1_tau*t25 + sin_omega2_tau*t24
+    t28 = omega1*p2
+    t29 = -omega2*p2*sin_omega2_tau + sin_omega1_tau*t28
+    v1_1 = V*t14 + t13*v10 - t26*z10 - t29*z20
+    t31 = omega1*p3
+    t32 = -omega2*p3*sin_omega2_tau + sin_omega1_tau*t31
+    t34 = omega2*p1
+    t35 = -omega1*t9
+    t36 = sin_omega1_tau*t35 + sin_omega2_tau*t34
+    v2_1 = V*t20 + t19*v10 - t32*z10 - t36*z20
     # functions of tau1 in slip-stick
     cos_tau1 = lib.cos(tau1)
     sin_tau1 = lib.sin(tau1)
     # slip-stick for tau1, until second-breaks-forward
-    t33 = chi*cos_tau1
-    t34 = chi - t33
-    t35 = chi*sin_tau1
-    z1_2 = V*(chi*tau1 - t35) + cos_tau1*z1_1 + sin_tau1*v1_1 + t34*z2_1
+    t40 = -chi*cos_tau1 + chi
+    t41 = chi*sin_tau1
+    t42 = chi*tau1 - t41
+    z1_2 = V*t42 + cos_tau1*z1_1 + sin_tau1*v1_1 + t40*z2_1
     z2_2 = V*tau1 + z2_1
-    v1_2 = V*t34 + cos_tau1*v1_1 - sin_tau1*z1_1 + t35*z2_1
+    v1_2 = V*t40 + cos_tau1*v1_1 - sin_tau1*z1_1 + t41*z2_1
     # Phi along tau
     carried_z1_1_by_z20 = t13 + t14
     carried_z1_1_by_v10 = t12
-    carried_z2_1_by_z20 = t17 + t18
-    carried_z2_1_by_v10 = t16
-    carried_v1_1_by_z20 = -t22 - t24
+    carried_z2_1_by_z20 = t19 + t20
+    carried_z2_1_by_v10 = t18
+    carried_v1_1_by_z20 = -t26 - t29
     carried_v1_1_by_v10 = t13
-    carried_v2_1_by_z20 = -t26 - t28
-    carried_v2_1_by_v10 = t17
+    carried_v2_1_by_z20 = -t32 - t36
+    carried_v2_1_by_v10 = t19
     # rate of the exit boundary after tau
-    t36 = eta*z1_1
-    t37 = chi*z2_1
-    rate_1 = chi*t36 - eta*t37
+    t43 = eta*z1_1
+    t44 = chi*z2_1
+    rate_1 = chi*t43 - eta*t44
     # derivatives of the time to the boundary after tau
-    t38 = 1/rate_1
-    delay_tau_by_z20 = -carried_v2_1_by_z20*t38
-    delay_tau_by_v10 = -carried_v2_1_by_v10*t38
+    t45 = 1/rate_1
+    delay_tau_by_z20 = -carried_v2_1_by_z20*t45
+    delay_tau_by_v10 = -carried_v2_1_by_v10*t45
     # perturbation on the boundary after tau
     z1_1_on_boundary_by_z20 = carried_z1_1_by_z20 + delay_tau_by_z20*v1_1
     z1_1_on_boundary_by_v10 = carried_z1_1_by_v10 + delay_tau_by_v10*v1_1
     z2_1_on_boundary_by_z20 = carried_z2_1_by_z20 + delay_tau_by_z20*v2_1
     z2_1_on_boundary_by_v10 = carried_z2_1_by_v10 + delay_tau_by_v10*v2_1
-    t39 = t37 - z1_1
-    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t39
-    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t39
+    t46 = t44 - z1_1
+    v1_1_on_boundary_by_z20 = carried_v1_1_by_z20 + delay_tau_by_z20*t46
+    v1_1_on_boundary_by_v10 = carried_v1_1_by_v10 + delay_tau_by_v10*t46
     # Phi along tau1
-    carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t34*z2_1_on_boundary_by_z20
-    carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t34*z2_1_on_boundary_by_v10
+    carried_z1_2_by_z20 = cos_tau1*z1_1_on_boundary_by_z20 + sin_tau1*v1_1_on_boundary_by_z20 + t40*z2_1_on_boundary_by_z20
+    carried_z1_2_by_v10 = cos_tau1*z1_1_on_boundary_by_v10 + sin_tau1*v1_1_on_boundary_by_v10 + t40*z2_1_on_boundary_by_v10
     # rate of the exit boundary after tau1
-    t40 = V*chi
-    rate_2 = -chi*v1_2 + t40
+    t47 = V*chi
+    rate_2 = -chi*v1_2 + t47
     # derivatives of the time to the boundary after tau1
-    t41 = 1/rate_2
-    t42 = chi*z2_1_on_boundary_by_z20
-    t43 = carried_z1_2_by_z20*chi - t42
-    delay_tau1_by_z20 = t41*t43
-    t44 = chi*z2_1_on_boundary_by_v10
-    t45 = carried_z1_2_by_v10*chi - t44
-    delay_tau1_by_v10 = t41*t45
-    # d/dtau of: functions of tau in slip-slip
-    cos_omega1_tau_by_tau = -omega1*sin_omega1_tau
-    sin_omega1_tau_by_tau = cos_omega1_tau*omega1
-    cos_omega2_tau_by_tau = -omega2*sin_omega2_tau
-    sin_omega2_tau_by_tau = cos_omega2_tau*omega2
-    # d/dchi of: functions of tau in slip-slip
-    t46 = omega1_by_chi*tau
-    cos_omega1_tau_by_chi = -sin_omega1_tau*t46
-    sin_omega1_tau_by_chi = cos_omega1_tau*t46
-    t47 = omega2_by_chi*tau
-    cos_omega2_tau_by_chi = -sin_omega2_tau*t47
-    sin_omega2_tau_by_chi = cos_omega2_tau*t47
-    # d/deta of: functions of tau in slip-slip
-    t48 = omega1_by_eta*tau
-    cos_omega1_tau_by_eta = -sin_omega1_tau*t48
-    sin_omega1_tau_by_eta = cos_omega1_tau*t48
-    t49 = omega2_by_eta*tau
-    cos_omega2_tau_by_eta = -sin_omega2_tau*t49
-    sin_omega2_tau_by_eta = cos_omega2_tau*t49
-    # d/dz10 of: slip-slip for tau, until second-reaches-belt
-    z1_1_by_z10 = t13
-    z2_1_by_z10 = t17
-    v1_1_by_z10 = -t22
-    v2_1_by_z10 = -t26
-    # d/dz20 of: slip-slip for tau, until second-reaches-belt
-    z1_1_by_z20 = t14
-    z2_1_by_z20 = t18
-    v1_1_by_z20 = -t24
-    v2_1_by_z20 = -t28
-    # d/dv10 of: slip-slip for tau, until second-reaches-belt
-    z1_1_by_v10 = t12
-    z2_1_by_v10 = t16
-    v1_1_by_v10 = t13
-    v2_1_by_v10 = t17
-    # d/dtau of: slip-slip for tau, until second-reaches-belt
-    t50 = p1*z10
-    t51 = p2*z20
-    t52 = t50 + t51
-    t53 = -t51 - t8*z10
-    t54 = p1*v10
-    t55 = V*p2
-    t56 = t54*t6 + t55*t6
-    t57 = -t10*t55 - t10*t8*v10
-    z1_1_by_tau = cos_omega1_tau_by_tau*t52 + cos_omega2_tau_by_tau*t53 + sin_omega1_tau_by_tau*t56 + sin_omega2_tau_by_tau*t57
-    t58 = p3*z10
-    t59 = -t8*z20
-    t60 = t58 + t59
-    t61 = p1*z20
-    t62 = -t58 + t61
-    t63 = p3*v10
-    t64 = -V*t8
-    t65 = t6*t63 + t6*t64
+    t48 = 1/rate_2
+    t49 = chi*z2_1_on_boundary_by_z20
+    t50 = carried_z1_2_by_z20*chi - t49
+    delay_tau1_by_z20 = t48*t50
+    t51 = chi*z2_1_on_boundary_by_v10
+    t52 = carried_z1_2_by_v10*chi - t51
+    delay_tau1_by_v10 = t48*t52
+    # back through: derivatives of the time to the boundary after tau1
+    slope_by_delay_tau1_by_v10 = chi*z2_2 - z1_2
+    # back through: rate of the exit boundary after tau1
+    t53 = 1/rate_2**2
+    slope_by_rate_2 = -V*t50*t53 - slope_by_delay_tau1_by_v10*t52*t53
+    # back through: Phi along tau1
+    t54 = slope_by_delay_tau1_by_v10*t48
+    slope_by_carried_z1_2_by_v10 = chi*t54
+    slope_by_carried_z1_2_by_z20 = t47*t48
+    # back through: perturbation on the boundary after tau
+    slope_by_v1_1_on_boundary_by_v10 = cos_tau1 + sin_tau1*slope_by_carried_z1_2_by_v10
+    slope_by_v1_1_on_boundary_by_z20 = sin_tau1*slope_by_carried_z1_2_by_z20
+    slope_by_z2_1_on_boundary_by_v10 = slope_by_carried_z1_2_by_v10*t40 - slope_by_carried_z1_2_by_v10 + t41
+    slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t40 - slope_by_carried_z1_2_by_z20 + 1
+    slope_by_z1_1_on_boundary_by_v10 = cos_tau1*slope_by_carried_z1_2_by_v10 - sin_tau1
+    slope_by_z1_1_on_boundary_by_z20 = cos_tau1*slope_by_carried_z1_2_by_z20
+    # back through: derivatives of the time to the boundary after tau
+    slope_by_delay_tau_by_v10 = slope_by_v1_1_on_boundary_by_v10*t46 + slope_by_z1_1_on_boundary_by_v10*v1_1 + slope_by_z2_1_on_boundary_by_v10*v2_1
+    slope_by_delay_tau_by_z20 = slope_by_v1_1_on_boundary_by_z20*t46 + slope_by_z1_1_on_boundary_by_z20*v1_1 + slope_by_z2_1_on_boundary_by_z20*v2_1
+    # back through: rate of the exit boundary after tau
+    t57 = 1/rate_1**2
+    slope_by_rate_1 = carried_v2_1_by_v10*slope_by_delay_tau_by_v10*t57 + carried_v2_1_by_z20*slope_by_delay_tau_by_z20*t57
+    # back through: Phi along tau
+    slope_by_carried_v2_1_by_v10 = -slope_by_delay_tau_by_v10*t45
+    slope_by_carried_v2_1_by_z20 = -slope_by_delay_tau_by_z20*t45
+    # back through: slip-stick for tau1, until second-breaks-forward
+    t58 = chi*slope_by_rate_2
+    slope_by_v1_2 = -t58
+    slope_by_z2_2 = chi*delay_tau1_by_v10
+    slope_by_z1_2 = -delay_tau1_by_v10
+    # back through: functions of tau1 in slip-stick
+    t59 = -t47 + v1_1
+    t60 = t51 - z1_1_on_boundary_by_v10
+    slope_by_sin_tau1 = slope_by_carried_z1_2_by_v10*v1_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*v1_1_on_boundary_by_z20 + slope_by_v1_2*t46 + slope_by_z1_2*t59 + t60
+    slope_by_cos_tau1 = -slope_by_carried_z1_2_by_v10*t60 + slope_by_carried_z1_2_by_z20*(-t49 + z1_1_on_boundary_by_z20) + slope_by_v1_2*t59 - slope_by_z1_2*t46 + v1_1_on_boundary_by_v10
+    # back through: slip-slip for tau, until second-reaches-belt
+    slope_by_v2_1 = delay_tau_by_v10*slope_by_z2_1_on_boundary_by_v10 + delay_tau_by_z20*slope_by_z2_1_on_boundary_by_z20
+    slope_by_v1_1 = cos_tau1*slope_by_v1_2 + delay_tau_by_v10*slope_by_z1_1_on_boundary_by_v10 + delay_tau_by_z20*slope_by_z1_1_on_boundary_by_z20 + sin_tau1*slope_by_z1_2
+    t61 = delay_tau_by_v10*slope_by_v1_1_on_boundary_by_v10
+    t62 = delay_tau_by_z20*slope_by_v1_1_on_boundary_by_z20
+    t63 = -chi*eta*slope_by_rate_1
+    slope_by_z2_1 = chi*t61 + chi*t62 + slope_by_v1_2*t41 + slope_by_z1_2*t40 + slope_by_z2_2 + t63
+    slope_by_z1_1 = cos_tau1*slope_by_z1_2 - sin_tau1*slope_by_v1_2 - t61 - t62 - t63
+    # back through: functions of tau in slip-slip
+    t64 = omega2*p2
+    t65 = V*p2
     t66 = V*p1
-    t67 = -t10*t63 + t10*t66
-    z2_1_by_tau = cos_omega1_tau_by_tau*t60 + cos_omega2_tau_by_tau*t62 + sin_omega1_tau_by_tau*t65 + sin_omega2_tau_by_tau*t67
-    t68 = t54 + t55
-    t69 = -t55 - t8*v10
-    t70 = -omega1*t50 - omega1*t51
-    t71 = -t8*z10
-    t72 = omega2*t51 - omega2*t71
-    v1_1_by_tau = cos_omega1_tau_by_tau*t68 + cos_omega2_tau_by_tau*t69 + sin_omega1_tau_by_tau*t70 + sin_omega2_tau_by_tau*t72
-    t73 = t63 + t64
-    t74 = -t63 + t66
-    t75 = -omega1*t58 - omega1*t59
-    t76 = omega2*p3*z10 - omega2*t61
-    v2_1_by_tau = cos_omega1_tau_by_tau*t73 + cos_omega2_tau_by_tau*t74 + sin_omega1_tau_by_tau*t75 + sin_omega2_tau_by_tau*t76
-    # d/dchi of: slip-slip for tau, until second-reaches-belt
-    t77 = 1/omega1**2
-    t78 = sin_omega1_tau*t77
-    t79 = -t54*t78 - t55*t78
-    t80 = 1/omega2**2
-    t81 = sin_omega2_tau*t80
-    t82 = t55*t81 + t8*t81*v10
-    t83 = -sin_omega1_tau*t6 + t11
-    t85 = cos_omega1_tau - cos_omega2_tau
-    t86 = -t83*v10 + t85*z10
-    t87 = -V*t83 + t85*z20
-    z1_1_by_chi = cos_omega1_tau_by_chi*t52 + cos_omega2_tau_by_chi*t53 + omega1_by_chi*t79 + omega2_by_chi*t82 + p1_by_chi*t86 + p2_by_chi*t87 + sin_omega1_tau_by_chi*t56 + sin_omega2_tau_by_chi*t57
-    t88 = -t63*t78 - t64*t78
-    t89 = p3*sin_omega2_tau*t80*v10 - t66*t81
-    t91 = V*t83 - t85*z20
-    z2_1_by_chi = cos_omega1_tau_by_chi*t60 + cos_omega2_tau_by_chi*t62 + omega1_by_chi*t88 + omega2_by_chi*t89 + p1_by_chi*t91 + p3_by_chi*t86 + sin_omega1_tau_by_chi*t65 + sin_omega2_tau_by_chi*t67
-    t92 = -sin_omega1_tau*t50 - sin_omega1_tau*t51
-    t93 = sin_omega2_tau*t51 - sin_omega2_tau*t71
-    t94 = -omega2*sin_omega2_tau + t21
-    t96 = t85*v10 - t94*z10
-    t97 = V*t85 - t94*z20
-    v1_1_by_chi = cos_omega1_tau_by_chi*t68 + cos_omega2_tau_by_chi*t69 + omega1_by_chi*t92 + omega2_by_chi*t93 + p1_by_chi*t96 + p2_by_chi*t97 + sin_omega1_tau_by_chi*t70 + sin_omega2_tau_by_chi*t72
-    t98 = -sin_omega1_tau*t58 - sin_omega1_tau*t59
-    t99 = p3*sin_omega2_tau*z10 - sin_omega2_tau*t61
-    t100 = -V*t85 + t94*z20
-    v2_1_by_chi = cos_omega1_tau_by_chi*t73 + cos_omega2_tau_by_chi*t74 + omega1_by_chi*t98 + omega2_by_chi*t99 + p1_by_chi*t100 + p3_by_chi*t96 + sin_omega1_tau_by_chi*t75 + sin_omega2_tau_by_chi*t76
-    # d/deta of: slip-slip for tau, until second-reaches-belt
-    z1_1_by_eta = cos_omega1_tau_by_eta*t52 + cos_omega2_tau_by_eta*t53 + omega1_by_eta*t79 + omega2_by_eta*t82 + p1_by_eta*t86 + p2_by_eta*t87 + sin_omega1_tau_by_eta*t56 + sin_omega2_tau_by_eta*t57
-    z2_1_by_eta = cos_omega1_tau_by_eta*t60 + cos_omega2_tau_by_eta*t62 + omega1_by_eta*t88 + omega2_by_eta*t89 + p1_by_eta*t91 + p3_by_eta*t86 + sin_omega1_tau_by_eta*t65 + sin_omega2_tau_by_eta*t67
-    v1_1_by_eta = cos_omega1_tau_by_eta*t68 + cos_omega2_tau_by_eta*t69 + omega1_by_eta*t92 + omega2_by_eta*t93 + p1_by_eta*t96 + p2_by_eta*t97 + sin_omega1_tau_by_eta*t70 + sin_omega2_tau_by_eta*t72
-    v2_1_by_eta = cos_omega1_tau_by_eta*t73 + cos_omega2_tau_by_eta*t74 + omega1_by_eta*t98 + omega2_by_eta*t99 + p1_by_eta*t100 + p3_by_eta*t96 + sin_omega1_tau_by_eta*t75 + sin_omega2_tau_by_eta*t76
-    # d/dV of: slip-slip for tau, until second-reaches-belt
-    z1_1_by_V = t15
-    z2_1_by_V = t19
-    v1_1_by_V = t14
-    v2_1_by_V = t18
-    # d/dtau1 of: functions of tau1 in slip-stick
-    cos_tau1_by_tau1 = -sin_tau1
-    sin_tau1_by_tau1 = cos_tau1
-    # d/dz10 of: slip-stick for tau1, until second-breaks-forward
-    z1_2_by_z10 = cos_tau1*z1_1_by_z10 + sin_tau1*v1_1_by_z10 + t34*z2_1_by_z10
-    v1_2_by_z10 = cos_tau1*v1_1_by_z10 - sin_tau1*z1_1_by_z10 + t35*z2_1_by_z10
-    # d/dz20 of: slip-stick for tau1, until second-breaks-forward
-    z1_2_by_z20 = cos_tau1*z1_1_by_z20 + sin_tau1*v1_1_by_z20 + t34*z2_1_by_z20
-    v1_2_by_z20 = cos_tau1*v1_1_by_z20 - sin_tau1*z1_1_by_z20 + t35*z2_1_by_z20
-    # d/dv10 of: slip-stick for tau1, until second-breaks-forward
-    z1_2_by_v10 = cos_tau1*z1_1_by_v10 + sin_tau1*v1_1_by_v10 + t34*z2_1_by_v10
-    v1_2_by_v10 = cos_tau1*v1_1_by_v10 - sin_tau1*z1_1_by_v10 + t35*z2_1_by_v10
-    # d/dtau of: slip-stick for tau1, until second-breaks-forward
-    z1_2_by_tau = cos_tau1*z1_1_by_tau + sin_tau1*v1_1_by_tau + t34*z2_1_by_tau
-    v1_2_by_tau = cos_tau1*v1_1_by_tau - sin_tau1*z1_1_by_tau + t35*z2_1_by_tau
-    # d/dtau1 of: slip-stick for tau1, until second-breaks-forward
-    t101 = -t40 + v1_1
-    z1_2_by_tau1 = -cos_tau1_by_tau1*t39 + sin_tau1_by_tau1*t101 + t40
-    v1_2_by_tau1 = cos_tau1_by_tau1*t101 + sin_tau1_by_tau1*t39
-    # d/dchi of: slip-stick for tau1, until second-breaks-forward
-    t102 = 1 - cos_tau1
-    z1_2_by_chi = V*(-sin_tau1 + tau1) + cos_tau1*z1_1_by_chi + sin_tau1*v1_1_by_chi + t102*z2_1 + t34*z2_1_by_chi
-    v1_2_by_chi = V*t102 + cos_tau1*v1_1_by_chi - sin_tau1*z1_1_by_chi + sin_tau1*z2_1 + t35*z2_1_by_chi
-    # d/deta of: slip-stick for tau1, until second-breaks-forward
-    z1_2_by_eta = cos_tau1*z1_1_by_eta + sin_tau1*v1_1_by_eta + t34*z2_1_by_eta
-    v1_2_by_eta = cos_tau1*v1_1_by_eta - sin_tau1*z1_1_by_eta + t35*z2_1_by_eta
-    # d/dV of: slip-stick for tau1, until second-breaks-forward
-    z1_2_by_V = chi*tau1 + cos_tau1*z1_1_by_V + sin_tau1*v1_1_by_V + t34*z2_1_by_V - t35
-    z2_2_by_V = tau1 + z2_1_by_V
-    v1_2_by_V = chi + cos_tau1*v1_1_by_V - sin_tau1*z1_1_by_V - t33 + t35*z2_1_by_V
-    # d/dtau of: Phi along tau
-    t103 = p1 + p2
-    t104 = -p2 - t8
-    carried_z1_1_by_z20_by_tau = cos_omega1_tau_by_tau*t103 + cos_omega2_tau_by_tau*t104
-    t105 = sin_omega2_tau_by_tau*t10
-    carried_z1_1_by_v10_by_tau = p1*sin_omega1_tau_by_tau*t6 - t105*t8
-    t106 = -p1 + p3 + 1
-    t107 = p1 - p3
-    carried_z2_1_by_z20_by_tau = cos_omega1_tau_by_tau*t106 + cos_omega2_tau_by_tau*t107
-    carried_z2_1_by_v10_by_tau = p3*sin_omega1_tau_by_tau*t6 - p3*t105
-    t108 = -omega1*p1 - omega1*p2
-    t109 = omega2*p2 + omega2*t8
-    carried_v1_1_by_z20_by_tau = sin_omega1_tau_by_tau*t108 + sin_omega2_tau_by_tau*t109
-    carried_v1_1_by_v10_by_tau = cos_omega1_tau_by_tau*p1 - cos_omega2_tau_by_tau*t8
-    t110 = -omega1*p3 + omega1*t8
-    t111 = -omega2*p1 + omega2*p3
-    carried_v2_1_by_z20_by_tau = sin_omega1_tau_by_tau*t110 + sin_omega2_tau_by_tau*t111
-    carried_v2_1_by_v10_by_tau = cos_omega1_tau_by_tau*p3 - cos_omega2_tau_by_tau*p3
-    # d/dchi of: Phi along tau
-    t112 = p1_by_chi*t85
-    carried_z1_1_by_z20_by_chi = cos_omega1_tau_by_chi*t103 + cos_omega2_tau_by_chi*t104 + p2_by_chi*t85 + t112
-    t113 = sin_omega1_tau_by_chi*t6
-    t114 = sin_omega2_tau_by_chi*t10
-    t115 = p1*sin_omega1_tau
-    t116 = omega1_by_chi*t77
-    t117 = -sin_omega2_tau*t8
-    t118 = omega2_by_chi*t80
-    carried_z1_1_by_v10_by_chi = p1*t113 - p1_by_chi*t83 - t114*t8 - t115*t116 - t117*t118
-    t119 = p3_by_chi*t85
-    carried_z2_1_by_z20_by_chi = cos_omega1_tau_by_chi*t106 + cos_omega2_tau_by_chi*t107 - p1_by_chi*t85 + t119
-    t120 = p3*sin_omega2_tau
-    t121 = p3*sin_omega1_tau
-    carried_z2_1_by_v10_by_chi = p3*t113 - p3*t114 - p3_by_chi*t83 - t116*t121 + t118*t120
-    t122 = -p2*sin_omega1_tau - t115
-    t123 = p2*sin_omega2_tau - t117
-    carried_v1_1_by_z20_by_chi = omega1_by_chi*t122 + omega2_by_chi*t123 - p1_by_chi*t94 - p2_by_chi*t94 + sin_omega1_tau_by_chi*t108 + sin_omega2_tau_by_chi*t109
-    carried_v1_1_by_v10_by_chi = cos_omega1_tau_by_chi*p1 - cos_omega2_tau_by_chi*t8 + t112
-    t124 = sin_omega1_tau*t8 - t121
-    t125 = -p1*sin_omega2_tau + p3*sin_omega2_tau
-    carried_v2_1_by_z20_by_chi = omega1_by_chi*t124 + omega2_by_chi*t125 + p1_by_chi*t94 - p3_by_chi*t94 + sin_omega1_tau_by_chi*t110 + sin_omega2_tau_by_chi*t111
-    carried_v2_1_by_v10_by_chi = cos_omega1_tau_by_chi*p3 - cos_omega2_tau_by_chi*p3 + t119
-    # d/deta of: Phi along tau
-    t126 = p1_by_eta*t85
-    carried_z1_1_by_z20_by_eta = cos_omega1_tau_by_eta*t103 + cos_omega2_tau_by_eta*t104 + p2_by_eta*t85 + t126
-    t127 = sin_omega1_tau_by_eta*t6
-    t128 = sin_omega2_tau_by_eta*t10
-    t129 = omega1_by_eta*t77
-    t130 = omega2_by_eta*t80
-    carried_z1_1_by_v10_by_eta = p1*t127 - p1_by_eta*t83 - t115*t129 - t117*t130 - t128*t8
-    t131 = p3_by_eta*t85
-    carried_z2_1_by_z20_by_eta = cos_omega1_tau_by_eta*t106 + cos_omega2_tau_by_eta*t107 - p1_by_eta*t85 + t131
-    carried_z2_1_by_v10_by_eta = p3*t127 - p3*t128 - p3_by_eta*t83 + t120*t130 - t121*t129
-    carried_v1_1_by_z20_by_eta = omega1_by_eta*t122 + omega2_by_eta*t123 - p1_by_eta*t94 - p2_by_eta*t94 + sin_omega1_tau_by_eta*t108 + sin_omega2_tau_by_eta*t109
-    carried_v1_1_by_v10_by_eta = cos_omega1_tau_by_eta*p1 - cos_omega2_tau_by_eta*t8 + t126
-    carried_v2_1_by_z20_by_eta = omega1_by_eta*t124 + omega2_by_eta*t125 + p1_by_eta*t94 - p3_by_eta*t94 + sin_omega1_tau_by_eta*t110 + sin_omega2_tau_by_eta*t111
-    carried_v2_1_by_v10_by_eta = cos_omega1_tau_by_eta*p3 - cos_omega2_tau_by_eta*p3 + t131
-    # d/dz10 of: rate of the exit boundary after tau
-    t132 = chi*eta
-    rate_1_by_z10 = t132*z1_1_by_z10 - t132*z2_1_by_z10
-    # d/dz20 of: rate of the exit boundary after tau
-    rate_1_by_z20 = t132*z1_1_by_z20 - t132*z2_1_by_z20
-    # d/dv10 of: rate of the exit boundary after tau
-    rate_1_by_v10 = t132*z1_1_by_v10 - t132*z2_1_by_v10
-    # d/dtau of: rate of the exit boundary after tau
-    rate_1_by_tau = t132*z1_1_by_tau - t132*z2_1_by_tau
-    # d/dchi of: rate of the exit boundary after tau
-    rate_1_by_chi = -eta*z2_1 + t132*z1_1_by_chi - t132*z2_1_by_chi + t36
-    # d/deta of: rate of the exit boundary after tau
-    rate_1_by_eta = chi*z1_1 + t132*z1_1_by_eta - t132*z2_1_by_eta - t37
-    # d/dV of: rate of the exit boundary after tau
-    rate_1_by_V = t132*z1_1_by_V - t132*z2_1_by_V
-    # d/dz10 of: derivatives of the time to the boundary after tau
-    t133 = 1/rate_1**2
-    t134 = rate_1_by_z10*t133
-    delay_tau_by_z20_by_z10 = carried_v2_1_by_z20*t134
-    delay_tau_by_v10_by_z10 = carried_v2_1_by_v10*t134
-    # d/dz20 of: derivatives of the time to the boundary after tau
-    t135 = rate_1_by_z20*t133
-    delay_tau_by_z20_by_z20 = carried_v2_1_by_z20*t135
-    delay_tau_by_v10_by_z20 = carried_v2_1_by_v10*t135
-    # d/dv10 of: derivatives of the time to the boundary after tau
-    t136 = rate_1_by_v10*t133
-    delay_tau_by_z20_by_v10 = carried_v2_1_by_z20*t136
-    delay_tau_by_v10_by_v10 = carried_v2_1_by_v10*t136
-    # d/dtau of: derivatives of the time to the boundary after tau
-    t137 = rate_1_by_tau*t133
-    delay_tau_by_z20_by_tau = carried_v2_1_by_z20*t137 - carried_v2_1_by_z20_by_tau*t38
-    delay_tau_by_v10_by_tau = carried_v2_1_by_v10*t137 - carried_v2_1_by_v10_by_tau*t38
-    # d/dchi of: derivatives of the time to the boundary after tau
-    t138 = rate_1_by_chi*t133
-    delay_tau_by_z20_by_chi = carried_v2_1_by_z20*t138 - carried_v2_1_by_z20_by_chi*t38
-    delay_tau_by_v10_by_chi = carried_v2_1_by_v10*t138 - carried_v2_1_by_v10_by_chi*t38
-    # d/deta of: derivatives of the time to the boundary after tau
-    t139 = rate_1_by_eta*t133
-    delay_tau_by_z20_by_eta = carried_v2_1_by_z20*t139 - carried_v2_1_by_z20_by_eta*t38
-    delay_tau_by_v10_by_eta = carried_v2_1_by_v10*t139 - carried_v2_1_by_v10_by_eta*t38
-    # d/dV of: derivatives of the time to the boundary after tau
-    t140 = rate_1_by_V*t133
-    delay_tau_by_z20_by_V = carried_v2_1_by_z20*t140
-    delay_tau_by_v10_by_V = carried_v2_1_by_v10*t140
-    # d/dz10 of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*v1_1_by_z10 + delay_tau_by_z20_by_z10*v1_1
-    z1_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*v1_1_by_z10 + delay_tau_by_v10_by_z10*v1_1
-    z2_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*v2_1_by_z10 + delay_tau_by_z20_by_z10*v2_1
-    z2_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*v2_1_by_z10 + delay_tau_by_v10_by_z10*v2_1
-    t141 = chi*z2_1_by_z10
-    v1_1_on_boundary_by_z20_by_z10 = delay_tau_by_z20*t141 - delay_tau_by_z20*z1_1_by_z10 + delay_tau_by_z20_by_z10*t39
-    v1_1_on_boundary_by_v10_by_z10 = delay_tau_by_v10*t141 - delay_tau_by_v10*z1_1_by_z10 + delay_tau_by_v10_by_z10*t39
-    # d/dz20 of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*v1_1_by_z20 + delay_tau_by_z20_by_z20*v1_1
-    z1_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*v1_1_by_z20 + delay_tau_by_v10_by_z20*v1_1
-    z2_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*v2_1_by_z20 + delay_tau_by_z20_by_z20*v2_1
-    z2_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*v2_1_by_z20 + delay_tau_by_v10_by_z20*v2_1
-    t142 = chi*z2_1_by_z20
-    v1_1_on_boundary_by_z20_by_z20 = delay_tau_by_z20*t142 - delay_tau_by_z20*z1_1_by_z20 + delay_tau_by_z20_by_z20*t39
-    v1_1_on_boundary_by_v10_by_z20 = delay_tau_by_v10*t142 - delay_tau_by_v10*z1_1_by_z20 + delay_tau_by_v10_by_z20*t39
-    # d/dv10 of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*v1_1_by_v10 + delay_tau_by_z20_by_v10*v1_1
-    z1_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*v1_1_by_v10 + delay_tau_by_v10_by_v10*v1_1
-    z2_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*v2_1_by_v10 + delay_tau_by_z20_by_v10*v2_1
-    z2_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*v2_1_by_v10 + delay_tau_by_v10_by_v10*v2_1
-    t143 = chi*z2_1_by_v10
-    v1_1_on_boundary_by_z20_by_v10 = delay_tau_by_z20*t143 - delay_tau_by_z20*z1_1_by_v10 + delay_tau_by_z20_by_v10*t39
-    v1_1_on_boundary_by_v10_by_v10 = delay_tau_by_v10*t143 - delay_tau_by_v10*z1_1_by_v10 + delay_tau_by_v10_by_v10*t39
-    # d/dtau of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_tau = carried_z1_1_by_z20_by_tau + delay_tau_by_z20*v1_1_by_tau + delay_tau_by_z20_by_tau*v1_1
-    z1_1_on_boundary_by_v10_by_tau = carried_z1_1_by_v10_by_tau + delay_tau_by_v10*v1_1_by_tau + delay_tau_by_v10_by_tau*v1_1
-    z2_1_on_boundary_by_z20_by_tau = carried_z2_1_by_z20_by_tau + delay_tau_by_z20*v2_1_by_tau + delay_tau_by_z20_by_tau*v2_1
-    z2_1_on_boundary_by_v10_by_tau = carried_z2_1_by_v10_by_tau + delay_tau_by_v10*v2_1_by_tau + delay_tau_by_v10_by_tau*v2_1
-    t144 = chi*z2_1_by_tau
-    v1_1_on_boundary_by_z20_by_tau = carried_v1_1_by_z20_by_tau + delay_tau_by_z20*t144 - delay_tau_by_z20*z1_1_by_tau + delay_tau_by_z20_by_tau*t39
-    v1_1_on_boundary_by_v10_by_tau = carried_v1_1_by_v10_by_tau + delay_tau_by_v10*t144 - delay_tau_by_v10*z1_1_by_tau + delay_tau_by_v10_by_tau*t39
-    # d/dchi of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_chi = carried_z1_1_by_z20_by_chi + delay_tau_by_z20*v1_1_by_chi + delay_tau_by_z20_by_chi*v1_1
-    z1_1_on_boundary_by_v10_by_chi = carried_z1_1_by_v10_by_chi + delay_tau_by_v10*v1_1_by_chi + delay_tau_by_v10_by_chi*v1_1
-    z2_1_on_boundary_by_z20_by_chi = carried_z2_1_by_z20_by_chi + delay_tau_by_z20*v2_1_by_chi + delay_tau_by_z20_by_chi*v2_1
-    z2_1_on_boundary_by_v10_by_chi = carried_z2_1_by_v10_by_chi + delay_tau_by_v10*v2_1_by_chi + delay_tau_by_v10_by_chi*v2_1
-    t145 = chi*z2_1_by_chi
-    v1_1_on_boundary_by_z20_by_chi = carried_v1_1_by_z20_by_chi + delay_tau_by_z20*t145 - delay_tau_by_z20*z1_1_by_chi + delay_tau_by_z20*z2_1 + delay_tau_by_z20_by_chi*t39
-    v1_1_on_boundary_by_v10_by_chi = carried_v1_1_by_v10_by_chi + delay_tau_by_v10*t145 - delay_tau_by_v10*z1_1_by_chi + delay_tau_by_v10*z2_1 + delay_tau_by_v10_by_chi*t39
-    # d/deta of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_eta = carried_z1_1_by_z20_by_eta + delay_tau_by_z20*v1_1_by_eta + delay_tau_by_z20_by_eta*v1_1
-    z1_1_on_boundary_by_v10_by_eta = carried_z1_1_by_v10_by_eta + delay_tau_by_v10*v1_1_by_eta + delay_tau_by_v10_by_eta*v1_1
-    z2_1_on_boundary_by_z20_by_eta = carried_z2_1_by_z20_by_eta + delay_tau_by_z20*v2_1_by_eta + delay_tau_by_z20_by_eta*v2_1
-    z2_1_on_boundary_by_v10_by_eta = carried_z2_1_by_v10_by_eta + delay_tau_by_v10*v2_1_by_eta + delay_tau_by_v10_by_eta*v2_1
-    t146 = chi*z2_1_by_eta
-    v1_1_on_boundary_by_z20_by_eta = carried_v1_1_by_z20_by_eta + delay_tau_by_z20*t146 - delay_tau_by_z20*z1_1_by_eta + delay_tau_by_z20_by_eta*t39
-    v1_1_on_boundary_by_v10_by_eta = carried_v1_1_by_v10_by_eta + delay_tau_by_v10*t146 - delay_tau_by_v10*z1_1_by_eta + delay_tau_by_v10_by_eta*t39
-    # d/dV of: perturbation on the boundary after tau
-    z1_1_on_boundary_by_z20_by_V = delay_tau_by_z20*v1_1_by_V + delay_tau_by_z20_by_V*v1_1
-    z1_1_on_boundary_by_v10_by_V = delay_tau_by_v10*v1_1_by_V + delay_tau_by_v10_by_V*v1_1
-    z2_1_on_boundary_by_z20_by_V = delay_tau_by_z20*v2_1_by_V + delay_tau_by_z20_by_V*v2_1
-    z2_1_on_boundary_by_v10_by_V = delay_tau_by_v10*v2_1_by_V + delay_tau_by_v10_by_V*v2_1
-    t147 = chi*z2_1_by_V
-    v1_1_on_boundary_by_z20_by_V = delay_tau_by_z20*t147 - delay_tau_by_z20*z1_1_by_V + delay_tau_by_z20_by_V*t39
-    v1_1_on_boundary_by_v10_by_V = delay_tau_by_v10*t147 - delay_tau_by_v10*z1_1_by_V + delay_tau_by_v10_by_V*t39
-    # d/dz10 of: Phi along tau1
-    carried_z1_2_by_z20_by_z10 = cos_tau1*z1_1_on_boundary_by_z20_by_z10 + sin_tau1*v1_1_on_boundary_by_z20_by_z10 + t34*z2_1_on_boundary_by_z20_by_z10
-    carried_z1_2_by_v10_by_z10 = cos_tau1*z1_1_on_boundary_by_v10_by_z10 + sin_tau1*v1_1_on_boundary_by_v10_by_z10 + t34*z2_1_on_boundary_by_v10_by_z10
-    carried_v1_2_by_v10_by_z10 = cos_tau1*v1_1_on_boundary_by_v10_by_z10 - sin_tau1*z1_1_on_boundary_by_v10_by_z10 + t35*z2_1_on_boundary_by_v10_by_z10
-    # d/dz20 of: Phi along tau1
-    carried_z1_2_by_z20_by_z20 = cos_tau1*z1_1_on_boundary_by_z20_by_z20 + sin_tau1*v1_1_on_boundary_by_z20_by_z20 + t34*z2_1_on_boundary_by_z20_by_z20
-    carried_z1_2_by_v10_by_z20 = cos_tau1*z1_1_on_boundary_by_v10_by_z20 + sin_tau1*v1_1_on_boundary_by_v10_by_z20 + t34*z2_1_on_boundary_by_v10_by_z20
-    carried_v1_2_by_v10_by_z20 = cos_tau1*v1_1_on_boundary_by_v10_by_z20 - sin_tau1*z1_1_on_boundary_by_v10_by_z20 + t35*z2_1_on_boundary_by_v10_by_z20
-    # d/dv10 of: Phi along tau1
-    carried_z1_2_by_z20_by_v10 = cos_tau1*z1_1_on_boundary_by_z20_by_v10 + sin_tau1*v1_1_on_boundary_by_z20_by_v10 + t34*z2_1_on_boundary_by_z20_by_v10
-    carried_z1_2_by_v10_by_v10 = cos_tau1*z1_1_on_boundary_by_v10_by_v10 + sin_tau1*v1_1_on_boundary_by_v10_by_v10 + t34*z2_1_on_boundary_by_v10_by_v10
-    carried_v1_2_by_v10_by_v10 = cos_tau1*v1_1_on_boundary_by_v10_by_v10 - sin_tau1*z1_1_on_boundary_by_v10_by_v10 + t35*z2_1_on_boundary_by_v10_by_v10
-    # d/dtau of: Phi along tau1
-    carried_z1_2_by_z20_by_tau = cos_tau1*z1_1_on_boundary_by_z20_by_tau + sin_tau1*v1_1_on_boundary_by_z20_by_tau + t34*z2_1_on_boundary_by_z20_by_tau
-    carried_z1_2_by_v10_by_tau = cos_tau1*z1_1_on_boundary_by_v10_by_tau + sin_tau1*v1_1_on_boundary_by_v10_by_tau + t34*z2_1_on_boundary_by_v10_by_tau
-    carried_v1_2_by_v10_by_tau = cos_tau1*v1_1_on_boundary_by_v10_by_tau - sin_tau1*z1_1_on_boundary_by_v10_by_tau + t35*z2_1_on_boundary_by_v10_by_tau
-    # d/dtau1 of: Phi along tau1
-    carried_z1_2_by_z20_by_tau1 = cos_tau1_by_tau1*(-t42 + z1_1_on_boundary_by_z20) + sin_tau1_by_tau1*v1_1_on_boundary_by_z20
-    t148 = t44 - z1_1_on_boundary_by_v10
-    carried_z1_2_by_v10_by_tau1 = -cos_tau1_by_tau1*t148 + sin_tau1_by_tau1*v1_1_on_boundary_by_v10
-    carried_v1_2_by_v10_by_tau1 = cos_tau1_by_tau1*v1_1_on_boundary_by_v10 + sin_tau1_by_tau1*t148
-    # d/dchi of: Phi along tau1
-    carried_z1_2_by_z20_by_chi = cos_tau1*z1_1_on_boundary_by_z20_by_chi + sin_tau1*v1_1_on_boundary_by_z20_by_chi + t102*z2_1_on_boundary_by_z20 + t34*z2_1_on_boundary_by_z20_by_chi
-    carried_z1_2_by_v10_by_chi = cos_tau1*z1_1_on_boundary_by_v10_by_chi + sin_tau1*v1_1_on_boundary_by_v10_by_chi + t102*z2_1_on_boundary_by_v10 + t34*z2_1_on_boundary_by_v10_by_chi
-    carried_v1_2_by_v10_by_chi = cos_tau1*v1_1_on_boundary_by_v10_by_chi - sin_tau1*z1_1_on_boundary_by_v10_by_chi + sin_tau1*z2_1_on_boundary_by_v10 + t35*z2_1_on_boundary_by_v10_by_chi
-    # d/deta of: Phi along tau1
-    carried_z1_2_by_z20_by_eta = cos_tau1*z1_1_on_boundary_by_z20_by_eta + sin_tau1*v1_1_on_boundary_by_z20_by_eta + t34*z2_1_on_boundary_by_z20_by_eta
-    carried_z1_2_by_v10_by_eta = cos_tau1*z1_1_on_boundary_by_v10_by_eta + sin_tau1*v1_1_on_boundary_by_v10_by_eta + t34*z2_1_on_boundary_by_v10_by_eta
-    carried_v1_2_by_v10_by_eta = cos_tau1*v1_1_on_boundary_by_v10_by_eta - sin_tau1*z1_1_on_boundary_by_v10_by_eta + t35*z2_1_on_boundary_by_v10_by_eta
-    # d/dV of: Phi along tau1
-    carried_z1_2_by_z20_by_V = cos_tau1*z1_1_on_boundary_by_z20_by_V + sin_tau1*v1_1_on_boundary_by_z20_by_V + t34*z2_1_on_boundary_by_z20_by_V
-    carried_z1_2_by_v10_by_V = cos_tau1*z1_1_on_boundary_by_v10_by_V + sin_tau1*v1_1_on_boundary_by_v10_by_V + t34*z2_1_on_boundary_by_v10_by_V
-    carried_v1_2_by_v10_by_V = cos_tau1*v1_1_on_boundary_by_v10_by_V - sin_tau1*z1_1_on_boundary_by_v10_by_V + t35*z2_1_on_boundary_by_v10_by_V
-    # d/dz10 of: rate of the exit boundary after tau1
-    rate_2_by_z10 = -chi*v1_2_by_z10
-    # d/dz20 of: rate of the exit boundary after tau1
-    rate_2_by_z20 = -chi*v1_2_by_z20
-    # d/dv10 of: rate of the exit boundary after tau1
-    rate_2_by_v10 = -chi*v1_2_by_v10
-    # d/dtau of: rate of the exit boundary after tau1
-    rate_2_by_tau = -chi*v1_2_by_tau
-    # d/dtau1 of: rate of the exit boundary after tau1
-    rate_2_by_tau1 = -chi*v1_2_by_tau1
-    # d/dchi of: rate of the exit boundary after tau1
-    rate_2_by_chi = V - chi*v1_2_by_chi - v1_2
-    # d/deta of: rate of the exit boundary after tau1
-    rate_2_by_eta = -chi*v1_2_by_eta
-    # d/dV of: rate of the exit boundary after tau1
-    rate_2_by_V = -chi*v1_2_by_V + chi
-    # d/dz10 of: derivatives of the time to the boundary after tau1
-    t149 = 1/rate_2**2
-    t150 = rate_2_by_z10*t149
-    t151 = chi*t41
-    delay_tau1_by_z20_by_z10 = carried_z1_2_by_z20_by_z10*chi*t41 - t150*t43 - t151*z2_1_on_boundary_by_z20_by_z10
-    delay_tau1_by_v10_by_z10 = carried_z1_2_by_v10_by_z10*chi*t41 - t150*t45 - t151*z2_1_on_boundary_by_v10_by_z10
-    # d/dz20 of: derivatives of the time to the boundary after tau1
-    t152 = rate_2_by_z20*t149
-    delay_tau1_by_z20_by_z20 = carried_z1_2_by_z20_by_z20*chi*t41 - t151*z2_1_on_boundary_by_z20_by_z20 - t152*t43
-    delay_tau1_by_v10_by_z20 = carried_z1_2_by_v10_by_z20*chi*t41 - t151*z2_1_on_boundary_by_v10_by_z20 - t152*t45
-    # d/dv10 of: derivatives of the time to the boundary after tau1
-    t153 = rate_2_by_v10*t149
-    delay_tau1_by_z20_by_v10 = carried_z1_2_by_z20_by_v10*chi*t41 - t151*z2_1_on_boundary_by_z20_by_v10 - t153*t43
-    delay_tau1_by_v10_by_v10 = carried_z1_2_by_v10_by_v10*chi*t41 - t151*z2_1_on_boundary_by_v10_by_v10 - t153*t45
-    # d/dtau of: derivatives of the time to the boundary after tau1
-    t154 = rate_2_by_tau*t149
-    delay_tau1_by_z20_by_tau = carried_z1_2_by_z20_by_tau*chi*t41 - t151*z2_1_on_boundary_by_z20_by_tau - t154*t43
-    delay_tau1_by_v10_by_tau = carried_z1_2_by_v10_by_tau*chi*t41 - t151*z2_1_on_boundary_by_v10_by_tau - t154*t45
-    # d/dtau1 of: derivatives of the time to the boundary after tau1
-    t155 = rate_2_by_tau1*t149
-    delay_tau1_by_z20_by_tau1 = carried_z1_2_by_z20_by_tau1*t151 - t155*t43
-    delay_tau1_by_v10_by_tau1 = carried_z1_2_by_v10_by_tau1*t151 - t155*t45
-    # d/dchi of: derivatives of the time to the boundary after tau1
-    t156 = rate_2_by_chi*t149
-    delay_tau1_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t151 - t151*z2_1_on_boundary_by_z20_by_chi - t156*t43 + t41*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20)
-    delay_tau1_by_v10_by_chi = carried_z1_2_by_v10_by_chi*t151 - t151*z2_1_on_boundary_by_v10_by_chi - t156*t45 + t41*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10)
-    # d/deta of: derivatives of the time to the boundary after tau1
-    t157 = rate_2_by_eta*t149
-    delay_tau1_by_z20_by_eta = carried_z1_2_by_z20_by_eta*chi*t41 - t151*z2_1_on_boundary_by_z20_by_eta - t157*t43
-    delay_tau1_by_v10_by_eta = carried_z1_2_by_v10_by_eta*chi*t41 - t151*z2_1_on_boundary_by_v10_by_eta - t157*t45
-    # d/dV of: derivatives of the time to the boundary after tau1
-    t158 = rate_2_by_V*t149
-    delay_tau1_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t41 - t151*z2_1_on_boundary_by_z20_by_V - t158*t43
-    delay_tau1_by_v10_by_V = carried_z1_2_by_v10_by_V*chi*t41 - t151*z2_1_on_boundary_by_v10_by_V - t158*t45
-    # d/dz10 of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_z10 = V*delay_tau1_by_z20_by_z10 + z2_1_on_boundary_by_z20_by_z10
-    t159 = chi*z2_2 - z1_2
-    v1_2_on_boundary_by_v10_by_z10 = carried_v1_2_by_v10_by_z10 + delay_tau1_by_v10*t141 - delay_tau1_by_v10*z1_2_by_z10 + delay_tau1_by_v10_by_z10*t159
-    # d/dz20 of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_z20 = V*delay_tau1_by_z20_by_z20 + z2_1_on_boundary_by_z20_by_z20
-    v1_2_on_boundary_by_v10_by_z20 = carried_v1_2_by_v10_by_z20 + delay_tau1_by_v10*t142 - delay_tau1_by_v10*z1_2_by_z20 + delay_tau1_by_v10_by_z20*t159
-    # d/dv10 of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_v10 = V*delay_tau1_by_z20_by_v10 + z2_1_on_boundary_by_z20_by_v10
-    v1_2_on_boundary_by_v10_by_v10 = carried_v1_2_by_v10_by_v10 + delay_tau1_by_v10*t143 - delay_tau1_by_v10*z1_2_by_v10 + delay_tau1_by_v10_by_v10*t159
-    # d/dtau of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_tau = V*delay_tau1_by_z20_by_tau + z2_1_on_boundary_by_z20_by_tau
-    v1_2_on_boundary_by_v10_by_tau = carried_v1_2_by_v10_by_tau + delay_tau1_by_v10*t144 - delay_tau1_by_v10*z1_2_by_tau + delay_tau1_by_v10_by_tau*t159
-    # d/dtau1 of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_tau1 = V*delay_tau1_by_z20_by_tau1
-    v1_2_on_boundary_by_v10_by_tau1 = carried_v1_2_by_v10_by_tau1 + delay_tau1_by_v10*t40 - delay_tau1_by_v10*z1_2_by_tau1 + delay_tau1_by_v10_by_tau1*t159
-    # d/dchi of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_chi = V*delay_tau1_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi
-    v1_2_on_boundary_by_v10_by_chi = carried_v1_2_by_v10_by_chi + delay_tau1_by_v10*t145 - delay_tau1_by_v10*z1_2_by_chi + delay_tau1_by_v10*z2_2 + delay_tau1_by_v10_by_chi*t159
-    # d/deta of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_eta = V*delay_tau1_by_z20_by_eta + z2_1_on_boundary_by_z20_by_eta
-    v1_2_on_boundary_by_v10_by_eta = carried_v1_2_by_v10_by_eta + delay_tau1_by_v10*t146 - delay_tau1_by_v10*z1_2_by_eta + delay_tau1_by_v10_by_eta*t159
-    # d/dV of: perturbation on the boundary after tau1
-    z2_2_on_boundary_by_z20_by_V = V*delay_tau1_by_z20_by_V + delay_tau1_by_z20 + z2_1_on_boundary_by_z20_by_V
-    v1_2_on_boundary_by_v10_by_V = carried_v1_2_by_v10_by_V + chi*delay_tau1_by_v10*z2_2_by_V - delay_tau1_by_v10*z1_2_by_V + delay_tau1_by_v10_by_V*t159
-    return [v1_2_on_boundary_by_v10_by_z10 + z2_2_on_boundary_by_z20_by_z10, v1_2_on_boundary_by_v10_by_z20 + z2_2_on_boundary_by_z20_by_z20, v1_2_on_boundary_by_v10_by_v10 + z2_2_on_boundary_by_z20_by_v10, v1_2_on_boundary_by_v10_by_tau + z2_2_on_boundary_by_z20_by_tau, v1_2_on_boundary_by_v10_by_tau1 + z2_2_on_boundary_by_z20_by_tau1, v1_2_on_boundary_by_v10_by_chi + z2_2_on_boundary_by_z20_by_chi, v1_2_on_boundary_by_v10_by_eta + z2_2_on_boundary_by_z20_by_eta, v1_2_on_boundary_by_v10_by_V + z2_2_on_boundary_by_z20_by_V, 0]
+    t67 = p3*v10
+    t68 = p3*slope_by_z2_1_on_boundary_by_v10
+    slope_by_sin_omega2_tau = slope_by_carried_v2_1_by_z20*(omega2*p3 - t34) + slope_by_v1_1*(-t24*z10 + t64*z20) + slope_by_v1_1_on_boundary_by_z20*(-t24 + t64) + slope_by_v2_1*(omega2*p3*z10 - t34*z20) + slope_by_z1_1*(-t65*t8 - t8*t9*v10) - slope_by_z1_1_on_boundary_by_v10*t8*t9 + slope_by_z2_1*(t66*t8 - t67*t8) - t68*t8
+    t69 = p2*z20
+    t70 = p1*z20
+    t71 = p3*z10
+    t72 = p3*slope_by_carried_v2_1_by_v10
+    slope_by_cos_omega2_tau = slope_by_v1_1*(-t65 - t9*v10) - slope_by_v1_1_on_boundary_by_v10*t9 + slope_by_v2_1*(t66 - t67) + slope_by_z1_1*(-t69 - t9*z10) + slope_by_z1_1_on_boundary_by_z20*(-p2 - t9) + slope_by_z2_1*(t70 - t71) + slope_by_z2_1_on_boundary_by_z20*(p1 - p3) - t72
+    t73 = p1*v10
+    t74 = -V*t9
+    slope_by_sin_omega1_tau = p1*slope_by_z1_1_on_boundary_by_v10*t6 + slope_by_carried_v2_1_by_z20*(-t31 - t35) + slope_by_v1_1*(-omega1*t69 - t25*z10) + slope_by_v1_1_on_boundary_by_z20*(-t25 - t28) + slope_by_v2_1*(-omega1*t71 - t35*z20) + slope_by_z1_1*(t6*t65 + t6*t73) + slope_by_z2_1*(t6*t67 + t6*t74) + t6*t68
+    t75 = p1*z10
+    t76 = -t9*z20
+    slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_v10 + slope_by_v1_1*(t65 + t73) + slope_by_v2_1*(t67 + t74) + slope_by_z1_1*(t69 + t75) + slope_by_z1_1_on_boundary_by_z20*(p1 + p2) + slope_by_z2_1*(t71 + t76) + slope_by_z2_1_on_boundary_by_z20*(-p1 + p3 + 1) + t72
+    # outputs
+    t77 = sin_omega2_tau*slope_by_cos_omega2_tau
+    t78 = sin_omega1_tau*slope_by_cos_omega1_tau
+    t79 = p3*sin_omega1_tau
+    t80 = 1/omega1**2
+    t81 = sin_omega1_tau*t80
+    t82 = cos_omega1_tau*slope_by_sin_omega1_tau*tau + slope_by_carried_v2_1_by_z20*(-t22 - t79) + slope_by_v1_1*(-sin_omega1_tau*t69 - sin_omega1_tau*t75) + slope_by_v1_1_on_boundary_by_z20*(-p2*sin_omega1_tau - t7) + slope_by_v2_1*(-sin_omega1_tau*t71 - sin_omega1_tau*t76) + slope_by_z1_1*(-t65*t81 - t73*t81) - slope_by_z1_1_on_boundary_by_v10*t7*t80 + slope_by_z2_1*(-t67*t81 - t74*t81) - slope_by_z2_1_on_boundary_by_v10*t79*t80 - t78*tau
+    t83 = 1/omega2**2
+    t84 = sin_omega2_tau*t83
+    t85 = cos_omega2_tau*slope_by_sin_omega2_tau*tau + slope_by_carried_v2_1_by_z20*(p3*sin_omega2_tau - t21) + slope_by_v1_1*(sin_omega2_tau*t69 + sin_omega2_tau*t9*z10) + slope_by_v1_1_on_boundary_by_z20*(-t11 + t15) + slope_by_v2_1*(p3*sin_omega2_tau*z10 - sin_omega2_tau*t70) + slope_by_z1_1*(t65*t84 + t84*t9*v10) - slope_by_z1_1_on_boundary_by_v10*t11*t83 + slope_by_z2_1*(p3*sin_omega2_tau*t83*v10 - t66*t84) + slope_by_z2_1_on_boundary_by_v10*t17*t83 - t77*tau
+    t86 = omega1*sin_omega1_tau - omega2*sin_omega2_tau
+    t87 = cos_omega1_tau - cos_omega2_tau
+    t89 = -t86*z10 + t87*v10
+    t91 = -sin_omega1_tau*t6 + sin_omega2_tau*t8
+    t93 = t87*z10 - t91*v10
+    t94 = -slope_by_v1_1_on_boundary_by_z20*t86 + slope_by_z1_1_on_boundary_by_z20*t87
+    t95 = slope_by_carried_v2_1_by_z20*t86 + slope_by_v1_1*t89 + slope_by_v1_1_on_boundary_by_v10*t87 + slope_by_v2_1*(-V*t87 + t86*z20) + slope_by_z1_1*t93 - slope_by_z1_1_on_boundary_by_v10*t91 + slope_by_z2_1*(V*t91 - t87*z20) - slope_by_z2_1_on_boundary_by_z20*t87 + t94
+    t96 = slope_by_v1_1*(V*t87 - t86*z20) + slope_by_z1_1*(-V*t91 + t87*z20) + t94
+    t97 = slope_by_carried_v2_1_by_v10*t87 - slope_by_carried_v2_1_by_z20*t86 + slope_by_v2_1*t89 + slope_by_z2_1*t93 - slope_by_z2_1_on_boundary_by_v10*t91 + slope_by_z2_1_on_boundary_by_z20*t87
+    t98 = 1 - cos_tau1
+    return [-slope_by_v1_1*t26 - slope_by_v2_1*t32 + slope_by_z1_1*t13 + slope_by_z2_1*t19, -slope_by_v1_1*t29 - slope_by_v2_1*t36 + slope_by_z1_1*t14 + slope_by_z2_1*t20, slope_by_v1_1*t13 + slope_by_v2_1*t19 + slope_by_z1_1*t12 + slope_by_z2_1*t18, cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t78 - omega2*t77, V*slope_by_z2_2 + cos_tau1*slope_by_sin_tau1 - sin_tau1*slope_by_cos_tau1 + slope_by_z1_2*t47, V*t48*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + delay_tau1_by_v10*z2_2 + omega1_by_chi*t82 + omega2_by_chi*t85 + p1_by_chi*t95 + p2_by_chi*t96 + p3_by_chi*t97 + sin_tau1*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_v10*t98*z2_1_on_boundary_by_v10 + slope_by_carried_z1_2_by_z20*t98*z2_1_on_boundary_by_z20 + slope_by_rate_1*(-eta*z2_1 + t43) + slope_by_rate_2*(V - v1_2) + slope_by_v1_2*(V*t98 + sin_tau1*z2_1) + slope_by_z1_2*(V*(-sin_tau1 + tau1) + t98*z2_1) + t54*(carried_z1_2_by_v10 - z2_1_on_boundary_by_v10) + t61*z2_1 + t62*z2_1, omega1_by_eta*t82 + omega2_by_eta*t85 + p1_by_eta*t95 + p2_by_eta*t96 + p3_by_eta*t97 + slope_by_rate_1*(chi*z1_1 - t44), delay_tau1_by_z20 + slope_by_v1_1*t14 + slope_by_v1_2*t40 + slope_by_v2_1*t20 + slope_by_z1_1*t16 + slope_by_z1_2*t42 + slope_by_z2_1*t23 + slope_by_z2_2*tau1 + t58, 0]
 
 
 def symmetric_states(parameters, spectrum, unknowns, lib):
@@ -4463,7 +4156,7 @@ def global_stick_trace_gradient(parameters, spectrum, spectrum_derivatives, unkn
         p2_by_eta, p3_by_chi, p3_by_eta, omega3_by_chi, omega3_by_eta.
     Takes unknowns (6): z10, z20, ta, tau, tau1, tau2.
     Gives trace_gradient (11).
-    Operations: 1293. Intermediate terms: 348.
+    Operations: 773. Intermediate terms: 174.
     """
     [chi, eta, V, e1, e2] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -4476,10 +4169,10 @@ def global_stick_trace_gradient(parameters, spectrum, spectrum_derivatives, unkn
     t2 = V*tau
     t3 = chi - 1
     t4 = 1/t3
-    t5 = cos_tau*t4
+    t5 = e1*t4
     t6 = 1/chi
-    t7 = t4*t6
-    z2_1 = V*sin_tau - e1*t5 - e2*t7 - t2
+    t7 = e2*t6
+    z2_1 = V*sin_tau - cos_tau*t5 - t2 - t4*t7
     # slip-stick for tau
     t8 = chi*z2_1
     t9 = e1 + t8
@@ -4505,8 +4198,8 @@ def global_stick_trace_gradient(parameters, spectrum, spectrum_derivatives, unkn
     t24 = p1*t20 + t21*t23
     t25 = cos_omega1_tau1*p1 + cos_omega2_tau1*t21
     t26 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    t27 = p2*t23
-    z1_3 = V*(p2*sin_omega1_tau1*t19 - t27) + t24*v1_2 + t25*z1_2 + t26*z2_2
+    t27 = p2*sin_omega1_tau1*t19 - p2*t23
+    z1_3 = V*t27 + t24*v1_2 + t25*z1_2 + t26*z2_2
     t28 = p3*sin_omega1_tau1*t19 - p3*t23
     t29 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
     t30 = cos_omega1_tau1*t21 + cos_omega2_tau1*p1
@@ -4529,388 +4222,154 @@ def global_stick_trace_gradient(parameters, spectrum, spectrum_derivatives, unkn
     cos_tau_by_tau = -sin_tau
     sin_tau_by_tau = cos_tau
     # d/dtau of: z2_1: linear in second-breaks-forward
-    t40 = -V*sin_tau_by_tau
-    t41 = cos_tau_by_tau*e1
-    z2_1_by_tau = -V - t4*t41 - t40
+    t39 = -V*sin_tau_by_tau
+    t40 = cos_tau_by_tau*e1
+    z2_1_by_tau = -V - t39 - t4*t40
     # d/dtau of: slip-stick for tau
-    t42 = V*chi
-    t43 = V - t42
-    z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t43 + t41 + t42
+    t41 = V*chi
+    t42 = V - t41
+    z1_2_by_tau = chi*z2_1_by_tau + sin_tau_by_tau*t42 + t40 + t41
     z2_2_by_tau = V + z2_1_by_tau
-    v1_2_by_tau = cos_tau_by_tau*t43 - e1*sin_tau_by_tau
+    v1_2_by_tau = cos_tau_by_tau*t42 - e1*sin_tau_by_tau
     # d/dtau of: slip-slip for tau1
     z1_3_by_tau = t24*v1_2_by_tau + t25*z1_2_by_tau + t26*z2_2_by_tau
     z2_3_by_tau = t28*v1_2_by_tau + t29*z1_2_by_tau + t30*z2_2_by_tau
     v1_3_by_tau = t25*v1_2_by_tau + t34*z1_2_by_tau + t35*z2_2_by_tau
     v2_3_by_tau = t29*v1_2_by_tau + t36*z1_2_by_tau + t37*z2_2_by_tau
     # d/dtau1 of: slip-slip for tau1
-    t45 = chi*z2_3
-    v1_3_by_tau1 = t45 - z1_3
-    t46 = eta*z1_3
-    v2_3_by_tau1 = chi*t46 - eta*t45
+    t44 = chi*z2_3
+    v1_3_by_tau1 = t44 - z1_3
+    t45 = eta*z1_3
+    v2_3_by_tau1 = chi*t45 - eta*t44
     # d/dtau of: first return of tau2
     sine_part_tau2_by_tau = omega3*z1_3_by_tau - omega3*z2_3_by_tau
     # d/dtau1 of: first return of tau2
     sine_part_tau2_by_tau1 = omega3*v1_3 - omega3*v2_3
     # d/dtau of: first return of tau2
-    t47 = 2*cosine_part_tau2
-    t48 = 2*sine_part_tau2
-    t49 = sine_part_tau2_by_tau*t48 + t47*v2_3_by_tau
-    t50 = 1/amplitude_tau2
-    t51 = t50/2
-    amplitude_tau2_by_tau = t49*t51
+    t46 = 2*cosine_part_tau2
+    t47 = 2*sine_part_tau2
+    t48 = sine_part_tau2_by_tau*t47 + t46*v2_3_by_tau
+    t49 = 1/amplitude_tau2
+    t50 = t49/2
+    amplitude_tau2_by_tau = t48*t50
     # d/dtau1 of: first return of tau2
-    t52 = sine_part_tau2_by_tau1*t48 + t47*v2_3_by_tau1
-    amplitude_tau2_by_tau1 = t51*t52
-    # d/dchi of: z2_1: linear in second-breaks-forward
-    t53 = 1/t3**2
-    z2_1_by_chi = cos_tau*e1*t53 + e2*t53*t6 + e2*t4/chi**2
-    # d/dV of: z2_1: linear in second-breaks-forward
-    z2_1_by_V = sin_tau - tau
-    # d/de1 of: z2_1: linear in second-breaks-forward
-    z2_1_by_e1 = -t5
-    # d/de2 of: z2_1: linear in second-breaks-forward
-    z2_1_by_e2 = -t7
-    # d/dchi of: slip-stick for tau
-    t55 = 1 - cos_tau
-    z1_2_by_chi = -V*z2_1_by_V + chi*z2_1_by_chi + cos_tau*z2_1 + t55*z2_1
-    v1_2_by_chi = V*t55
-    # d/dV of: slip-stick for tau
-    z1_2_by_V = chi*tau + chi*z2_1_by_V + sin_tau - t12
-    z2_2_by_V = tau + z2_1_by_V
-    v1_2_by_V = chi + cos_tau - t10
-    # d/de1 of: slip-stick for tau
-    z1_2_by_e1 = chi*z2_1_by_e1 + cos_tau
-    v1_2_by_e1 = -sin_tau
-    # d/de2 of: slip-stick for tau
-    z1_2_by_e2 = chi*z2_1_by_e2
-    # d/dtau1 of: functions of tau1 in slip-slip
-    cos_omega1_tau1_by_tau1 = -omega1*sin_omega1_tau1
-    sin_omega1_tau1_by_tau1 = cos_omega1_tau1*omega1
-    cos_omega2_tau1_by_tau1 = -omega2*sin_omega2_tau1
-    sin_omega2_tau1_by_tau1 = cos_omega2_tau1*omega2
-    # d/dchi of: functions of tau1 in slip-slip
-    t56 = omega1_by_chi*tau1
-    cos_omega1_tau1_by_chi = -sin_omega1_tau1*t56
-    sin_omega1_tau1_by_chi = cos_omega1_tau1*t56
-    t57 = omega2_by_chi*tau1
-    cos_omega2_tau1_by_chi = -sin_omega2_tau1*t57
-    sin_omega2_tau1_by_chi = cos_omega2_tau1*t57
-    # d/deta of: functions of tau1 in slip-slip
-    t58 = omega1_by_eta*tau1
-    cos_omega1_tau1_by_eta = -sin_omega1_tau1*t58
-    sin_omega1_tau1_by_eta = cos_omega1_tau1*t58
-    t59 = omega2_by_eta*tau1
-    cos_omega2_tau1_by_eta = -sin_omega2_tau1*t59
-    sin_omega2_tau1_by_eta = cos_omega2_tau1*t59
-    # d/dtau1 of: slip-slip for tau1
-    t60 = p1*z1_2
-    t61 = p2*z2_2
-    t62 = t60 + t61
-    t63 = t21*z1_2 - t61
-    t64 = p1*v1_2
-    t65 = V*p2
-    t66 = t19*t64 + t19*t65
-    t67 = t21*t22*v1_2 - t22*t65
-    z1_3_by_tau1 = cos_omega1_tau1_by_tau1*t62 + cos_omega2_tau1_by_tau1*t63 + sin_omega1_tau1_by_tau1*t66 + sin_omega2_tau1_by_tau1*t67
-    t68 = p3*z1_2
-    t69 = t21*z2_2
-    t70 = t68 + t69
-    t71 = p1*z2_2
-    t72 = -t68 + t71
-    t73 = p3*v1_2
-    t74 = V*t21
-    t75 = t19*t73 + t19*t74
-    t76 = V*p1
-    t77 = -t22*t73 + t22*t76
-    z2_3_by_tau1 = cos_omega1_tau1_by_tau1*t70 + cos_omega2_tau1_by_tau1*t72 + sin_omega1_tau1_by_tau1*t75 + sin_omega2_tau1_by_tau1*t77
-    # d/dchi of: slip-slip for tau1
-    t78 = sin_omega1_tau1/omega1**2
-    t79 = -t64*t78 - t65*t78
-    t80 = 1/omega2**2
-    t81 = sin_omega2_tau1*t80
-    t82 = -t21*t81*v1_2 + t65*t81
-    t83 = -sin_omega1_tau1*t19 + t23
-    t85 = cos_omega1_tau1 - cos_omega2_tau1
-    t86 = -t83*v1_2 + t85*z1_2
-    t87 = -V*t83 + t85*z2_2
-    z1_3_by_chi = cos_omega1_tau1_by_chi*t62 + cos_omega2_tau1_by_chi*t63 + omega1_by_chi*t79 + omega2_by_chi*t82 + p1_by_chi*t86 + p2_by_chi*t87 + sin_omega1_tau1_by_chi*t66 + sin_omega2_tau1_by_chi*t67 + t24*v1_2_by_chi + t25*z1_2_by_chi + t26*z2_1_by_chi
-    t88 = -t73*t78 - t74*t78
-    t89 = p3*sin_omega2_tau1*t80*v1_2 - t76*t81
-    t91 = V*t83 - t85*z2_2
-    z2_3_by_chi = cos_omega1_tau1_by_chi*t70 + cos_omega2_tau1_by_chi*t72 + omega1_by_chi*t88 + omega2_by_chi*t89 + p1_by_chi*t91 + p3_by_chi*t86 + sin_omega1_tau1_by_chi*t75 + sin_omega2_tau1_by_chi*t77 + t28*v1_2_by_chi + t29*z1_2_by_chi + t30*z2_1_by_chi
-    t92 = t64 + t65
-    t93 = t21*v1_2 - t65
-    t94 = -sin_omega1_tau1*t60 - sin_omega1_tau1*t61
-    t95 = t21*z1_2
-    t96 = sin_omega2_tau1*t61 - sin_omega2_tau1*t95
-    t97 = -omega2*sin_omega2_tau1 + t33
-    t99 = t85*v1_2 - t97*z1_2
-    t100 = V*t85 - t97*z2_2
-    t101 = -omega1*t60 - omega1*t61
-    t102 = omega2*t61 - omega2*t95
-    v1_3_by_chi = cos_omega1_tau1_by_chi*t92 + cos_omega2_tau1_by_chi*t93 + omega1_by_chi*t94 + omega2_by_chi*t96 + p1_by_chi*t99 + p2_by_chi*t100 + sin_omega1_tau1_by_chi*t101 + sin_omega2_tau1_by_chi*t102 + t25*v1_2_by_chi + t34*z1_2_by_chi + t35*z2_1_by_chi
-    t103 = t73 + t74
-    t104 = -t73 + t76
-    t105 = -sin_omega1_tau1*t68 - sin_omega1_tau1*t69
-    t106 = p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t71
-    t107 = -V*t85 + t97*z2_2
-    t108 = -omega1*t68 - omega1*t69
-    t109 = omega2*p3*z1_2 - omega2*t71
-    v2_3_by_chi = cos_omega1_tau1_by_chi*t103 + cos_omega2_tau1_by_chi*t104 + omega1_by_chi*t105 + omega2_by_chi*t106 + p1_by_chi*t107 + p3_by_chi*t99 + sin_omega1_tau1_by_chi*t108 + sin_omega2_tau1_by_chi*t109 + t29*v1_2_by_chi + t36*z1_2_by_chi + t37*z2_1_by_chi
-    # d/deta of: slip-slip for tau1
-    z1_3_by_eta = cos_omega1_tau1_by_eta*t62 + cos_omega2_tau1_by_eta*t63 + omega1_by_eta*t79 + omega2_by_eta*t82 + p1_by_eta*t86 + p2_by_eta*t87 + sin_omega1_tau1_by_eta*t66 + sin_omega2_tau1_by_eta*t67
-    z2_3_by_eta = cos_omega1_tau1_by_eta*t70 + cos_omega2_tau1_by_eta*t72 + omega1_by_eta*t88 + omega2_by_eta*t89 + p1_by_eta*t91 + p3_by_eta*t86 + sin_omega1_tau1_by_eta*t75 + sin_omega2_tau1_by_eta*t77
-    v1_3_by_eta = cos_omega1_tau1_by_eta*t92 + cos_omega2_tau1_by_eta*t93 + omega1_by_eta*t94 + omega2_by_eta*t96 + p1_by_eta*t99 + p2_by_eta*t100 + sin_omega1_tau1_by_eta*t101 + sin_omega2_tau1_by_eta*t102
-    v2_3_by_eta = cos_omega1_tau1_by_eta*t103 + cos_omega2_tau1_by_eta*t104 + omega1_by_eta*t105 + omega2_by_eta*t106 + p1_by_eta*t107 + p3_by_eta*t99 + sin_omega1_tau1_by_eta*t108 + sin_omega2_tau1_by_eta*t109
-    # d/dV of: slip-slip for tau1
-    z1_3_by_V = p2*t20 + t24*v1_2_by_V + t25*z1_2_by_V + t26*z2_2_by_V - t27
-    z2_3_by_V = t28*v1_2_by_V + t29*z1_2_by_V + t30*z2_2_by_V + t31
-    v1_3_by_V = t25*v1_2_by_V + t26 + t34*z1_2_by_V + t35*z2_2_by_V
-    v2_3_by_V = t29*v1_2_by_V + t30 + t36*z1_2_by_V + t37*z2_2_by_V
-    # d/de1 of: slip-slip for tau1
-    z1_3_by_e1 = t24*v1_2_by_e1 + t25*z1_2_by_e1 + t26*z2_1_by_e1
-    z2_3_by_e1 = t28*v1_2_by_e1 + t29*z1_2_by_e1 + t30*z2_1_by_e1
-    v1_3_by_e1 = t25*v1_2_by_e1 + t34*z1_2_by_e1 + t35*z2_1_by_e1
-    v2_3_by_e1 = t29*v1_2_by_e1 + t36*z1_2_by_e1 + t37*z2_1_by_e1
-    # d/de2 of: slip-slip for tau1
-    z1_3_by_e2 = t25*z1_2_by_e2 + t26*z2_1_by_e2
-    z2_3_by_e2 = t29*z1_2_by_e2 + t30*z2_1_by_e2
-    v1_3_by_e2 = t34*z1_2_by_e2 + t35*z2_1_by_e2
-    v2_3_by_e2 = t36*z1_2_by_e2 + t37*z2_1_by_e2
-    # d/dchi of: first return of tau2
-    t110 = z1_3 - z2_3
-    sine_part_tau2_by_chi = omega3*z1_3_by_chi - omega3*z2_3_by_chi + omega3_by_chi*t110
-    # d/deta of: first return of tau2
-    sine_part_tau2_by_eta = omega3*z1_3_by_eta - omega3*z2_3_by_eta + omega3_by_eta*t110
-    # d/dV of: first return of tau2
-    cosine_part_tau2_by_V = v2_3_by_V - 1
-    sine_part_tau2_by_V = omega3*z1_3_by_V - omega3*z2_3_by_V
-    # d/de1 of: first return of tau2
-    sine_part_tau2_by_e1 = omega3*z1_3_by_e1 - omega3*z2_3_by_e1
-    # d/de2 of: first return of tau2
-    sine_part_tau2_by_e2 = omega3*z1_3_by_e2 - omega3*z2_3_by_e2
-    # d/dchi of: first return of tau2
-    amplitude_tau2_by_chi = t51*(sine_part_tau2_by_chi*t48 + t47*v2_3_by_chi)
-    # d/deta of: first return of tau2
-    amplitude_tau2_by_eta = t51*(sine_part_tau2_by_eta*t48 + t47*v2_3_by_eta)
-    # d/dV of: first return of tau2
-    amplitude_tau2_by_V = t51*(cosine_part_tau2_by_V*t47 + sine_part_tau2_by_V*t48)
-    # d/de1 of: first return of tau2
-    amplitude_tau2_by_e1 = t51*(sine_part_tau2_by_e1*t48 + t47*v2_3_by_e1)
-    # d/de2 of: first return of tau2
-    amplitude_tau2_by_e2 = t51*(sine_part_tau2_by_e2*t48 + t47*v2_3_by_e2)
-    # d/dtau of: d/dtau of: functions of tau in slip-stick
-    cos_tau_by_tau_by_tau = -cos_tau
-    sin_tau_by_tau_by_tau = -sin_tau
-    # d/dtau of: d/dtau of: z2_1: linear in second-breaks-forward
-    t111 = cos_tau_by_tau_by_tau*e1
-    z2_1_by_tau_by_tau = V*sin_tau_by_tau_by_tau - t111*t4
-    # d/dchi of: d/dtau of: z2_1: linear in second-breaks-forward
-    z2_1_by_tau_by_chi = t41*t53
-    # d/dV of: d/dtau of: z2_1: linear in second-breaks-forward
-    z2_1_by_tau_by_V = sin_tau_by_tau - 1
-    # d/de1 of: d/dtau of: z2_1: linear in second-breaks-forward
-    z2_1_by_tau_by_e1 = -cos_tau_by_tau*t4
-    # d/dtau of: d/dtau of: slip-stick for tau
-    z1_2_by_tau_by_tau = chi*z2_1_by_tau_by_tau + sin_tau_by_tau_by_tau*t43 + t111
-    v1_2_by_tau_by_tau = cos_tau_by_tau_by_tau*t43 - e1*sin_tau_by_tau_by_tau
-    # d/dchi of: d/dtau of: slip-stick for tau
-    z1_2_by_tau_by_chi = chi*z2_1_by_tau_by_chi + t40 + z2_2_by_tau
-    v1_2_by_tau_by_chi = -V*cos_tau_by_tau
-    # d/dV of: d/dtau of: slip-stick for tau
-    z1_2_by_tau_by_V = chi*z2_1_by_tau_by_V + chi - sin_tau_by_tau*t3
-    z2_2_by_tau_by_V = z2_1_by_tau_by_V + 1
-    v1_2_by_tau_by_V = -cos_tau_by_tau*t3
-    # d/de1 of: d/dtau of: slip-stick for tau
-    z1_2_by_tau_by_e1 = chi*z2_1_by_tau_by_e1 + cos_tau_by_tau
-    v1_2_by_tau_by_e1 = -sin_tau_by_tau
-    # d/dtau of: d/dtau of: slip-slip for tau1
-    z1_3_by_tau_by_tau = t24*v1_2_by_tau_by_tau + t25*z1_2_by_tau_by_tau + t26*z2_1_by_tau_by_tau
-    z2_3_by_tau_by_tau = t28*v1_2_by_tau_by_tau + t29*z1_2_by_tau_by_tau + t30*z2_1_by_tau_by_tau
-    v1_3_by_tau_by_tau = t25*v1_2_by_tau_by_tau + t34*z1_2_by_tau_by_tau + t35*z2_1_by_tau_by_tau
-    v2_3_by_tau_by_tau = t29*v1_2_by_tau_by_tau + t36*z1_2_by_tau_by_tau + t37*z2_1_by_tau_by_tau
-    # d/dtau1 of: d/dtau of: slip-slip for tau1
-    t113 = p1*z1_2_by_tau
-    t114 = p2*z2_2_by_tau
-    t115 = t113 + t114
-    t116 = -t114 + t21*z1_2_by_tau
-    t117 = t19*v1_2_by_tau
-    t118 = sin_omega1_tau1_by_tau1*t117
-    t119 = t22*v1_2_by_tau
-    t120 = sin_omega2_tau1_by_tau1*t119
-    z1_3_by_tau_by_tau1 = cos_omega1_tau1_by_tau1*t115 + cos_omega2_tau1_by_tau1*t116 + p1*t118 + t120*t21
-    t121 = p3*z1_2_by_tau
-    t122 = t21*z2_2_by_tau
-    t123 = t121 + t122
-    t124 = p1*z2_2_by_tau
-    t125 = -t121 + t124
-    z2_3_by_tau_by_tau1 = cos_omega1_tau1_by_tau1*t123 + cos_omega2_tau1_by_tau1*t125 + p3*t118 - p3*t120
-    t126 = -omega1*t113 - omega1*t114
-    t127 = t21*z1_2_by_tau
-    t128 = omega2*t114 - omega2*t127
-    t129 = cos_omega1_tau1_by_tau1*v1_2_by_tau
-    t130 = cos_omega2_tau1_by_tau1*v1_2_by_tau
-    v1_3_by_tau_by_tau1 = p1*t129 + sin_omega1_tau1_by_tau1*t126 + sin_omega2_tau1_by_tau1*t128 + t130*t21
-    t131 = -omega1*t121 - omega1*t122
-    t132 = omega2*p3*z1_2_by_tau - omega2*t124
-    v2_3_by_tau_by_tau1 = p3*t129 - p3*t130 + sin_omega1_tau1_by_tau1*t131 + sin_omega2_tau1_by_tau1*t132
-    # d/dchi of: d/dtau of: slip-slip for tau1
-    t133 = -t83*v1_2_by_tau + t85*z1_2_by_tau
-    t134 = p2_by_chi*z2_2_by_tau
-    t135 = sin_omega1_tau1_by_chi*t117
-    t136 = sin_omega2_tau1_by_chi*t119
-    t137 = t78*v1_2_by_tau
-    t138 = omega1_by_chi*t137
-    t139 = t81*v1_2_by_tau
-    t140 = omega2_by_chi*t139
-    z1_3_by_tau_by_chi = cos_omega1_tau1_by_chi*t115 + cos_omega2_tau1_by_chi*t116 + p1*t135 - p1*t138 + p1_by_chi*t133 + t134*t85 + t136*t21 - t140*t21 + t24*v1_2_by_tau_by_chi + t25*z1_2_by_tau_by_chi + t26*z2_1_by_tau_by_chi
-    t141 = p1_by_chi*z2_2_by_tau
-    z2_3_by_tau_by_chi = cos_omega1_tau1_by_chi*t123 + cos_omega2_tau1_by_chi*t125 + p3*t135 - p3*t136 - p3*t138 + p3*t140 + p3_by_chi*t133 - t141*t85 + t28*v1_2_by_tau_by_chi + t29*z1_2_by_tau_by_chi + t30*z2_1_by_tau_by_chi
-    t142 = -sin_omega1_tau1*t113 - sin_omega1_tau1*t114
-    t143 = sin_omega2_tau1*t114 - sin_omega2_tau1*t127
-    t144 = t85*v1_2_by_tau - t97*z1_2_by_tau
-    t145 = cos_omega1_tau1_by_chi*v1_2_by_tau
-    t146 = cos_omega2_tau1_by_chi*v1_2_by_tau
-    v1_3_by_tau_by_chi = omega1_by_chi*t142 + omega2_by_chi*t143 + p1*t145 + p1_by_chi*t144 + sin_omega1_tau1_by_chi*t126 + sin_omega2_tau1_by_chi*t128 - t134*t97 + t146*t21 + t25*v1_2_by_tau_by_chi + t34*z1_2_by_tau_by_chi + t35*z2_1_by_tau_by_chi
-    t147 = -sin_omega1_tau1*t121 - sin_omega1_tau1*t122
-    t148 = p3*sin_omega2_tau1*z1_2_by_tau - sin_omega2_tau1*t124
-    v2_3_by_tau_by_chi = omega1_by_chi*t147 + omega2_by_chi*t148 + p3*t145 - p3*t146 + p3_by_chi*t144 + sin_omega1_tau1_by_chi*t131 + sin_omega2_tau1_by_chi*t132 + t141*t97 + t29*v1_2_by_tau_by_chi + t36*z1_2_by_tau_by_chi + t37*z2_1_by_tau_by_chi
-    # d/deta of: d/dtau of: slip-slip for tau1
-    t149 = p2_by_eta*z2_2_by_tau
-    t150 = sin_omega1_tau1_by_eta*t117
-    t151 = sin_omega2_tau1_by_eta*t119
-    t152 = omega1_by_eta*t137
-    t153 = omega2_by_eta*t139
-    z1_3_by_tau_by_eta = cos_omega1_tau1_by_eta*t115 + cos_omega2_tau1_by_eta*t116 + p1*t150 - p1*t152 + p1_by_eta*t133 + t149*t85 + t151*t21 - t153*t21
-    t154 = p1_by_eta*z2_2_by_tau
-    z2_3_by_tau_by_eta = cos_omega1_tau1_by_eta*t123 + cos_omega2_tau1_by_eta*t125 + p3*t150 - p3*t151 - p3*t152 + p3*t153 + p3_by_eta*t133 - t154*t85
-    t155 = cos_omega1_tau1_by_eta*v1_2_by_tau
-    t156 = cos_omega2_tau1_by_eta*v1_2_by_tau
-    v1_3_by_tau_by_eta = omega1_by_eta*t142 + omega2_by_eta*t143 + p1*t155 + p1_by_eta*t144 + sin_omega1_tau1_by_eta*t126 + sin_omega2_tau1_by_eta*t128 - t149*t97 + t156*t21
-    v2_3_by_tau_by_eta = omega1_by_eta*t147 + omega2_by_eta*t148 + p3*t155 - p3*t156 + p3_by_eta*t144 + sin_omega1_tau1_by_eta*t131 + sin_omega2_tau1_by_eta*t132 + t154*t97
-    # d/dV of: d/dtau of: slip-slip for tau1
-    z1_3_by_tau_by_V = t24*v1_2_by_tau_by_V + t25*z1_2_by_tau_by_V + t26*z2_2_by_tau_by_V
-    z2_3_by_tau_by_V = t28*v1_2_by_tau_by_V + t29*z1_2_by_tau_by_V + t30*z2_2_by_tau_by_V
-    v1_3_by_tau_by_V = t25*v1_2_by_tau_by_V + t34*z1_2_by_tau_by_V + t35*z2_2_by_tau_by_V
-    v2_3_by_tau_by_V = t29*v1_2_by_tau_by_V + t36*z1_2_by_tau_by_V + t37*z2_2_by_tau_by_V
-    # d/de1 of: d/dtau of: slip-slip for tau1
-    z1_3_by_tau_by_e1 = t24*v1_2_by_tau_by_e1 + t25*z1_2_by_tau_by_e1 + t26*z2_1_by_tau_by_e1
-    z2_3_by_tau_by_e1 = t28*v1_2_by_tau_by_e1 + t29*z1_2_by_tau_by_e1 + t30*z2_1_by_tau_by_e1
-    v1_3_by_tau_by_e1 = t25*v1_2_by_tau_by_e1 + t34*z1_2_by_tau_by_e1 + t35*z2_1_by_tau_by_e1
-    v2_3_by_tau_by_e1 = t29*v1_2_by_tau_by_e1 + t36*z1_2_by_tau_by_e1 + t37*z2_1_by_tau_by_e1
-    # d/dtau of: d/dtau1 of: slip-slip for tau1
-    t157 = chi*z2_3_by_tau
-    v1_3_by_tau1_by_tau = t157 - z1_3_by_tau
-    t158 = chi*eta
-    v2_3_by_tau1_by_tau = -eta*t157 + t158*z1_3_by_tau
-    # d/dtau1 of: d/dtau1 of: slip-slip for tau1
-    t159 = chi*z2_3_by_tau1
-    v1_3_by_tau1_by_tau1 = t159 - z1_3_by_tau1
-    v2_3_by_tau1_by_tau1 = -eta*t159 + t158*z1_3_by_tau1
-    # d/dchi of: d/dtau1 of: slip-slip for tau1
-    t160 = chi*z2_3_by_chi
-    v1_3_by_tau1_by_chi = t160 - z1_3_by_chi + z2_3
-    v2_3_by_tau1_by_chi = -eta*t160 - eta*z2_3 + t158*z1_3_by_chi + t46
-    # d/deta of: d/dtau1 of: slip-slip for tau1
-    t161 = chi*z2_3_by_eta
-    v1_3_by_tau1_by_eta = t161 - z1_3_by_eta
-    v2_3_by_tau1_by_eta = chi*z1_3 - eta*t161 + t158*z1_3_by_eta - t45
-    # d/dV of: d/dtau1 of: slip-slip for tau1
-    t162 = chi*z2_3_by_V
-    v1_3_by_tau1_by_V = t162 - z1_3_by_V
-    v2_3_by_tau1_by_V = -eta*t162 + t158*z1_3_by_V
-    # d/de1 of: d/dtau1 of: slip-slip for tau1
-    t163 = chi*z2_3_by_e1
-    v1_3_by_tau1_by_e1 = t163 - z1_3_by_e1
-    v2_3_by_tau1_by_e1 = -eta*t163 + t158*z1_3_by_e1
-    # d/de2 of: d/dtau1 of: slip-slip for tau1
-    t164 = chi*z2_3_by_e2
-    v1_3_by_tau1_by_e2 = t164 - z1_3_by_e2
-    v2_3_by_tau1_by_e2 = -eta*t164 + t158*z1_3_by_e2
-    # d/dtau of: d/dtau of: first return of tau2
-    sine_part_tau2_by_tau_by_tau = omega3*z1_3_by_tau_by_tau - omega3*z2_3_by_tau_by_tau
-    # d/dtau1 of: d/dtau of: first return of tau2
-    sine_part_tau2_by_tau_by_tau1 = omega3*z1_3_by_tau_by_tau1 - omega3*z2_3_by_tau_by_tau1
-    # d/dchi of: d/dtau of: first return of tau2
-    t165 = z1_3_by_tau - z2_3_by_tau
-    sine_part_tau2_by_tau_by_chi = omega3*z1_3_by_tau_by_chi - omega3*z2_3_by_tau_by_chi + omega3_by_chi*t165
-    # d/deta of: d/dtau of: first return of tau2
-    sine_part_tau2_by_tau_by_eta = omega3*z1_3_by_tau_by_eta - omega3*z2_3_by_tau_by_eta + omega3_by_eta*t165
-    # d/dV of: d/dtau of: first return of tau2
-    sine_part_tau2_by_tau_by_V = omega3*z1_3_by_tau_by_V - omega3*z2_3_by_tau_by_V
-    # d/de1 of: d/dtau of: first return of tau2
-    sine_part_tau2_by_tau_by_e1 = omega3*z1_3_by_tau_by_e1 - omega3*z2_3_by_tau_by_e1
-    # d/dtau of: d/dtau1 of: first return of tau2
-    sine_part_tau2_by_tau1_by_tau = omega3*v1_3_by_tau - omega3*v2_3_by_tau
-    # d/dtau1 of: d/dtau1 of: first return of tau2
-    sine_part_tau2_by_tau1_by_tau1 = omega3*v1_3_by_tau1 - omega3*v2_3_by_tau1
-    # d/dchi of: d/dtau1 of: first return of tau2
-    t166 = v1_3 - v2_3
-    sine_part_tau2_by_tau1_by_chi = omega3*v1_3_by_chi - omega3*v2_3_by_chi + omega3_by_chi*t166
-    # d/deta of: d/dtau1 of: first return of tau2
-    sine_part_tau2_by_tau1_by_eta = omega3*v1_3_by_eta - omega3*v2_3_by_eta + omega3_by_eta*t166
-    # d/dV of: d/dtau1 of: first return of tau2
-    sine_part_tau2_by_tau1_by_V = omega3*v1_3_by_V - omega3*v2_3_by_V
-    # d/de1 of: d/dtau1 of: first return of tau2
-    sine_part_tau2_by_tau1_by_e1 = omega3*v1_3_by_e1 - omega3*v2_3_by_e1
-    # d/de2 of: d/dtau1 of: first return of tau2
-    sine_part_tau2_by_tau1_by_e2 = omega3*v1_3_by_e2 - omega3*v2_3_by_e2
-    # d/dtau of: d/dtau of: first return of tau2
-    t167 = cosine_part_tau2*t50
-    t168 = sine_part_tau2*t50
-    t169 = 1/(2*amplitude_tau2**2)
-    t170 = t169*t49
-    amplitude_tau2_by_tau_by_tau = -amplitude_tau2_by_tau*t170 + sine_part_tau2_by_tau**2*t50 + sine_part_tau2_by_tau_by_tau*t168 + t167*v2_3_by_tau_by_tau + t50*v2_3_by_tau**2
-    # d/dtau1 of: d/dtau of: first return of tau2
-    t171 = sine_part_tau2_by_tau*t50
-    t172 = t50*v2_3_by_tau
-    t173 = sine_part_tau2_by_tau1*t171 + t172*v2_3_by_tau1
-    amplitude_tau2_by_tau_by_tau1 = -amplitude_tau2_by_tau1*t170 + sine_part_tau2_by_tau_by_tau1*t168 + t167*v2_3_by_tau_by_tau1 + t173
-    # d/dchi of: d/dtau of: first return of tau2
-    amplitude_tau2_by_tau_by_chi = -amplitude_tau2_by_chi*t170 + sine_part_tau2_by_chi*t171 + sine_part_tau2_by_tau_by_chi*t168 + t167*v2_3_by_tau_by_chi + t172*v2_3_by_chi
-    # d/deta of: d/dtau of: first return of tau2
-    amplitude_tau2_by_tau_by_eta = -amplitude_tau2_by_eta*t170 + sine_part_tau2_by_eta*t171 + sine_part_tau2_by_tau_by_eta*t168 + t167*v2_3_by_tau_by_eta + t172*v2_3_by_eta
-    # d/dV of: d/dtau of: first return of tau2
-    amplitude_tau2_by_tau_by_V = -amplitude_tau2_by_V*t170 + cosine_part_tau2_by_V*t172 + sine_part_tau2_by_V*t171 + sine_part_tau2_by_tau_by_V*t168 + t167*v2_3_by_tau_by_V
-    # d/de1 of: d/dtau of: first return of tau2
-    amplitude_tau2_by_tau_by_e1 = -amplitude_tau2_by_e1*t170 + sine_part_tau2_by_e1*t171 + sine_part_tau2_by_tau_by_e1*t168 + t167*v2_3_by_tau_by_e1 + t172*v2_3_by_e1
-    # d/de2 of: d/dtau of: first return of tau2
-    amplitude_tau2_by_tau_by_e2 = -amplitude_tau2_by_e2*t170 + sine_part_tau2_by_e2*t171 + t172*v2_3_by_e2
-    # d/dtau of: d/dtau1 of: first return of tau2
-    t174 = t169*t52
-    amplitude_tau2_by_tau1_by_tau = -amplitude_tau2_by_tau*t174 + sine_part_tau2_by_tau1_by_tau*t168 + t167*v2_3_by_tau1_by_tau + t173
-    # d/dtau1 of: d/dtau1 of: first return of tau2
-    amplitude_tau2_by_tau1_by_tau1 = -amplitude_tau2_by_tau1*t174 + sine_part_tau2_by_tau1**2*t50 + sine_part_tau2_by_tau1_by_tau1*t168 + t167*v2_3_by_tau1_by_tau1 + t50*v2_3_by_tau1**2
-    # d/dchi of: d/dtau1 of: first return of tau2
-    t175 = sine_part_tau2_by_tau1*t50
-    t176 = t50*v2_3_by_tau1
-    amplitude_tau2_by_tau1_by_chi = -amplitude_tau2_by_chi*t174 + sine_part_tau2_by_chi*t175 + sine_part_tau2_by_tau1_by_chi*t168 + t167*v2_3_by_tau1_by_chi + t176*v2_3_by_chi
-    # d/deta of: d/dtau1 of: first return of tau2
-    amplitude_tau2_by_tau1_by_eta = -amplitude_tau2_by_eta*t174 + sine_part_tau2_by_eta*t175 + sine_part_tau2_by_tau1_by_eta*t168 + t167*v2_3_by_tau1_by_eta + t176*v2_3_by_eta
-    # d/dV of: d/dtau1 of: first return of tau2
-    amplitude_tau2_by_tau1_by_V = -amplitude_tau2_by_V*t174 + cosine_part_tau2_by_V*t176 + sine_part_tau2_by_V*t175 + sine_part_tau2_by_tau1_by_V*t168 + t167*v2_3_by_tau1_by_V
-    # d/de1 of: d/dtau1 of: first return of tau2
-    amplitude_tau2_by_tau1_by_e1 = -amplitude_tau2_by_e1*t174 + sine_part_tau2_by_e1*t175 + sine_part_tau2_by_tau1_by_e1*t168 + t167*v2_3_by_tau1_by_e1 + t176*v2_3_by_e1
-    # d/de2 of: d/dtau1 of: first return of tau2
-    amplitude_tau2_by_tau1_by_e2 = -amplitude_tau2_by_e2*t174 + sine_part_tau2_by_e2*t175 + sine_part_tau2_by_tau1_by_e2*t168 + t167*v2_3_by_tau1_by_e2 + t176*v2_3_by_e2
+    t51 = sine_part_tau2_by_tau1*t47 + t46*v2_3_by_tau1
+    amplitude_tau2_by_tau1 = t50*t51
+    # back through: d/dtau1 of: first return of tau2
+    t52 = 1/v1_3_by_tau1
+    t53 = 1/z2_1_by_tau
+    t54 = 1/omega3
+    t55 = t4*t54
+    t56 = t53*t55
+    t57 = t52*t56
+    slope_by_amplitude_tau2_by_tau1 = -t57*v1_3_by_tau
+    # back through: d/dtau of: first return of tau2
+    slope_by_amplitude_tau2_by_tau = t56
+    # back through: d/dtau1 of: first return of tau2
+    t58 = sine_part_tau2*t49
+    slope_by_sine_part_tau2_by_tau1 = slope_by_amplitude_tau2_by_tau1*t58
+    # back through: d/dtau of: first return of tau2
+    slope_by_sine_part_tau2_by_tau = slope_by_amplitude_tau2_by_tau*t58
+    # back through: d/dtau1 of: slip-slip for tau1
+    t59 = cosine_part_tau2*t49
+    slope_by_v2_3_by_tau1 = slope_by_amplitude_tau2_by_tau1*t59
+    t60 = amplitude_tau2_by_tau1*v1_3_by_tau
+    slope_by_v1_3_by_tau1 = t56*t60/v1_3_by_tau1**2
+    # back through: d/dtau of: slip-slip for tau1
+    slope_by_v2_3_by_tau = slope_by_amplitude_tau2_by_tau*t59
+    slope_by_v1_3_by_tau = -amplitude_tau2_by_tau1*t57
+    t61 = omega3*slope_by_sine_part_tau2_by_tau
+    slope_by_z2_3_by_tau = -t61
+    slope_by_z1_3_by_tau = t61
+    # back through: d/dtau of: slip-stick for tau
+    slope_by_v1_2_by_tau = slope_by_v1_3_by_tau*t25 + slope_by_v2_3_by_tau*t29 + slope_by_z1_3_by_tau*t24 + slope_by_z2_3_by_tau*t28
+    slope_by_z2_2_by_tau = slope_by_v1_3_by_tau*t35 + slope_by_v2_3_by_tau*t37 + slope_by_z1_3_by_tau*t26 + slope_by_z2_3_by_tau*t30
+    slope_by_z1_2_by_tau = slope_by_v1_3_by_tau*t34 + slope_by_v2_3_by_tau*t36 + slope_by_z1_3_by_tau*t25 + slope_by_z2_3_by_tau*t29
+    # back through: d/dtau of: z2_1: linear in second-breaks-forward
+    slope_by_z2_1_by_tau = chi*slope_by_z1_2_by_tau + slope_by_z2_2_by_tau - (amplitude_tau2_by_tau*t55 - t52*t55*t60)/z2_1_by_tau**2
+    # back through: d/dtau of: functions of tau in slip-stick
+    slope_by_sin_tau_by_tau = V*slope_by_z2_1_by_tau - e1*slope_by_v1_2_by_tau + slope_by_z1_2_by_tau*t42
+    slope_by_cos_tau_by_tau = e1*slope_by_z1_2_by_tau + slope_by_v1_2_by_tau*t42 - slope_by_z2_1_by_tau*t5
+    # back through: first return of tau2
+    t62 = 1/(2*amplitude_tau2**2)
+    slope_by_amplitude_tau2 = -slope_by_amplitude_tau2_by_tau*t48*t62 - slope_by_amplitude_tau2_by_tau1*t51*t62
+    # back through: first return of tau2
+    t63 = slope_by_amplitude_tau2_by_tau*t49
+    t64 = slope_by_amplitude_tau2_by_tau1*t49
+    slope_by_sine_part_tau2 = sine_part_tau2_by_tau*t63 + sine_part_tau2_by_tau1*t64 + slope_by_amplitude_tau2*t58
+    slope_by_cosine_part_tau2 = slope_by_amplitude_tau2*t59 + t63*v2_3_by_tau + t64*v2_3_by_tau1
+    # back through: slip-slip for tau1
+    t66 = omega3*slope_by_sine_part_tau2_by_tau1
+    slope_by_v2_3 = slope_by_cosine_part_tau2 - t66
+    slope_by_v1_3 = t66
+    t67 = chi*eta*slope_by_v2_3_by_tau1 + omega3*slope_by_sine_part_tau2
+    slope_by_z2_3 = chi*slope_by_v1_3_by_tau1 - t67
+    slope_by_z1_3 = -slope_by_v1_3_by_tau1 + t67
+    # back through: functions of tau1 in slip-slip
+    t68 = p2*z2_2
+    t69 = t21*z1_2
+    t70 = p2*z2_2_by_tau
+    t71 = t21*z1_2_by_tau
+    t72 = p1*z2_2
+    t73 = p1*z2_2_by_tau
+    t74 = V*p2
+    t75 = V*p1
+    t76 = p3*v1_2
+    t77 = slope_by_z1_3_by_tau*v1_2_by_tau
+    t78 = t21*t77
+    t79 = p3*v1_2_by_tau
+    t80 = slope_by_z2_3_by_tau*t79
+    slope_by_sin_omega2_tau1 = slope_by_v1_3*(omega2*t68 - omega2*t69) + slope_by_v1_3_by_tau*(omega2*t70 - omega2*t71) + slope_by_v2_3*(omega2*p3*z1_2 - omega2*t72) + slope_by_v2_3_by_tau*(omega2*p3*z1_2_by_tau - omega2*t73) + slope_by_z1_3*(t21*t22*v1_2 - t22*t74) + slope_by_z2_3*(t22*t75 - t22*t76) + t22*t78 - t22*t80
+    t81 = p3*z1_2
+    t82 = p3*z1_2_by_tau
+    t83 = slope_by_v1_3_by_tau*v1_2_by_tau
+    t84 = slope_by_v2_3_by_tau*t79
+    slope_by_cos_omega2_tau1 = slope_by_v1_3*(t21*v1_2 - t74) + slope_by_v2_3*(t75 - t76) + slope_by_z1_3*(t21*z1_2 - t68) + slope_by_z1_3_by_tau*(t21*z1_2_by_tau - t70) + slope_by_z2_3*(t72 - t81) + slope_by_z2_3_by_tau*(t73 - t82) + t21*t83 - t84
+    t85 = p1*z1_2
+    t86 = p1*z1_2_by_tau
+    t87 = t21*z2_2
+    t88 = t21*z2_2_by_tau
+    t89 = p1*v1_2
+    t90 = V*t21
+    t91 = p1*t77
+    slope_by_sin_omega1_tau1 = slope_by_v1_3*(-omega1*t68 - omega1*t85) + slope_by_v1_3_by_tau*(-omega1*t70 - omega1*t86) + slope_by_v2_3*(-omega1*t81 - omega1*t87) + slope_by_v2_3_by_tau*(-omega1*t82 - omega1*t88) + slope_by_z1_3*(t19*t74 + t19*t89) + slope_by_z2_3*(t19*t76 + t19*t90) + t19*t80 + t19*t91
+    slope_by_cos_omega1_tau1 = p1*t83 + slope_by_v1_3*(t74 + t89) + slope_by_v2_3*(t76 + t90) + slope_by_z1_3*(t68 + t85) + slope_by_z1_3_by_tau*(t70 + t86) + slope_by_z2_3*(t81 + t87) + slope_by_z2_3_by_tau*(t82 + t88) + t84
+    # back through: slip-stick for tau
+    slope_by_v1_2 = slope_by_v1_3*t25 + slope_by_v2_3*t29 + slope_by_z1_3*t24 + slope_by_z2_3*t28
+    slope_by_z2_2 = slope_by_v1_3*t35 + slope_by_v2_3*t37 + slope_by_z1_3*t26 + slope_by_z2_3*t30
+    slope_by_z1_2 = slope_by_v1_3*t34 + slope_by_v2_3*t36 + slope_by_z1_3*t25 + slope_by_z2_3*t29
+    # back through: z2_1: linear in second-breaks-forward
+    slope_by_z2_1 = chi*slope_by_z1_2 + slope_by_z2_2
+    # back through: functions of tau in slip-stick
+    t92 = V*slope_by_z2_1
+    slope_by_sin_tau = -e1*slope_by_v1_2 + slope_by_z1_2*t42 + t92
+    slope_by_cos_tau = e1*slope_by_z1_2 + slope_by_v1_2*t42 - slope_by_z2_1*t5
     # outputs
-    t177 = 1/omega3
-    t178 = amplitude_tau2_by_tau*t177
-    t179 = t177*t4
-    t180 = 1/v1_3_by_tau1
-    t181 = amplitude_tau2_by_tau1*t180
-    t182 = (t178*t4 - t179*t181*v1_3_by_tau)/z2_1_by_tau**2
-    t183 = 1/z2_1_by_tau
-    t184 = t179*t183
-    t185 = t181*t184
-    t186 = t184*v1_3_by_tau
-    t187 = t180*t186
-    t188 = 1/v1_3_by_tau1**2
-    t189 = amplitude_tau2_by_tau1*t186*t188
-    t190 = 1/omega3**2
-    t191 = t183*(-amplitude_tau2_by_tau*t190*t4 + amplitude_tau2_by_tau1*t180*t190*t4*v1_3_by_tau)
-    return [0, 0, 0, amplitude_tau2_by_tau1*t177*t183*t188*t4*v1_3_by_tau*v1_3_by_tau1_by_tau - amplitude_tau2_by_tau1_by_tau*t187 + amplitude_tau2_by_tau_by_tau*t177*t183*t4 - t182*z2_1_by_tau_by_tau - t185*v1_3_by_tau_by_tau, -amplitude_tau2_by_tau1_by_tau1*t187 + amplitude_tau2_by_tau_by_tau1*t184 - t185*v1_3_by_tau_by_tau1 + t189*v1_3_by_tau1_by_tau1, 0, -amplitude_tau2_by_tau1_by_chi*t187 + amplitude_tau2_by_tau_by_chi*t184 + omega3_by_chi*t191 - t182*z2_1_by_tau_by_chi + t183*(amplitude_tau2_by_tau1*t177*t180*t53*v1_3_by_tau - t178*t53) - t185*v1_3_by_tau_by_chi + t189*v1_3_by_tau1_by_chi, -amplitude_tau2_by_tau1_by_eta*t187 + amplitude_tau2_by_tau_by_eta*t184 + omega3_by_eta*t191 - t185*v1_3_by_tau_by_eta + t189*v1_3_by_tau1_by_eta, amplitude_tau2_by_tau1*t177*t183*t188*t4*v1_3_by_tau*v1_3_by_tau1_by_V - amplitude_tau2_by_tau1_by_V*t187 + amplitude_tau2_by_tau_by_V*t177*t183*t4 - t182*z2_1_by_tau_by_V - t185*v1_3_by_tau_by_V, amplitude_tau2_by_tau1*t177*t183*t188*t4*v1_3_by_tau*v1_3_by_tau1_by_e1 - amplitude_tau2_by_tau1_by_e1*t187 + amplitude_tau2_by_tau_by_e1*t177*t183*t4 - t182*z2_1_by_tau_by_e1 - t185*v1_3_by_tau_by_e1, -amplitude_tau2_by_tau1_by_e2*t187 + amplitude_tau2_by_tau_by_e2*t184 + t189*v1_3_by_tau1_by_e2]
+    t93 = sin_omega2_tau1*slope_by_cos_omega2_tau1
+    t94 = sin_omega1_tau1*slope_by_cos_omega1_tau1
+    t95 = sin_omega1_tau1/omega1**2
+    t96 = cos_omega1_tau1*slope_by_sin_omega1_tau1*tau1 + slope_by_v1_3*(-sin_omega1_tau1*t68 - sin_omega1_tau1*t85) + slope_by_v1_3_by_tau*(-sin_omega1_tau1*t70 - sin_omega1_tau1*t86) + slope_by_v2_3*(-sin_omega1_tau1*t81 - sin_omega1_tau1*t87) + slope_by_v2_3_by_tau*(-sin_omega1_tau1*t82 - sin_omega1_tau1*t88) + slope_by_z1_3*(-t74*t95 - t89*t95) + slope_by_z2_3*(-t76*t95 - t90*t95) - t80*t95 - t91*t95 - t94*tau1
+    t97 = 1/omega2**2
+    t98 = sin_omega2_tau1*t97
+    t99 = cos_omega2_tau1*slope_by_sin_omega2_tau1*tau1 + slope_by_v1_3*(sin_omega2_tau1*t68 - sin_omega2_tau1*t69) + slope_by_v1_3_by_tau*(sin_omega2_tau1*t70 - sin_omega2_tau1*t71) + slope_by_v2_3*(p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t72) + slope_by_v2_3_by_tau*(p3*sin_omega2_tau1*z1_2_by_tau - sin_omega2_tau1*t73) + slope_by_z1_3*(-t21*t98*v1_2 + t74*t98) + slope_by_z2_3*(p3*sin_omega2_tau1*t97*v1_2 - t75*t98) - t78*t98 + t80*t98 - t93*tau1
+    t100 = 1/omega3**2
+    t101 = slope_by_sine_part_tau2*(z1_3 - z2_3) + slope_by_sine_part_tau2_by_tau*(z1_3_by_tau - z2_3_by_tau) + slope_by_sine_part_tau2_by_tau1*(v1_3 - v2_3) + t53*(-amplitude_tau2_by_tau*t100*t4 + amplitude_tau2_by_tau1*t100*t4*t52*v1_3_by_tau)
+    t102 = cos_omega1_tau1 - cos_omega2_tau1
+    t103 = -omega2*sin_omega2_tau1 + t33
+    t105 = t102*v1_2 - t103*z1_2
+    t106 = t102*v1_2_by_tau - t103*z1_2_by_tau
+    t108 = -sin_omega1_tau1*t19 + t23
+    t110 = t102*z1_2 - t108*v1_2
+    t111 = t102*z1_2_by_tau - t108*v1_2_by_tau
+    t112 = slope_by_v1_3*t105 + slope_by_v1_3_by_tau*t106 + slope_by_v2_3*(-V*t102 + t103*z2_2) + slope_by_v2_3_by_tau*t103*z2_2_by_tau + slope_by_z1_3*t110 + slope_by_z1_3_by_tau*t111 + slope_by_z2_3*(V*t108 - t102*z2_2) - slope_by_z2_3_by_tau*t102*z2_2_by_tau
+    t113 = slope_by_v1_3*(V*t102 - t103*z2_2) - slope_by_v1_3_by_tau*t103*z2_2_by_tau + slope_by_z1_3*(-V*t108 + t102*z2_2) + slope_by_z1_3_by_tau*t102*z2_2_by_tau
+    t114 = slope_by_v2_3*t105 + slope_by_v2_3_by_tau*t106 + slope_by_z2_3*t110 + slope_by_z2_3_by_tau*t111
+    t115 = 1 - cos_tau
+    t116 = sin_tau - tau
+    t117 = 1/t3**2
+    t118 = cos_tau_by_tau*slope_by_v1_2_by_tau
+    t120 = slope_by_z2_1*t4
+    return [0, 0, 0, V*chi*slope_by_z1_2 + V*slope_by_z2_2 - cos_tau*slope_by_cos_tau_by_tau + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau - sin_tau*slope_by_sin_tau_by_tau - t92, cos_omega1_tau1*omega1*slope_by_sin_omega1_tau1 + cos_omega2_tau1*omega2*slope_by_sin_omega2_tau1 - omega1*t94 - omega2*t93, 0, V*slope_by_v1_2*t115 - V*t118 + omega1_by_chi*t96 + omega2_by_chi*t99 + omega3_by_chi*t101 + p1_by_chi*t112 + p2_by_chi*t113 + p3_by_chi*t114 + slope_by_v1_3_by_tau1*z2_3 + slope_by_v2_3_by_tau1*(-eta*z2_3 + t45) + slope_by_z1_2*(-V*t116 + cos_tau*z2_1 + t115*z2_1) + slope_by_z1_2_by_tau*(t39 + z2_2_by_tau) + slope_by_z2_1*(cos_tau*e1*t117 + t117*t7 + e2*t4/chi**2) + slope_by_z2_1_by_tau*t117*t40 + t53*(-amplitude_tau2_by_tau*t117*t54 + amplitude_tau2_by_tau1*t117*t52*t54*v1_3_by_tau), omega1_by_eta*t96 + omega2_by_eta*t99 + omega3_by_eta*t101 + p1_by_eta*t112 + p2_by_eta*t113 + p3_by_eta*t114 + slope_by_v2_3_by_tau1*(chi*z1_3 - t44), -slope_by_cosine_part_tau2 + slope_by_v1_2*(chi + cos_tau - t10) + slope_by_v1_3*t26 + slope_by_v2_3*t30 + slope_by_z1_2*(chi*tau + sin_tau - t12) + slope_by_z1_2_by_tau*(chi - sin_tau_by_tau*t3) + slope_by_z1_3*t27 + slope_by_z2_1*t116 + slope_by_z2_1_by_tau*(sin_tau_by_tau - 1) + slope_by_z2_2*tau + slope_by_z2_2_by_tau + slope_by_z2_3*t31 - t118*t3, cos_tau*slope_by_z1_2 - cos_tau*t120 + cos_tau_by_tau*slope_by_z1_2_by_tau - cos_tau_by_tau*slope_by_z2_1_by_tau*t4 - sin_tau*slope_by_v1_2 - sin_tau_by_tau*slope_by_v1_2_by_tau, -t120*t6]
 
 
 def global_stick_states(parameters, spectrum, unknowns, lib):
@@ -6315,7 +5774,7 @@ def solution_ii_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
         p2_by_eta, p3_by_chi, p3_by_eta, omega3_by_chi, omega3_by_eta.
     Takes unknowns (6): z10, z20, tau, tau1, tau2, e1.
     Gives trace_gradient (10).
-    Operations: 2228. Intermediate terms: 634.
+    Operations: 1108. Intermediate terms: 246.
     """
     [chi, eta, V, _] = parameters
     [_, omega1, omega2, p1, p2, p3, omega3] = spectrum
@@ -6325,768 +5784,289 @@ def solution_ii_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     cos_tau = lib.cos(tau)
     sin_tau = lib.sin(tau)
     # slip-stick for tau, until second-breaks-forward
-    t3 = chi*cos_tau
-    t4 = chi - t3
-    t5 = chi*sin_tau
-    z1_2 = V*sin_tau + V*(chi*tau - t5) + cos_tau*z10 + t4*z20
+    t2 = chi*cos_tau
+    t3 = chi - t2
+    t4 = chi*sin_tau
+    z1_2 = V*sin_tau + V*(chi*tau - t4) + cos_tau*z10 + t3*z20
     z2_2 = V*tau + z20
-    v1_2 = V*cos_tau + V*t4 - sin_tau*z10 + t5*z20
+    v1_2 = V*cos_tau + V*t3 - sin_tau*z10 + t4*z20
     # functions of tau1 in slip-slip
-    t6 = omega1*tau1
-    cos_omega1_tau1 = lib.cos(t6)
-    sin_omega1_tau1 = lib.sin(t6)
-    t9 = omega2*tau1
-    cos_omega2_tau1 = lib.cos(t9)
-    sin_omega2_tau1 = lib.sin(t9)
+    t5 = omega1*tau1
+    cos_omega1_tau1 = lib.cos(t5)
+    sin_omega1_tau1 = lib.sin(t5)
+    t8 = omega2*tau1
+    cos_omega2_tau1 = lib.cos(t8)
+    sin_omega2_tau1 = lib.sin(t8)
     # slip-slip for tau1, until first-reaches-belt
-    t12 = 1/omega1
-    t13 = sin_omega1_tau1*t12
-    t14 = 1 - p1
-    t15 = 1/omega2
-    t16 = sin_omega2_tau1*t15
-    t17 = p1*t13 + t14*t16
-    t18 = cos_omega1_tau1*p1 + cos_omega2_tau1*t14
-    t19 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
-    t20 = p2*t16
-    z1_3 = V*(p2*sin_omega1_tau1*t12 - t20) + t17*v1_2 + t18*z1_2 + t19*z2_2
-    t21 = p3*sin_omega1_tau1*t12 - p3*t16
-    t22 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
-    t23 = cos_omega1_tau1*t14 + cos_omega2_tau1*p1
-    t24 = p1*t16 + t13*t14
-    z2_3 = V*t24 + t21*v1_2 + t22*z1_2 + t23*z2_2
-    t25 = omega2*sin_omega2_tau1
-    t26 = omega1*sin_omega1_tau1
-    t27 = -p1*t26 - t14*t25
-    t28 = p2*t26
-    t29 = omega2*p2*sin_omega2_tau1 - t28
-    t30 = V*t19
-    v1_3 = t18*v1_2 + t27*z1_2 + t29*z2_2 + t30
-    t31 = omega2*p3*sin_omega2_tau1 - p3*t26
-    t32 = p1*t25 + t14*t26
-    t34 = V*t23
-    v2_3 = t22*v1_2 + t31*z1_2 - t32*z2_2 + t34
+    t11 = 1/omega1
+    t12 = sin_omega1_tau1*t11
+    t13 = 1 - p1
+    t14 = 1/omega2
+    t15 = sin_omega2_tau1*t14
+    t16 = p1*t12 + t13*t15
+    t17 = cos_omega1_tau1*p1 + cos_omega2_tau1*t13
+    t18 = cos_omega1_tau1*p2 - cos_omega2_tau1*p2
+    t19 = p2*sin_omega1_tau1*t11 - p2*t15
+    z1_3 = V*t19 + t16*v1_2 + t17*z1_2 + t18*z2_2
+    t20 = p3*sin_omega1_tau1*t11 - p3*t15
+    t21 = cos_omega1_tau1*p3 - cos_omega2_tau1*p3
+    t22 = cos_omega1_tau1*t13 + cos_omega2_tau1*p1
+    t23 = p1*t15 + t12*t13
+    z2_3 = V*t23 + t20*v1_2 + t21*z1_2 + t22*z2_2
+    t24 = omega2*sin_omega2_tau1
+    t25 = omega1*sin_omega1_tau1
+    t26 = -p1*t25 - t13*t24
+    t27 = omega2*p2*sin_omega2_tau1 - p2*t25
+    v1_3 = V*t18 + t17*v1_2 + t26*z1_2 + t27*z2_2
+    t28 = omega2*p3*sin_omega2_tau1 - p3*t25
+    t29 = -p1*t24 - t13*t25
+    v2_3 = V*t22 + t21*v1_2 + t28*z1_2 + t29*z2_2
     # functions of tau2 in stick-slip
-    t35 = omega3*tau2
-    cos_omega3_tau2 = lib.cos(t35)
-    sin_omega3_tau2 = lib.sin(t35)
+    t30 = omega3*tau2
+    cos_omega3_tau2 = lib.cos(t30)
+    sin_omega3_tau2 = lib.sin(t30)
     # stick-slip for tau2, until second-reaches-belt
     z1_4 = V*tau2 + z1_3
-    t38 = 1 - cos_omega3_tau2
-    t39 = 1/omega3
-    t40 = sin_omega3_tau2*t39
-    t41 = -t40 + tau2
-    z2_4 = V*t41 + cos_omega3_tau2*z2_3 + t38*z1_3 + t40*v2_3
-    t42 = omega3*z1_3
-    t43 = omega3*z2_3
-    v2_4 = V*t38 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t42 - sin_omega3_tau2*t43
+    t33 = 1 - cos_omega3_tau2
+    t34 = 1/omega3
+    t35 = sin_omega3_tau2*t34
+    t36 = -t35 + tau2
+    z2_4 = V*t36 + cos_omega3_tau2*z2_3 + t33*z1_3 + t35*v2_3
+    t37 = omega3*z1_3
+    t38 = omega3*z2_3
+    v2_4 = V*t33 + cos_omega3_tau2*v2_3 + sin_omega3_tau2*t37 - sin_omega3_tau2*t38
     # rate of the exit boundary after ta
-    t45 = V*chi
-    rate_1 = V - t45
+    t39 = V*chi
+    rate_1 = V - t39
     # derivatives of the time to the boundary after ta
-    t47 = 1/rate_1
-    delay_ta_by_z10 = -t47
-    delay_ta_by_z20 = chi*t47
+    t41 = 1/rate_1
+    delay_ta_by_z10 = -t41
+    delay_ta_by_z20 = chi*t41
     # perturbation on the boundary after ta
-    t49 = V*delay_ta_by_z10
-    z1_1_on_boundary_by_z10 = t49 + 1
+    t42 = V*delay_ta_by_z10
+    z1_1_on_boundary_by_z10 = t42 + 1
     z1_1_on_boundary_by_z20 = V*delay_ta_by_z20
-    z2_1_on_boundary_by_z10 = t49
+    z2_1_on_boundary_by_z10 = t42
     z2_1_on_boundary_by_z20 = z1_1_on_boundary_by_z20 + 1
     # Phi along tau
-    carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t4*z2_1_on_boundary_by_z10
-    carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t4*z2_1_on_boundary_by_z20
-    carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t5*z2_1_on_boundary_by_z10
-    carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t5*z2_1_on_boundary_by_z20
+    carried_z1_2_by_z10 = cos_tau*z1_1_on_boundary_by_z10 + t3*z2_1_on_boundary_by_z10
+    carried_z1_2_by_z20 = cos_tau*z1_1_on_boundary_by_z20 + t3*z2_1_on_boundary_by_z20
+    carried_v1_2_by_z10 = -sin_tau*z1_1_on_boundary_by_z10 + t4*z2_1_on_boundary_by_z10
+    carried_v1_2_by_z20 = -sin_tau*z1_1_on_boundary_by_z20 + t4*z2_1_on_boundary_by_z20
     # rate of the exit boundary after tau
-    rate_2 = -chi*v1_2 + t45
+    rate_2 = -chi*v1_2 + t39
     # derivatives of the time to the boundary after tau
-    t51 = 1/rate_2
-    t52 = chi*z2_1_on_boundary_by_z10
-    t53 = carried_z1_2_by_z10*chi - t52
-    delay_tau_by_z10 = t51*t53
-    t54 = chi*z2_1_on_boundary_by_z20
-    t55 = carried_z1_2_by_z20*chi - t54
-    delay_tau_by_z20 = t51*t55
+    t44 = 1/rate_2
+    t45 = chi*z2_1_on_boundary_by_z10
+    t46 = carried_z1_2_by_z10*chi - t45
+    delay_tau_by_z10 = t44*t46
+    t47 = chi*z2_1_on_boundary_by_z20
+    t48 = carried_z1_2_by_z20*chi - t47
+    delay_tau_by_z20 = t44*t48
     # perturbation on the boundary after tau
     z1_2_on_boundary_by_z10 = carried_z1_2_by_z10 + delay_tau_by_z10*v1_2
     z1_2_on_boundary_by_z20 = carried_z1_2_by_z20 + delay_tau_by_z20*v1_2
     z2_2_on_boundary_by_z10 = V*delay_tau_by_z10 + z2_1_on_boundary_by_z10
     z2_2_on_boundary_by_z20 = V*delay_tau_by_z20 + z2_1_on_boundary_by_z20
-    t56 = chi*z2_2 - z1_2
-    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t56
-    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t56
+    t49 = chi*z2_2 - z1_2
+    v1_2_on_boundary_by_z10 = carried_v1_2_by_z10 + delay_tau_by_z10*t49
+    v1_2_on_boundary_by_z20 = carried_v1_2_by_z20 + delay_tau_by_z20*t49
     # Phi along tau1
-    carried_z1_3_by_z10 = t17*v1_2_on_boundary_by_z10 + t18*z1_2_on_boundary_by_z10 + t19*z2_2_on_boundary_by_z10
-    carried_z1_3_by_z20 = t17*v1_2_on_boundary_by_z20 + t18*z1_2_on_boundary_by_z20 + t19*z2_2_on_boundary_by_z20
-    carried_z2_3_by_z10 = t21*v1_2_on_boundary_by_z10 + t22*z1_2_on_boundary_by_z10 + t23*z2_2_on_boundary_by_z10
-    carried_z2_3_by_z20 = t21*v1_2_on_boundary_by_z20 + t22*z1_2_on_boundary_by_z20 + t23*z2_2_on_boundary_by_z20
-    carried_v1_3_by_z10 = t18*v1_2_on_boundary_by_z10 + t27*z1_2_on_boundary_by_z10 + t29*z2_2_on_boundary_by_z10
-    carried_v1_3_by_z20 = t18*v1_2_on_boundary_by_z20 + t27*z1_2_on_boundary_by_z20 + t29*z2_2_on_boundary_by_z20
-    carried_v2_3_by_z10 = t22*v1_2_on_boundary_by_z10 + t31*z1_2_on_boundary_by_z10 - t32*z2_2_on_boundary_by_z10
-    carried_v2_3_by_z20 = t22*v1_2_on_boundary_by_z20 + t31*z1_2_on_boundary_by_z20 - t32*z2_2_on_boundary_by_z20
+    carried_z1_3_by_z10 = t16*v1_2_on_boundary_by_z10 + t17*z1_2_on_boundary_by_z10 + t18*z2_2_on_boundary_by_z10
+    carried_z1_3_by_z20 = t16*v1_2_on_boundary_by_z20 + t17*z1_2_on_boundary_by_z20 + t18*z2_2_on_boundary_by_z20
+    carried_z2_3_by_z10 = t20*v1_2_on_boundary_by_z10 + t21*z1_2_on_boundary_by_z10 + t22*z2_2_on_boundary_by_z10
+    carried_z2_3_by_z20 = t20*v1_2_on_boundary_by_z20 + t21*z1_2_on_boundary_by_z20 + t22*z2_2_on_boundary_by_z20
+    carried_v1_3_by_z10 = t17*v1_2_on_boundary_by_z10 + t26*z1_2_on_boundary_by_z10 + t27*z2_2_on_boundary_by_z10
+    carried_v1_3_by_z20 = t17*v1_2_on_boundary_by_z20 + t26*z1_2_on_boundary_by_z20 + t27*z2_2_on_boundary_by_z20
+    carried_v2_3_by_z10 = t21*v1_2_on_boundary_by_z10 + t28*z1_2_on_boundary_by_z10 + t29*z2_2_on_boundary_by_z10
+    carried_v2_3_by_z20 = t21*v1_2_on_boundary_by_z20 + t28*z1_2_on_boundary_by_z20 + t29*z2_2_on_boundary_by_z20
     # rate of the exit boundary after tau1
-    t57 = chi*z2_3
-    rate_3 = t57 - z1_3
+    t50 = chi*z2_3
+    rate_3 = t50 - z1_3
     # derivatives of the time to the boundary after tau1
-    t58 = 1/rate_3
-    delay_tau1_by_z10 = -carried_v1_3_by_z10*t58
-    delay_tau1_by_z20 = -carried_v1_3_by_z20*t58
+    t51 = 1/rate_3
+    delay_tau1_by_z10 = -carried_v1_3_by_z10*t51
+    delay_tau1_by_z20 = -carried_v1_3_by_z20*t51
     # perturbation on the boundary after tau1
     z1_3_on_boundary_by_z10 = carried_z1_3_by_z10 + delay_tau1_by_z10*v1_3
     z1_3_on_boundary_by_z20 = carried_z1_3_by_z20 + delay_tau1_by_z20*v1_3
     z2_3_on_boundary_by_z10 = carried_z2_3_by_z10 + delay_tau1_by_z10*v2_3
     z2_3_on_boundary_by_z20 = carried_z2_3_by_z20 + delay_tau1_by_z20*v2_3
-    t59 = eta*z1_3
-    t60 = chi*t59 - eta*t57
-    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t60
-    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t60
+    t52 = eta*z1_3
+    t53 = chi*t52 - eta*t50
+    v2_3_on_boundary_by_z10 = carried_v2_3_by_z10 + delay_tau1_by_z10*t53
+    v2_3_on_boundary_by_z20 = carried_v2_3_by_z20 + delay_tau1_by_z20*t53
     # Phi along tau2
-    t61 = omega3*z1_3_on_boundary_by_z10
-    t62 = omega3*z2_3_on_boundary_by_z10
-    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + sin_omega3_tau2*t61 - sin_omega3_tau2*t62
-    t63 = omega3*z1_3_on_boundary_by_z20
-    t64 = omega3*z2_3_on_boundary_by_z20
-    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + sin_omega3_tau2*t63 - sin_omega3_tau2*t64
+    t54 = omega3*z1_3_on_boundary_by_z10
+    t55 = omega3*z2_3_on_boundary_by_z10
+    carried_v2_4_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10 + sin_omega3_tau2*t54 - sin_omega3_tau2*t55
+    t56 = omega3*z1_3_on_boundary_by_z20
+    t57 = omega3*z2_3_on_boundary_by_z20
+    carried_v2_4_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20 + sin_omega3_tau2*t56 - sin_omega3_tau2*t57
     # rate of the exit boundary after tau2
-    t65 = eta*z1_4
-    t66 = eta*z2_4
-    rate_4 = chi*t65 - chi*t66
+    t58 = eta*z1_4
+    t59 = eta*z2_4
+    rate_4 = chi*t58 - chi*t59
     # derivatives of the time to the boundary after tau2
-    t67 = 1/rate_4
-    delay_tau2_by_z10 = -carried_v2_4_by_z10*t67
-    delay_tau2_by_z20 = -carried_v2_4_by_z20*t67
-    # d/dtau of: functions of tau in slip-stick
-    cos_tau_by_tau = -sin_tau
-    sin_tau_by_tau = cos_tau
-    # d/dz10 of: slip-stick for tau, until second-breaks-forward
-    v1_2_by_z10 = -sin_tau
-    # d/dz20 of: slip-stick for tau, until second-breaks-forward
-    z1_2_by_z20 = t4
-    v1_2_by_z20 = t5
-    # d/dtau of: slip-stick for tau, until second-breaks-forward
-    t68 = chi*z20 - z10
-    z1_2_by_tau = -cos_tau_by_tau*t68 + rate_1*sin_tau_by_tau + t45
-    v1_2_by_tau = cos_tau_by_tau*rate_1 + sin_tau_by_tau*t68
-    # d/dchi of: slip-stick for tau, until second-breaks-forward
-    t69 = 1 - cos_tau
-    z1_2_by_chi = V*(-sin_tau + tau) + t69*z20
-    v1_2_by_chi = V*t69 + sin_tau*z20
-    # d/dV of: slip-stick for tau, until second-breaks-forward
-    t70 = chi*tau
-    z1_2_by_V = sin_tau - t5 + t70
-    v1_2_by_V = chi + cos_tau - t3
-    # d/dtau1 of: functions of tau1 in slip-slip
-    cos_omega1_tau1_by_tau1 = -omega1*sin_omega1_tau1
-    sin_omega1_tau1_by_tau1 = cos_omega1_tau1*omega1
-    cos_omega2_tau1_by_tau1 = -omega2*sin_omega2_tau1
-    sin_omega2_tau1_by_tau1 = cos_omega2_tau1*omega2
-    # d/dchi of: functions of tau1 in slip-slip
-    t71 = omega1_by_chi*tau1
-    cos_omega1_tau1_by_chi = -sin_omega1_tau1*t71
-    sin_omega1_tau1_by_chi = cos_omega1_tau1*t71
-    t72 = omega2_by_chi*tau1
-    cos_omega2_tau1_by_chi = -sin_omega2_tau1*t72
-    sin_omega2_tau1_by_chi = cos_omega2_tau1*t72
-    # d/deta of: functions of tau1 in slip-slip
-    t73 = omega1_by_eta*tau1
-    cos_omega1_tau1_by_eta = -sin_omega1_tau1*t73
-    sin_omega1_tau1_by_eta = cos_omega1_tau1*t73
-    t74 = omega2_by_eta*tau1
-    cos_omega2_tau1_by_eta = -sin_omega2_tau1*t74
-    sin_omega2_tau1_by_eta = cos_omega2_tau1*t74
-    # d/dz10 of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_z10 = cos_tau*t18 + t17*v1_2_by_z10
-    z2_3_by_z10 = cos_tau*t22 + t21*v1_2_by_z10
-    v1_3_by_z10 = cos_tau*t27 + t18*v1_2_by_z10
-    v2_3_by_z10 = cos_tau*t31 + t22*v1_2_by_z10
-    # d/dz20 of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_z20 = t17*v1_2_by_z20 + t18*z1_2_by_z20 + t19
-    z2_3_by_z20 = t21*v1_2_by_z20 + t22*z1_2_by_z20 + t23
-    v1_3_by_z20 = p2*t25 + t18*v1_2_by_z20 + t27*z1_2_by_z20 - t28
-    v2_3_by_z20 = t22*v1_2_by_z20 + t31*z1_2_by_z20 - t32
-    # d/dtau of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_tau = t17*v1_2_by_tau + t18*z1_2_by_tau + t30
-    z2_3_by_tau = t21*v1_2_by_tau + t22*z1_2_by_tau + t34
-    v1_3_by_tau = V*t29 + t18*v1_2_by_tau + t27*z1_2_by_tau
-    v2_3_by_tau = -V*t32 + t22*v1_2_by_tau + t31*z1_2_by_tau
-    # d/dtau1 of: slip-slip for tau1, until first-reaches-belt
-    t75 = p1*z1_2
-    t76 = p2*z2_2
-    t77 = t75 + t76
-    t78 = t14*z1_2 - t76
-    t79 = p1*v1_2
-    t80 = V*p2
-    t81 = t12*t79 + t12*t80
-    t82 = t14*t15*v1_2 - t15*t80
-    z1_3_by_tau1 = cos_omega1_tau1_by_tau1*t77 + cos_omega2_tau1_by_tau1*t78 + sin_omega1_tau1_by_tau1*t81 + sin_omega2_tau1_by_tau1*t82
-    t83 = p3*z1_2
-    t84 = t14*z2_2
-    t85 = t83 + t84
-    t86 = p1*z2_2
-    t87 = -t83 + t86
-    t88 = p3*v1_2
-    t89 = V*t14
-    t90 = t12*t88 + t12*t89
-    t91 = V*p1
-    t92 = -t15*t88 + t15*t91
-    z2_3_by_tau1 = cos_omega1_tau1_by_tau1*t85 + cos_omega2_tau1_by_tau1*t87 + sin_omega1_tau1_by_tau1*t90 + sin_omega2_tau1_by_tau1*t92
-    t93 = t79 + t80
-    t94 = t14*v1_2 - t80
-    t95 = -omega1*t75 - omega1*t76
-    t96 = t14*z1_2
-    t97 = omega2*t76 - omega2*t96
-    v1_3_by_tau1 = cos_omega1_tau1_by_tau1*t93 + cos_omega2_tau1_by_tau1*t94 + sin_omega1_tau1_by_tau1*t95 + sin_omega2_tau1_by_tau1*t97
-    t98 = t88 + t89
-    t99 = -t88 + t91
-    t100 = -omega1*t83 - omega1*t84
-    t101 = omega2*p3*z1_2 - omega2*t86
-    v2_3_by_tau1 = cos_omega1_tau1_by_tau1*t98 + cos_omega2_tau1_by_tau1*t99 + sin_omega1_tau1_by_tau1*t100 + sin_omega2_tau1_by_tau1*t101
-    # d/dchi of: slip-slip for tau1, until first-reaches-belt
-    t102 = sin_omega1_tau1/omega1**2
-    t103 = -t102*t79 - t102*t80
-    t104 = 1/omega2**2
-    t105 = sin_omega2_tau1*t104
-    t106 = -t105*t14*v1_2 + t105*t80
-    t107 = -sin_omega1_tau1*t12 + t16
-    t109 = cos_omega1_tau1 - cos_omega2_tau1
-    t110 = -t107*v1_2 + t109*z1_2
-    t111 = -V*t107 + t109*z2_2
-    z1_3_by_chi = cos_omega1_tau1_by_chi*t77 + cos_omega2_tau1_by_chi*t78 + omega1_by_chi*t103 + omega2_by_chi*t106 + p1_by_chi*t110 + p2_by_chi*t111 + sin_omega1_tau1_by_chi*t81 + sin_omega2_tau1_by_chi*t82 + t17*v1_2_by_chi + t18*z1_2_by_chi
-    t112 = -t102*t88 - t102*t89
-    t113 = p3*sin_omega2_tau1*t104*v1_2 - t105*t91
-    t115 = V*t107 - t109*z2_2
-    z2_3_by_chi = cos_omega1_tau1_by_chi*t85 + cos_omega2_tau1_by_chi*t87 + omega1_by_chi*t112 + omega2_by_chi*t113 + p1_by_chi*t115 + p3_by_chi*t110 + sin_omega1_tau1_by_chi*t90 + sin_omega2_tau1_by_chi*t92 + t21*v1_2_by_chi + t22*z1_2_by_chi
-    t116 = -sin_omega1_tau1*t75 - sin_omega1_tau1*t76
-    t117 = sin_omega2_tau1*t76 - sin_omega2_tau1*t96
-    t118 = -omega2*sin_omega2_tau1 + t26
-    t120 = t109*v1_2 - t118*z1_2
-    t121 = V*t109 - t118*z2_2
-    v1_3_by_chi = cos_omega1_tau1_by_chi*t93 + cos_omega2_tau1_by_chi*t94 + omega1_by_chi*t116 + omega2_by_chi*t117 + p1_by_chi*t120 + p2_by_chi*t121 + sin_omega1_tau1_by_chi*t95 + sin_omega2_tau1_by_chi*t97 + t18*v1_2_by_chi + t27*z1_2_by_chi
-    t122 = -sin_omega1_tau1*t83 - sin_omega1_tau1*t84
-    t123 = p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t86
-    t124 = -V*t109 + t118*z2_2
-    v2_3_by_chi = cos_omega1_tau1_by_chi*t98 + cos_omega2_tau1_by_chi*t99 + omega1_by_chi*t122 + omega2_by_chi*t123 + p1_by_chi*t124 + p3_by_chi*t120 + sin_omega1_tau1_by_chi*t100 + sin_omega2_tau1_by_chi*t101 + t22*v1_2_by_chi + t31*z1_2_by_chi
-    # d/deta of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_eta = cos_omega1_tau1_by_eta*t77 + cos_omega2_tau1_by_eta*t78 + omega1_by_eta*t103 + omega2_by_eta*t106 + p1_by_eta*t110 + p2_by_eta*t111 + sin_omega1_tau1_by_eta*t81 + sin_omega2_tau1_by_eta*t82
-    z2_3_by_eta = cos_omega1_tau1_by_eta*t85 + cos_omega2_tau1_by_eta*t87 + omega1_by_eta*t112 + omega2_by_eta*t113 + p1_by_eta*t115 + p3_by_eta*t110 + sin_omega1_tau1_by_eta*t90 + sin_omega2_tau1_by_eta*t92
-    v1_3_by_eta = cos_omega1_tau1_by_eta*t93 + cos_omega2_tau1_by_eta*t94 + omega1_by_eta*t116 + omega2_by_eta*t117 + p1_by_eta*t120 + p2_by_eta*t121 + sin_omega1_tau1_by_eta*t95 + sin_omega2_tau1_by_eta*t97
-    v2_3_by_eta = cos_omega1_tau1_by_eta*t98 + cos_omega2_tau1_by_eta*t99 + omega1_by_eta*t122 + omega2_by_eta*t123 + p1_by_eta*t124 + p3_by_eta*t120 + sin_omega1_tau1_by_eta*t100 + sin_omega2_tau1_by_eta*t101
-    # d/dV of: slip-slip for tau1, until first-reaches-belt
-    z1_3_by_V = p2*t13 + t17*v1_2_by_V + t18*z1_2_by_V + t19*tau - t20
-    z2_3_by_V = t21*v1_2_by_V + t22*z1_2_by_V + t23*tau + t24
-    v1_3_by_V = t18*v1_2_by_V + t19 + t27*z1_2_by_V + t29*tau
-    v2_3_by_V = t22*v1_2_by_V + t23 + t31*z1_2_by_V - t32*tau
-    # d/dtau2 of: functions of tau2 in stick-slip
-    cos_omega3_tau2_by_tau2 = -omega3*sin_omega3_tau2
-    sin_omega3_tau2_by_tau2 = cos_omega3_tau2*omega3
-    # d/dchi of: functions of tau2 in stick-slip
-    t125 = omega3_by_chi*tau2
-    cos_omega3_tau2_by_chi = -sin_omega3_tau2*t125
-    sin_omega3_tau2_by_chi = cos_omega3_tau2*t125
-    # d/deta of: functions of tau2 in stick-slip
-    t126 = omega3_by_eta*tau2
-    cos_omega3_tau2_by_eta = -sin_omega3_tau2*t126
-    sin_omega3_tau2_by_eta = cos_omega3_tau2*t126
-    # d/dz10 of: stick-slip for tau2, until second-reaches-belt
-    z2_4_by_z10 = cos_omega3_tau2*z2_3_by_z10 + t38*z1_3_by_z10 + t40*v2_3_by_z10
-    t127 = omega3*sin_omega3_tau2
-    v2_4_by_z10 = cos_omega3_tau2*v2_3_by_z10 + t127*z1_3_by_z10 - t127*z2_3_by_z10
-    # d/dz20 of: stick-slip for tau2, until second-reaches-belt
-    z2_4_by_z20 = cos_omega3_tau2*z2_3_by_z20 + t38*z1_3_by_z20 + t40*v2_3_by_z20
-    v2_4_by_z20 = cos_omega3_tau2*v2_3_by_z20 + t127*z1_3_by_z20 - t127*z2_3_by_z20
-    # d/dtau of: stick-slip for tau2, until second-reaches-belt
-    z2_4_by_tau = cos_omega3_tau2*z2_3_by_tau + t38*z1_3_by_tau + t40*v2_3_by_tau
-    v2_4_by_tau = cos_omega3_tau2*v2_3_by_tau + t127*z1_3_by_tau - t127*z2_3_by_tau
-    # d/dtau1 of: stick-slip for tau2, until second-reaches-belt
-    z2_4_by_tau1 = cos_omega3_tau2*z2_3_by_tau1 + t38*z1_3_by_tau1 + t40*v2_3_by_tau1
-    v2_4_by_tau1 = cos_omega3_tau2*v2_3_by_tau1 + t127*z1_3_by_tau1 - t127*z2_3_by_tau1
-    # d/dtau2 of: stick-slip for tau2, until second-reaches-belt
-    t128 = -z1_3 + z2_3
-    t129 = -V*t39 + t39*v2_3
-    z2_4_by_tau2 = V + cos_omega3_tau2_by_tau2*t128 + sin_omega3_tau2_by_tau2*t129
-    t130 = -V + v2_3
-    t131 = t42 - t43
-    v2_4_by_tau2 = cos_omega3_tau2_by_tau2*t130 + sin_omega3_tau2_by_tau2*t131
-    # d/dchi of: stick-slip for tau2, until second-reaches-belt
-    t132 = sin_omega3_tau2/omega3**2
-    t133 = V*t132 - t132*v2_3
-    z2_4_by_chi = cos_omega3_tau2*z2_3_by_chi + cos_omega3_tau2_by_chi*t128 + omega3_by_chi*t133 + sin_omega3_tau2_by_chi*t129 + t38*z1_3_by_chi + t40*v2_3_by_chi
-    t134 = sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3
-    v2_4_by_chi = cos_omega3_tau2*v2_3_by_chi + cos_omega3_tau2_by_chi*t130 + omega3_by_chi*t134 + sin_omega3_tau2_by_chi*t131 + t127*z1_3_by_chi - t127*z2_3_by_chi
-    # d/deta of: stick-slip for tau2, until second-reaches-belt
-    z2_4_by_eta = cos_omega3_tau2*z2_3_by_eta + cos_omega3_tau2_by_eta*t128 + omega3_by_eta*t133 + sin_omega3_tau2_by_eta*t129 + t38*z1_3_by_eta + t40*v2_3_by_eta
-    v2_4_by_eta = cos_omega3_tau2*v2_3_by_eta + cos_omega3_tau2_by_eta*t130 + omega3_by_eta*t134 + sin_omega3_tau2_by_eta*t131 + t127*z1_3_by_eta - t127*z2_3_by_eta
-    # d/dV of: stick-slip for tau2, until second-reaches-belt
-    z1_4_by_V = tau2 + z1_3_by_V
-    z2_4_by_V = cos_omega3_tau2*z2_3_by_V + t38*z1_3_by_V + t40*v2_3_by_V + t41
-    v2_4_by_V = cos_omega3_tau2*v2_3_by_V - cos_omega3_tau2 + t127*z1_3_by_V - t127*z2_3_by_V + 1
-    # d/dchi of: rate of the exit boundary after ta
-    rate_1_by_chi = -V
-    # d/dV of: rate of the exit boundary after ta
-    rate_1_by_V = 1 - chi
-    # d/dchi of: derivatives of the time to the boundary after ta
-    t135 = 1/rate_1**2
-    delay_ta_by_z10_by_chi = rate_1_by_chi*t135
-    delay_ta_by_z20_by_chi = -chi*delay_ta_by_z10_by_chi + t47
-    # d/dV of: derivatives of the time to the boundary after ta
-    delay_ta_by_z10_by_V = rate_1_by_V*t135
-    delay_ta_by_z20_by_V = -chi*delay_ta_by_z10_by_V
-    # d/dchi of: perturbation on the boundary after ta
-    z1_1_on_boundary_by_z10_by_chi = V*delay_ta_by_z10_by_chi
-    z1_1_on_boundary_by_z20_by_chi = V*delay_ta_by_z20_by_chi
-    z2_1_on_boundary_by_z10_by_chi = z1_1_on_boundary_by_z10_by_chi
-    z2_1_on_boundary_by_z20_by_chi = z1_1_on_boundary_by_z20_by_chi
-    # d/dV of: perturbation on the boundary after ta
-    z1_1_on_boundary_by_z10_by_V = V*delay_ta_by_z10_by_V + delay_ta_by_z10
-    z1_1_on_boundary_by_z20_by_V = V*delay_ta_by_z20_by_V + delay_ta_by_z20
-    z2_1_on_boundary_by_z10_by_V = z1_1_on_boundary_by_z10_by_V
-    z2_1_on_boundary_by_z20_by_V = z1_1_on_boundary_by_z20_by_V
-    # d/dtau of: Phi along tau
-    t142 = t52 - z1_1_on_boundary_by_z10
-    carried_z1_2_by_z10_by_tau = -cos_tau_by_tau*t142
-    t143 = t54 - z1_1_on_boundary_by_z20
-    carried_z1_2_by_z20_by_tau = -cos_tau_by_tau*t143
-    carried_v1_2_by_z10_by_tau = sin_tau_by_tau*t142
-    carried_v1_2_by_z20_by_tau = sin_tau_by_tau*t143
-    # d/dchi of: Phi along tau
-    carried_z1_2_by_z10_by_chi = cos_tau*z1_1_on_boundary_by_z10_by_chi + t4*z2_1_on_boundary_by_z10_by_chi + t69*z2_1_on_boundary_by_z10
-    carried_z1_2_by_z20_by_chi = cos_tau*z1_1_on_boundary_by_z20_by_chi + t4*z2_1_on_boundary_by_z20_by_chi + t69*z2_1_on_boundary_by_z20
-    carried_v1_2_by_z10_by_chi = -sin_tau*z1_1_on_boundary_by_z10_by_chi + sin_tau*z2_1_on_boundary_by_z10 + t5*z2_1_on_boundary_by_z10_by_chi
-    carried_v1_2_by_z20_by_chi = -sin_tau*z1_1_on_boundary_by_z20_by_chi + sin_tau*z2_1_on_boundary_by_z20 + t5*z2_1_on_boundary_by_z20_by_chi
-    # d/dV of: Phi along tau
-    carried_z1_2_by_z10_by_V = cos_tau*z1_1_on_boundary_by_z10_by_V + t4*z2_1_on_boundary_by_z10_by_V
-    carried_z1_2_by_z20_by_V = cos_tau*z1_1_on_boundary_by_z20_by_V + t4*z2_1_on_boundary_by_z20_by_V
-    carried_v1_2_by_z10_by_V = -sin_tau*z1_1_on_boundary_by_z10_by_V + t5*z2_1_on_boundary_by_z10_by_V
-    carried_v1_2_by_z20_by_V = -sin_tau*z1_1_on_boundary_by_z20_by_V + t5*z2_1_on_boundary_by_z20_by_V
-    # d/dz10 of: rate of the exit boundary after tau
-    rate_2_by_z10 = -chi*v1_2_by_z10
-    # d/dz20 of: rate of the exit boundary after tau
-    rate_2_by_z20 = -chi*v1_2_by_z20
-    # d/dtau of: rate of the exit boundary after tau
-    rate_2_by_tau = -chi*v1_2_by_tau
-    # d/dchi of: rate of the exit boundary after tau
-    rate_2_by_chi = V - chi*v1_2_by_chi - v1_2
-    # d/dV of: rate of the exit boundary after tau
-    rate_2_by_V = -chi*v1_2_by_V + chi
-    # d/dz10 of: derivatives of the time to the boundary after tau
-    t144 = 1/rate_2**2
-    t145 = rate_2_by_z10*t144
-    delay_tau_by_z10_by_z10 = -t145*t53
-    delay_tau_by_z20_by_z10 = -t145*t55
-    # d/dz20 of: derivatives of the time to the boundary after tau
-    t146 = rate_2_by_z20*t144
-    delay_tau_by_z10_by_z20 = -t146*t53
-    delay_tau_by_z20_by_z20 = -t146*t55
-    # d/dtau of: derivatives of the time to the boundary after tau
-    t147 = chi*t51
-    t148 = rate_2_by_tau*t144
-    delay_tau_by_z10_by_tau = carried_z1_2_by_z10_by_tau*t147 - t148*t53
-    delay_tau_by_z20_by_tau = carried_z1_2_by_z20_by_tau*t147 - t148*t55
-    # d/dchi of: derivatives of the time to the boundary after tau
-    t149 = rate_2_by_chi*t144
-    delay_tau_by_z10_by_chi = carried_z1_2_by_z10_by_chi*t147 - t147*z2_1_on_boundary_by_z10_by_chi - t149*t53 + t51*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10)
-    delay_tau_by_z20_by_chi = carried_z1_2_by_z20_by_chi*t147 - t147*z2_1_on_boundary_by_z20_by_chi - t149*t55 + t51*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20)
-    # d/dV of: derivatives of the time to the boundary after tau
-    t150 = rate_2_by_V*t144
-    delay_tau_by_z10_by_V = carried_z1_2_by_z10_by_V*chi*t51 - t147*z2_1_on_boundary_by_z10_by_V - t150*t53
-    delay_tau_by_z20_by_V = carried_z1_2_by_z20_by_V*chi*t51 - t147*z2_1_on_boundary_by_z20_by_V - t150*t55
-    # d/dz10 of: perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10_by_z10 = delay_tau_by_z10*v1_2_by_z10 + delay_tau_by_z10_by_z10*v1_2
-    z1_2_on_boundary_by_z20_by_z10 = delay_tau_by_z20*v1_2_by_z10 + delay_tau_by_z20_by_z10*v1_2
-    z2_2_on_boundary_by_z10_by_z10 = V*delay_tau_by_z10_by_z10
-    z2_2_on_boundary_by_z20_by_z10 = V*delay_tau_by_z20_by_z10
-    v1_2_on_boundary_by_z10_by_z10 = -cos_tau*delay_tau_by_z10 + delay_tau_by_z10_by_z10*t56
-    v1_2_on_boundary_by_z20_by_z10 = -cos_tau*delay_tau_by_z20 + delay_tau_by_z20_by_z10*t56
-    # d/dz20 of: perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10_by_z20 = delay_tau_by_z10*v1_2_by_z20 + delay_tau_by_z10_by_z20*v1_2
-    z1_2_on_boundary_by_z20_by_z20 = delay_tau_by_z20*v1_2_by_z20 + delay_tau_by_z20_by_z20*v1_2
-    z2_2_on_boundary_by_z10_by_z20 = V*delay_tau_by_z10_by_z20
-    z2_2_on_boundary_by_z20_by_z20 = V*delay_tau_by_z20_by_z20
-    v1_2_on_boundary_by_z10_by_z20 = chi*delay_tau_by_z10 - delay_tau_by_z10*z1_2_by_z20 + delay_tau_by_z10_by_z20*t56
-    v1_2_on_boundary_by_z20_by_z20 = chi*delay_tau_by_z20 - delay_tau_by_z20*z1_2_by_z20 + delay_tau_by_z20_by_z20*t56
-    # d/dtau of: perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10_by_tau = carried_z1_2_by_z10_by_tau + delay_tau_by_z10*v1_2_by_tau + delay_tau_by_z10_by_tau*v1_2
-    z1_2_on_boundary_by_z20_by_tau = carried_z1_2_by_z20_by_tau + delay_tau_by_z20*v1_2_by_tau + delay_tau_by_z20_by_tau*v1_2
-    z2_2_on_boundary_by_z10_by_tau = V*delay_tau_by_z10_by_tau
-    z2_2_on_boundary_by_z20_by_tau = V*delay_tau_by_z20_by_tau
-    v1_2_on_boundary_by_z10_by_tau = carried_v1_2_by_z10_by_tau + delay_tau_by_z10*t45 - delay_tau_by_z10*z1_2_by_tau + delay_tau_by_z10_by_tau*t56
-    v1_2_on_boundary_by_z20_by_tau = carried_v1_2_by_z20_by_tau + delay_tau_by_z20*t45 - delay_tau_by_z20*z1_2_by_tau + delay_tau_by_z20_by_tau*t56
-    # d/dchi of: perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10_by_chi = carried_z1_2_by_z10_by_chi + delay_tau_by_z10*v1_2_by_chi + delay_tau_by_z10_by_chi*v1_2
-    z1_2_on_boundary_by_z20_by_chi = carried_z1_2_by_z20_by_chi + delay_tau_by_z20*v1_2_by_chi + delay_tau_by_z20_by_chi*v1_2
-    z2_2_on_boundary_by_z10_by_chi = V*delay_tau_by_z10_by_chi + z2_1_on_boundary_by_z10_by_chi
-    z2_2_on_boundary_by_z20_by_chi = V*delay_tau_by_z20_by_chi + z2_1_on_boundary_by_z20_by_chi
-    v1_2_on_boundary_by_z10_by_chi = carried_v1_2_by_z10_by_chi - delay_tau_by_z10*z1_2_by_chi + delay_tau_by_z10*z2_2 + delay_tau_by_z10_by_chi*t56
-    v1_2_on_boundary_by_z20_by_chi = carried_v1_2_by_z20_by_chi - delay_tau_by_z20*z1_2_by_chi + delay_tau_by_z20*z2_2 + delay_tau_by_z20_by_chi*t56
-    # d/dV of: perturbation on the boundary after tau
-    z1_2_on_boundary_by_z10_by_V = carried_z1_2_by_z10_by_V + delay_tau_by_z10*v1_2_by_V + delay_tau_by_z10_by_V*v1_2
-    z1_2_on_boundary_by_z20_by_V = carried_z1_2_by_z20_by_V + delay_tau_by_z20*v1_2_by_V + delay_tau_by_z20_by_V*v1_2
-    z2_2_on_boundary_by_z10_by_V = V*delay_tau_by_z10_by_V + delay_tau_by_z10 + z2_1_on_boundary_by_z10_by_V
-    z2_2_on_boundary_by_z20_by_V = V*delay_tau_by_z20_by_V + delay_tau_by_z20 + z2_1_on_boundary_by_z20_by_V
-    v1_2_on_boundary_by_z10_by_V = carried_v1_2_by_z10_by_V + delay_tau_by_z10*t70 - delay_tau_by_z10*z1_2_by_V + delay_tau_by_z10_by_V*t56
-    v1_2_on_boundary_by_z20_by_V = carried_v1_2_by_z20_by_V + delay_tau_by_z20*t70 - delay_tau_by_z20*z1_2_by_V + delay_tau_by_z20_by_V*t56
-    # d/dz10 of: Phi along tau1
-    carried_z1_3_by_z10_by_z10 = t17*v1_2_on_boundary_by_z10_by_z10 + t18*z1_2_on_boundary_by_z10_by_z10 + t19*z2_2_on_boundary_by_z10_by_z10
-    carried_z1_3_by_z20_by_z10 = t17*v1_2_on_boundary_by_z20_by_z10 + t18*z1_2_on_boundary_by_z20_by_z10 + t19*z2_2_on_boundary_by_z20_by_z10
-    carried_z2_3_by_z10_by_z10 = t21*v1_2_on_boundary_by_z10_by_z10 + t22*z1_2_on_boundary_by_z10_by_z10 + t23*z2_2_on_boundary_by_z10_by_z10
-    carried_z2_3_by_z20_by_z10 = t21*v1_2_on_boundary_by_z20_by_z10 + t22*z1_2_on_boundary_by_z20_by_z10 + t23*z2_2_on_boundary_by_z20_by_z10
-    carried_v1_3_by_z10_by_z10 = t18*v1_2_on_boundary_by_z10_by_z10 + t27*z1_2_on_boundary_by_z10_by_z10 + t29*z2_2_on_boundary_by_z10_by_z10
-    carried_v1_3_by_z20_by_z10 = t18*v1_2_on_boundary_by_z20_by_z10 + t27*z1_2_on_boundary_by_z20_by_z10 + t29*z2_2_on_boundary_by_z20_by_z10
-    carried_v2_3_by_z10_by_z10 = t22*v1_2_on_boundary_by_z10_by_z10 + t31*z1_2_on_boundary_by_z10_by_z10 - t32*z2_2_on_boundary_by_z10_by_z10
-    carried_v2_3_by_z20_by_z10 = t22*v1_2_on_boundary_by_z20_by_z10 + t31*z1_2_on_boundary_by_z20_by_z10 - t32*z2_2_on_boundary_by_z20_by_z10
-    # d/dz20 of: Phi along tau1
-    carried_z1_3_by_z10_by_z20 = t17*v1_2_on_boundary_by_z10_by_z20 + t18*z1_2_on_boundary_by_z10_by_z20 + t19*z2_2_on_boundary_by_z10_by_z20
-    carried_z1_3_by_z20_by_z20 = t17*v1_2_on_boundary_by_z20_by_z20 + t18*z1_2_on_boundary_by_z20_by_z20 + t19*z2_2_on_boundary_by_z20_by_z20
-    carried_z2_3_by_z10_by_z20 = t21*v1_2_on_boundary_by_z10_by_z20 + t22*z1_2_on_boundary_by_z10_by_z20 + t23*z2_2_on_boundary_by_z10_by_z20
-    carried_z2_3_by_z20_by_z20 = t21*v1_2_on_boundary_by_z20_by_z20 + t22*z1_2_on_boundary_by_z20_by_z20 + t23*z2_2_on_boundary_by_z20_by_z20
-    carried_v1_3_by_z10_by_z20 = t18*v1_2_on_boundary_by_z10_by_z20 + t27*z1_2_on_boundary_by_z10_by_z20 + t29*z2_2_on_boundary_by_z10_by_z20
-    carried_v1_3_by_z20_by_z20 = t18*v1_2_on_boundary_by_z20_by_z20 + t27*z1_2_on_boundary_by_z20_by_z20 + t29*z2_2_on_boundary_by_z20_by_z20
-    carried_v2_3_by_z10_by_z20 = t22*v1_2_on_boundary_by_z10_by_z20 + t31*z1_2_on_boundary_by_z10_by_z20 - t32*z2_2_on_boundary_by_z10_by_z20
-    carried_v2_3_by_z20_by_z20 = t22*v1_2_on_boundary_by_z20_by_z20 + t31*z1_2_on_boundary_by_z20_by_z20 - t32*z2_2_on_boundary_by_z20_by_z20
-    # d/dtau of: Phi along tau1
-    carried_z1_3_by_z10_by_tau = t17*v1_2_on_boundary_by_z10_by_tau + t18*z1_2_on_boundary_by_z10_by_tau + t19*z2_2_on_boundary_by_z10_by_tau
-    carried_z1_3_by_z20_by_tau = t17*v1_2_on_boundary_by_z20_by_tau + t18*z1_2_on_boundary_by_z20_by_tau + t19*z2_2_on_boundary_by_z20_by_tau
-    carried_z2_3_by_z10_by_tau = t21*v1_2_on_boundary_by_z10_by_tau + t22*z1_2_on_boundary_by_z10_by_tau + t23*z2_2_on_boundary_by_z10_by_tau
-    carried_z2_3_by_z20_by_tau = t21*v1_2_on_boundary_by_z20_by_tau + t22*z1_2_on_boundary_by_z20_by_tau + t23*z2_2_on_boundary_by_z20_by_tau
-    carried_v1_3_by_z10_by_tau = t18*v1_2_on_boundary_by_z10_by_tau + t27*z1_2_on_boundary_by_z10_by_tau + t29*z2_2_on_boundary_by_z10_by_tau
-    carried_v1_3_by_z20_by_tau = t18*v1_2_on_boundary_by_z20_by_tau + t27*z1_2_on_boundary_by_z20_by_tau + t29*z2_2_on_boundary_by_z20_by_tau
-    carried_v2_3_by_z10_by_tau = t22*v1_2_on_boundary_by_z10_by_tau + t31*z1_2_on_boundary_by_z10_by_tau - t32*z2_2_on_boundary_by_z10_by_tau
-    carried_v2_3_by_z20_by_tau = t22*v1_2_on_boundary_by_z20_by_tau + t31*z1_2_on_boundary_by_z20_by_tau - t32*z2_2_on_boundary_by_z20_by_tau
-    # d/dtau1 of: Phi along tau1
-    t151 = p1*z1_2_on_boundary_by_z10
-    t152 = p2*z2_2_on_boundary_by_z10
-    t153 = t151 + t152
-    t154 = t14*z1_2_on_boundary_by_z10 - t152
-    t155 = sin_omega1_tau1_by_tau1*t12
-    t156 = p1*v1_2_on_boundary_by_z10
-    t157 = sin_omega2_tau1_by_tau1*t15
-    t158 = t14*v1_2_on_boundary_by_z10
-    carried_z1_3_by_z10_by_tau1 = cos_omega1_tau1_by_tau1*t153 + cos_omega2_tau1_by_tau1*t154 + t155*t156 + t157*t158
-    t159 = p1*z1_2_on_boundary_by_z20
-    t160 = p2*z2_2_on_boundary_by_z20
-    t161 = t159 + t160
-    t162 = t14*z1_2_on_boundary_by_z20 - t160
-    t163 = p1*v1_2_on_boundary_by_z20
-    t164 = t14*v1_2_on_boundary_by_z20
-    carried_z1_3_by_z20_by_tau1 = cos_omega1_tau1_by_tau1*t161 + cos_omega2_tau1_by_tau1*t162 + t155*t163 + t157*t164
-    t165 = p3*z1_2_on_boundary_by_z10
-    t166 = t14*z2_2_on_boundary_by_z10
-    t167 = t165 + t166
-    t168 = p1*z2_2_on_boundary_by_z10
-    t169 = -t165 + t168
-    t170 = p3*v1_2_on_boundary_by_z10
-    carried_z2_3_by_z10_by_tau1 = cos_omega1_tau1_by_tau1*t167 + cos_omega2_tau1_by_tau1*t169 + t155*t170 - t157*t170
-    t171 = p3*z1_2_on_boundary_by_z20
-    t172 = t14*z2_2_on_boundary_by_z20
-    t173 = t171 + t172
-    t174 = p1*z2_2_on_boundary_by_z20
-    t175 = -t171 + t174
-    t176 = p3*v1_2_on_boundary_by_z20
-    carried_z2_3_by_z20_by_tau1 = cos_omega1_tau1_by_tau1*t173 + cos_omega2_tau1_by_tau1*t175 + t155*t176 - t157*t176
-    t177 = -omega1*t151 - omega1*t152
-    t178 = t14*z1_2_on_boundary_by_z10
-    t179 = omega2*t152 - omega2*t178
-    t180 = cos_omega1_tau1_by_tau1*p1
-    t181 = cos_omega2_tau1_by_tau1*t14
-    carried_v1_3_by_z10_by_tau1 = sin_omega1_tau1_by_tau1*t177 + sin_omega2_tau1_by_tau1*t179 + t180*v1_2_on_boundary_by_z10 + t181*v1_2_on_boundary_by_z10
-    t182 = -omega1*t159 - omega1*t160
-    t183 = t14*z1_2_on_boundary_by_z20
-    t184 = omega2*t160 - omega2*t183
-    carried_v1_3_by_z20_by_tau1 = sin_omega1_tau1_by_tau1*t182 + sin_omega2_tau1_by_tau1*t184 + t180*v1_2_on_boundary_by_z20 + t181*v1_2_on_boundary_by_z20
-    t185 = -omega1*t165 - omega1*t166
-    t186 = omega2*p3*z1_2_on_boundary_by_z10 - omega2*t168
-    carried_v2_3_by_z10_by_tau1 = cos_omega1_tau1_by_tau1*t170 - cos_omega2_tau1_by_tau1*t170 + sin_omega1_tau1_by_tau1*t185 + sin_omega2_tau1_by_tau1*t186
-    t187 = -omega1*t171 - omega1*t172
-    t188 = omega2*p3*z1_2_on_boundary_by_z20 - omega2*t174
-    carried_v2_3_by_z20_by_tau1 = cos_omega1_tau1_by_tau1*t176 - cos_omega2_tau1_by_tau1*t176 + sin_omega1_tau1_by_tau1*t187 + sin_omega2_tau1_by_tau1*t188
-    # d/dchi of: Phi along tau1
-    t189 = -t107*v1_2_on_boundary_by_z10 + t109*z1_2_on_boundary_by_z10
-    t190 = p2_by_chi*t109
-    t191 = sin_omega1_tau1_by_chi*t12
-    t192 = sin_omega2_tau1_by_chi*t15
-    t193 = omega1_by_chi*t102
-    t194 = omega2_by_chi*t105
-    carried_z1_3_by_z10_by_chi = cos_omega1_tau1_by_chi*t153 + cos_omega2_tau1_by_chi*t154 + p1_by_chi*t189 + t156*t191 - t156*t193 + t158*t192 - t158*t194 + t17*v1_2_on_boundary_by_z10_by_chi + t18*z1_2_on_boundary_by_z10_by_chi + t19*z2_2_on_boundary_by_z10_by_chi + t190*z2_2_on_boundary_by_z10
-    t195 = -t107*v1_2_on_boundary_by_z20 + t109*z1_2_on_boundary_by_z20
-    carried_z1_3_by_z20_by_chi = cos_omega1_tau1_by_chi*t161 + cos_omega2_tau1_by_chi*t162 + p1_by_chi*t195 + t163*t191 - t163*t193 + t164*t192 - t164*t194 + t17*v1_2_on_boundary_by_z20_by_chi + t18*z1_2_on_boundary_by_z20_by_chi + t19*z2_2_on_boundary_by_z20_by_chi + t190*z2_2_on_boundary_by_z20
-    t196 = -p1_by_chi*t109
-    carried_z2_3_by_z10_by_chi = cos_omega1_tau1_by_chi*t167 + cos_omega2_tau1_by_chi*t169 + p3_by_chi*t189 + t170*t191 - t170*t192 - t170*t193 + t170*t194 + t196*z2_2_on_boundary_by_z10 + t21*v1_2_on_boundary_by_z10_by_chi + t22*z1_2_on_boundary_by_z10_by_chi + t23*z2_2_on_boundary_by_z10_by_chi
-    carried_z2_3_by_z20_by_chi = cos_omega1_tau1_by_chi*t173 + cos_omega2_tau1_by_chi*t175 + p3_by_chi*t195 + t176*t191 - t176*t192 - t176*t193 + t176*t194 + t196*z2_2_on_boundary_by_z20 + t21*v1_2_on_boundary_by_z20_by_chi + t22*z1_2_on_boundary_by_z20_by_chi + t23*z2_2_on_boundary_by_z20_by_chi
-    t197 = -sin_omega1_tau1*t151 - sin_omega1_tau1*t152
-    t198 = sin_omega2_tau1*t152 - sin_omega2_tau1*t178
-    t199 = t109*v1_2_on_boundary_by_z10 - t118*z1_2_on_boundary_by_z10
-    t200 = cos_omega1_tau1_by_chi*p1
-    t201 = cos_omega2_tau1_by_chi*t14
-    t202 = -p2_by_chi*t118
-    carried_v1_3_by_z10_by_chi = omega1_by_chi*t197 + omega2_by_chi*t198 + p1_by_chi*t199 + sin_omega1_tau1_by_chi*t177 + sin_omega2_tau1_by_chi*t179 + t18*v1_2_on_boundary_by_z10_by_chi + t200*v1_2_on_boundary_by_z10 + t201*v1_2_on_boundary_by_z10 + t202*z2_2_on_boundary_by_z10 + t27*z1_2_on_boundary_by_z10_by_chi + t29*z2_2_on_boundary_by_z10_by_chi
-    t203 = -sin_omega1_tau1*t159 - sin_omega1_tau1*t160
-    t204 = sin_omega2_tau1*t160 - sin_omega2_tau1*t183
-    t205 = t109*v1_2_on_boundary_by_z20 - t118*z1_2_on_boundary_by_z20
-    carried_v1_3_by_z20_by_chi = omega1_by_chi*t203 + omega2_by_chi*t204 + p1_by_chi*t205 + sin_omega1_tau1_by_chi*t182 + sin_omega2_tau1_by_chi*t184 + t18*v1_2_on_boundary_by_z20_by_chi + t200*v1_2_on_boundary_by_z20 + t201*v1_2_on_boundary_by_z20 + t202*z2_2_on_boundary_by_z20 + t27*z1_2_on_boundary_by_z20_by_chi + t29*z2_2_on_boundary_by_z20_by_chi
-    t206 = -sin_omega1_tau1*t165 - sin_omega1_tau1*t166
-    t207 = p3*sin_omega2_tau1*z1_2_on_boundary_by_z10 - sin_omega2_tau1*t168
-    t208 = p1_by_chi*t118
-    carried_v2_3_by_z10_by_chi = cos_omega1_tau1_by_chi*t170 - cos_omega2_tau1_by_chi*t170 + omega1_by_chi*t206 + omega2_by_chi*t207 + p3_by_chi*t199 + sin_omega1_tau1_by_chi*t185 + sin_omega2_tau1_by_chi*t186 + t208*z2_2_on_boundary_by_z10 + t22*v1_2_on_boundary_by_z10_by_chi + t31*z1_2_on_boundary_by_z10_by_chi - t32*z2_2_on_boundary_by_z10_by_chi
-    t209 = -sin_omega1_tau1*t171 - sin_omega1_tau1*t172
-    t210 = p3*sin_omega2_tau1*z1_2_on_boundary_by_z20 - sin_omega2_tau1*t174
-    carried_v2_3_by_z20_by_chi = cos_omega1_tau1_by_chi*t176 - cos_omega2_tau1_by_chi*t176 + omega1_by_chi*t209 + omega2_by_chi*t210 + p3_by_chi*t205 + sin_omega1_tau1_by_chi*t187 + sin_omega2_tau1_by_chi*t188 + t208*z2_2_on_boundary_by_z20 + t22*v1_2_on_boundary_by_z20_by_chi + t31*z1_2_on_boundary_by_z20_by_chi - t32*z2_2_on_boundary_by_z20_by_chi
-    # d/deta of: Phi along tau1
-    t211 = p2_by_eta*t109
-    t212 = sin_omega1_tau1_by_eta*t12
-    t213 = sin_omega2_tau1_by_eta*t15
-    t214 = omega1_by_eta*t102
-    t215 = omega2_by_eta*t105
-    carried_z1_3_by_z10_by_eta = cos_omega1_tau1_by_eta*t153 + cos_omega2_tau1_by_eta*t154 + p1_by_eta*t189 + t156*t212 - t156*t214 + t158*t213 - t158*t215 + t211*z2_2_on_boundary_by_z10
-    carried_z1_3_by_z20_by_eta = cos_omega1_tau1_by_eta*t161 + cos_omega2_tau1_by_eta*t162 + p1_by_eta*t195 + t163*t212 - t163*t214 + t164*t213 - t164*t215 + t211*z2_2_on_boundary_by_z20
-    t216 = -p1_by_eta*t109
-    carried_z2_3_by_z10_by_eta = cos_omega1_tau1_by_eta*t167 + cos_omega2_tau1_by_eta*t169 + p3_by_eta*t189 + t170*t212 - t170*t213 - t170*t214 + t170*t215 + t216*z2_2_on_boundary_by_z10
-    carried_z2_3_by_z20_by_eta = cos_omega1_tau1_by_eta*t173 + cos_omega2_tau1_by_eta*t175 + p3_by_eta*t195 + t176*t212 - t176*t213 - t176*t214 + t176*t215 + t216*z2_2_on_boundary_by_z20
-    t217 = cos_omega1_tau1_by_eta*p1
-    t218 = cos_omega2_tau1_by_eta*t14
-    t219 = -p2_by_eta*t118
-    carried_v1_3_by_z10_by_eta = omega1_by_eta*t197 + omega2_by_eta*t198 + p1_by_eta*t199 + sin_omega1_tau1_by_eta*t177 + sin_omega2_tau1_by_eta*t179 + t217*v1_2_on_boundary_by_z10 + t218*v1_2_on_boundary_by_z10 + t219*z2_2_on_boundary_by_z10
-    carried_v1_3_by_z20_by_eta = omega1_by_eta*t203 + omega2_by_eta*t204 + p1_by_eta*t205 + sin_omega1_tau1_by_eta*t182 + sin_omega2_tau1_by_eta*t184 + t217*v1_2_on_boundary_by_z20 + t218*v1_2_on_boundary_by_z20 + t219*z2_2_on_boundary_by_z20
-    t220 = p1_by_eta*t118
-    carried_v2_3_by_z10_by_eta = cos_omega1_tau1_by_eta*t170 - cos_omega2_tau1_by_eta*t170 + omega1_by_eta*t206 + omega2_by_eta*t207 + p3_by_eta*t199 + sin_omega1_tau1_by_eta*t185 + sin_omega2_tau1_by_eta*t186 + t220*z2_2_on_boundary_by_z10
-    carried_v2_3_by_z20_by_eta = cos_omega1_tau1_by_eta*t176 - cos_omega2_tau1_by_eta*t176 + omega1_by_eta*t209 + omega2_by_eta*t210 + p3_by_eta*t205 + sin_omega1_tau1_by_eta*t187 + sin_omega2_tau1_by_eta*t188 + t220*z2_2_on_boundary_by_z20
-    # d/dV of: Phi along tau1
-    carried_z1_3_by_z10_by_V = t17*v1_2_on_boundary_by_z10_by_V + t18*z1_2_on_boundary_by_z10_by_V + t19*z2_2_on_boundary_by_z10_by_V
-    carried_z1_3_by_z20_by_V = t17*v1_2_on_boundary_by_z20_by_V + t18*z1_2_on_boundary_by_z20_by_V + t19*z2_2_on_boundary_by_z20_by_V
-    carried_z2_3_by_z10_by_V = t21*v1_2_on_boundary_by_z10_by_V + t22*z1_2_on_boundary_by_z10_by_V + t23*z2_2_on_boundary_by_z10_by_V
-    carried_z2_3_by_z20_by_V = t21*v1_2_on_boundary_by_z20_by_V + t22*z1_2_on_boundary_by_z20_by_V + t23*z2_2_on_boundary_by_z20_by_V
-    carried_v1_3_by_z10_by_V = t18*v1_2_on_boundary_by_z10_by_V + t27*z1_2_on_boundary_by_z10_by_V + t29*z2_2_on_boundary_by_z10_by_V
-    carried_v1_3_by_z20_by_V = t18*v1_2_on_boundary_by_z20_by_V + t27*z1_2_on_boundary_by_z20_by_V + t29*z2_2_on_boundary_by_z20_by_V
-    carried_v2_3_by_z10_by_V = t22*v1_2_on_boundary_by_z10_by_V + t31*z1_2_on_boundary_by_z10_by_V - t32*z2_2_on_boundary_by_z10_by_V
-    carried_v2_3_by_z20_by_V = t22*v1_2_on_boundary_by_z20_by_V + t31*z1_2_on_boundary_by_z20_by_V - t32*z2_2_on_boundary_by_z20_by_V
-    # d/dz10 of: rate of the exit boundary after tau1
-    t221 = chi*z2_3_by_z10
-    rate_3_by_z10 = t221 - z1_3_by_z10
-    # d/dz20 of: rate of the exit boundary after tau1
-    t222 = chi*z2_3_by_z20
-    rate_3_by_z20 = t222 - z1_3_by_z20
-    # d/dtau of: rate of the exit boundary after tau1
-    t223 = chi*z2_3_by_tau
-    rate_3_by_tau = t223 - z1_3_by_tau
-    # d/dtau1 of: rate of the exit boundary after tau1
-    t224 = chi*z2_3_by_tau1
-    rate_3_by_tau1 = t224 - z1_3_by_tau1
-    # d/dchi of: rate of the exit boundary after tau1
-    t225 = chi*z2_3_by_chi
-    rate_3_by_chi = t225 - z1_3_by_chi + z2_3
-    # d/deta of: rate of the exit boundary after tau1
-    t226 = chi*z2_3_by_eta
-    rate_3_by_eta = t226 - z1_3_by_eta
-    # d/dV of: rate of the exit boundary after tau1
-    t227 = chi*z2_3_by_V
-    rate_3_by_V = t227 - z1_3_by_V
-    # d/dz10 of: derivatives of the time to the boundary after tau1
-    t228 = 1/rate_3**2
-    t229 = rate_3_by_z10*t228
-    delay_tau1_by_z10_by_z10 = carried_v1_3_by_z10*t229 - carried_v1_3_by_z10_by_z10*t58
-    delay_tau1_by_z20_by_z10 = carried_v1_3_by_z20*t229 - carried_v1_3_by_z20_by_z10*t58
-    # d/dz20 of: derivatives of the time to the boundary after tau1
-    t230 = rate_3_by_z20*t228
-    delay_tau1_by_z10_by_z20 = carried_v1_3_by_z10*t230 - carried_v1_3_by_z10_by_z20*t58
-    delay_tau1_by_z20_by_z20 = carried_v1_3_by_z20*t230 - carried_v1_3_by_z20_by_z20*t58
-    # d/dtau of: derivatives of the time to the boundary after tau1
-    t231 = rate_3_by_tau*t228
-    delay_tau1_by_z10_by_tau = carried_v1_3_by_z10*t231 - carried_v1_3_by_z10_by_tau*t58
-    delay_tau1_by_z20_by_tau = carried_v1_3_by_z20*t231 - carried_v1_3_by_z20_by_tau*t58
-    # d/dtau1 of: derivatives of the time to the boundary after tau1
-    t232 = rate_3_by_tau1*t228
-    delay_tau1_by_z10_by_tau1 = carried_v1_3_by_z10*t232 - carried_v1_3_by_z10_by_tau1*t58
-    delay_tau1_by_z20_by_tau1 = carried_v1_3_by_z20*t232 - carried_v1_3_by_z20_by_tau1*t58
-    # d/dchi of: derivatives of the time to the boundary after tau1
-    t233 = rate_3_by_chi*t228
-    delay_tau1_by_z10_by_chi = carried_v1_3_by_z10*t233 - carried_v1_3_by_z10_by_chi*t58
-    delay_tau1_by_z20_by_chi = carried_v1_3_by_z20*t233 - carried_v1_3_by_z20_by_chi*t58
-    # d/deta of: derivatives of the time to the boundary after tau1
-    t234 = rate_3_by_eta*t228
-    delay_tau1_by_z10_by_eta = carried_v1_3_by_z10*t234 - carried_v1_3_by_z10_by_eta*t58
-    delay_tau1_by_z20_by_eta = carried_v1_3_by_z20*t234 - carried_v1_3_by_z20_by_eta*t58
-    # d/dV of: derivatives of the time to the boundary after tau1
-    t235 = rate_3_by_V*t228
-    delay_tau1_by_z10_by_V = carried_v1_3_by_z10*t235 - carried_v1_3_by_z10_by_V*t58
-    delay_tau1_by_z20_by_V = carried_v1_3_by_z20*t235 - carried_v1_3_by_z20_by_V*t58
-    # d/dz10 of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_z10 = carried_z1_3_by_z10_by_z10 + delay_tau1_by_z10*v1_3_by_z10 + delay_tau1_by_z10_by_z10*v1_3
-    z1_3_on_boundary_by_z20_by_z10 = carried_z1_3_by_z20_by_z10 + delay_tau1_by_z20*v1_3_by_z10 + delay_tau1_by_z20_by_z10*v1_3
-    z2_3_on_boundary_by_z10_by_z10 = carried_z2_3_by_z10_by_z10 + delay_tau1_by_z10*v2_3_by_z10 + delay_tau1_by_z10_by_z10*v2_3
-    z2_3_on_boundary_by_z20_by_z10 = carried_z2_3_by_z20_by_z10 + delay_tau1_by_z20*v2_3_by_z10 + delay_tau1_by_z20_by_z10*v2_3
-    t236 = chi*eta
-    t237 = t236*z1_3_by_z10
-    t238 = eta*t221
-    v2_3_on_boundary_by_z10_by_z10 = carried_v2_3_by_z10_by_z10 + delay_tau1_by_z10*t237 - delay_tau1_by_z10*t238 + delay_tau1_by_z10_by_z10*t60
-    v2_3_on_boundary_by_z20_by_z10 = carried_v2_3_by_z20_by_z10 + delay_tau1_by_z20*t237 - delay_tau1_by_z20*t238 + delay_tau1_by_z20_by_z10*t60
-    # d/dz20 of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_z20 = carried_z1_3_by_z10_by_z20 + delay_tau1_by_z10*v1_3_by_z20 + delay_tau1_by_z10_by_z20*v1_3
-    z1_3_on_boundary_by_z20_by_z20 = carried_z1_3_by_z20_by_z20 + delay_tau1_by_z20*v1_3_by_z20 + delay_tau1_by_z20_by_z20*v1_3
-    z2_3_on_boundary_by_z10_by_z20 = carried_z2_3_by_z10_by_z20 + delay_tau1_by_z10*v2_3_by_z20 + delay_tau1_by_z10_by_z20*v2_3
-    z2_3_on_boundary_by_z20_by_z20 = carried_z2_3_by_z20_by_z20 + delay_tau1_by_z20*v2_3_by_z20 + delay_tau1_by_z20_by_z20*v2_3
-    t239 = t236*z1_3_by_z20
-    t240 = eta*t222
-    v2_3_on_boundary_by_z10_by_z20 = carried_v2_3_by_z10_by_z20 + delay_tau1_by_z10*t239 - delay_tau1_by_z10*t240 + delay_tau1_by_z10_by_z20*t60
-    v2_3_on_boundary_by_z20_by_z20 = carried_v2_3_by_z20_by_z20 + delay_tau1_by_z20*t239 - delay_tau1_by_z20*t240 + delay_tau1_by_z20_by_z20*t60
-    # d/dtau of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_tau = carried_z1_3_by_z10_by_tau + delay_tau1_by_z10*v1_3_by_tau + delay_tau1_by_z10_by_tau*v1_3
-    z1_3_on_boundary_by_z20_by_tau = carried_z1_3_by_z20_by_tau + delay_tau1_by_z20*v1_3_by_tau + delay_tau1_by_z20_by_tau*v1_3
-    z2_3_on_boundary_by_z10_by_tau = carried_z2_3_by_z10_by_tau + delay_tau1_by_z10*v2_3_by_tau + delay_tau1_by_z10_by_tau*v2_3
-    z2_3_on_boundary_by_z20_by_tau = carried_z2_3_by_z20_by_tau + delay_tau1_by_z20*v2_3_by_tau + delay_tau1_by_z20_by_tau*v2_3
-    t241 = t236*z1_3_by_tau
-    t242 = eta*t223
-    v2_3_on_boundary_by_z10_by_tau = carried_v2_3_by_z10_by_tau + delay_tau1_by_z10*t241 - delay_tau1_by_z10*t242 + delay_tau1_by_z10_by_tau*t60
-    v2_3_on_boundary_by_z20_by_tau = carried_v2_3_by_z20_by_tau + delay_tau1_by_z20*t241 - delay_tau1_by_z20*t242 + delay_tau1_by_z20_by_tau*t60
-    # d/dtau1 of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_tau1 = carried_z1_3_by_z10_by_tau1 + delay_tau1_by_z10*v1_3_by_tau1 + delay_tau1_by_z10_by_tau1*v1_3
-    z1_3_on_boundary_by_z20_by_tau1 = carried_z1_3_by_z20_by_tau1 + delay_tau1_by_z20*v1_3_by_tau1 + delay_tau1_by_z20_by_tau1*v1_3
-    z2_3_on_boundary_by_z10_by_tau1 = carried_z2_3_by_z10_by_tau1 + delay_tau1_by_z10*v2_3_by_tau1 + delay_tau1_by_z10_by_tau1*v2_3
-    z2_3_on_boundary_by_z20_by_tau1 = carried_z2_3_by_z20_by_tau1 + delay_tau1_by_z20*v2_3_by_tau1 + delay_tau1_by_z20_by_tau1*v2_3
-    t243 = t236*z1_3_by_tau1
-    t244 = eta*t224
-    v2_3_on_boundary_by_z10_by_tau1 = carried_v2_3_by_z10_by_tau1 + delay_tau1_by_z10*t243 - delay_tau1_by_z10*t244 + delay_tau1_by_z10_by_tau1*t60
-    v2_3_on_boundary_by_z20_by_tau1 = carried_v2_3_by_z20_by_tau1 + delay_tau1_by_z20*t243 - delay_tau1_by_z20*t244 + delay_tau1_by_z20_by_tau1*t60
-    # d/dchi of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_chi = carried_z1_3_by_z10_by_chi + delay_tau1_by_z10*v1_3_by_chi + delay_tau1_by_z10_by_chi*v1_3
-    z1_3_on_boundary_by_z20_by_chi = carried_z1_3_by_z20_by_chi + delay_tau1_by_z20*v1_3_by_chi + delay_tau1_by_z20_by_chi*v1_3
-    z2_3_on_boundary_by_z10_by_chi = carried_z2_3_by_z10_by_chi + delay_tau1_by_z10*v2_3_by_chi + delay_tau1_by_z10_by_chi*v2_3
-    z2_3_on_boundary_by_z20_by_chi = carried_z2_3_by_z20_by_chi + delay_tau1_by_z20*v2_3_by_chi + delay_tau1_by_z20_by_chi*v2_3
-    t245 = -eta*z2_3 + t59
-    t246 = t236*z1_3_by_chi
-    t247 = eta*t225
-    v2_3_on_boundary_by_z10_by_chi = carried_v2_3_by_z10_by_chi + delay_tau1_by_z10*t245 + delay_tau1_by_z10*t246 - delay_tau1_by_z10*t247 + delay_tau1_by_z10_by_chi*t60
-    v2_3_on_boundary_by_z20_by_chi = carried_v2_3_by_z20_by_chi + delay_tau1_by_z20*t245 + delay_tau1_by_z20*t246 - delay_tau1_by_z20*t247 + delay_tau1_by_z20_by_chi*t60
-    # d/deta of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_eta = carried_z1_3_by_z10_by_eta + delay_tau1_by_z10*v1_3_by_eta + delay_tau1_by_z10_by_eta*v1_3
-    z1_3_on_boundary_by_z20_by_eta = carried_z1_3_by_z20_by_eta + delay_tau1_by_z20*v1_3_by_eta + delay_tau1_by_z20_by_eta*v1_3
-    z2_3_on_boundary_by_z10_by_eta = carried_z2_3_by_z10_by_eta + delay_tau1_by_z10*v2_3_by_eta + delay_tau1_by_z10_by_eta*v2_3
-    z2_3_on_boundary_by_z20_by_eta = carried_z2_3_by_z20_by_eta + delay_tau1_by_z20*v2_3_by_eta + delay_tau1_by_z20_by_eta*v2_3
-    t248 = chi*z1_3 - t57
-    t249 = t236*z1_3_by_eta
-    t250 = eta*t226
-    v2_3_on_boundary_by_z10_by_eta = carried_v2_3_by_z10_by_eta + delay_tau1_by_z10*t248 + delay_tau1_by_z10*t249 - delay_tau1_by_z10*t250 + delay_tau1_by_z10_by_eta*t60
-    v2_3_on_boundary_by_z20_by_eta = carried_v2_3_by_z20_by_eta + delay_tau1_by_z20*t248 + delay_tau1_by_z20*t249 - delay_tau1_by_z20*t250 + delay_tau1_by_z20_by_eta*t60
-    # d/dV of: perturbation on the boundary after tau1
-    z1_3_on_boundary_by_z10_by_V = carried_z1_3_by_z10_by_V + delay_tau1_by_z10*v1_3_by_V + delay_tau1_by_z10_by_V*v1_3
-    z1_3_on_boundary_by_z20_by_V = carried_z1_3_by_z20_by_V + delay_tau1_by_z20*v1_3_by_V + delay_tau1_by_z20_by_V*v1_3
-    z2_3_on_boundary_by_z10_by_V = carried_z2_3_by_z10_by_V + delay_tau1_by_z10*v2_3_by_V + delay_tau1_by_z10_by_V*v2_3
-    z2_3_on_boundary_by_z20_by_V = carried_z2_3_by_z20_by_V + delay_tau1_by_z20*v2_3_by_V + delay_tau1_by_z20_by_V*v2_3
-    t251 = t236*z1_3_by_V
-    t252 = eta*t227
-    v2_3_on_boundary_by_z10_by_V = carried_v2_3_by_z10_by_V + delay_tau1_by_z10*t251 - delay_tau1_by_z10*t252 + delay_tau1_by_z10_by_V*t60
-    v2_3_on_boundary_by_z20_by_V = carried_v2_3_by_z20_by_V + delay_tau1_by_z20*t251 - delay_tau1_by_z20*t252 + delay_tau1_by_z20_by_V*t60
-    # d/dz10 of: Phi along tau2
-    carried_z2_4_by_z20_by_z10 = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_z10 + t38*z1_3_on_boundary_by_z20_by_z10 + t40*v2_3_on_boundary_by_z20_by_z10
-    carried_v2_4_by_z10_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_z10 + t127*z1_3_on_boundary_by_z10_by_z10 - t127*z2_3_on_boundary_by_z10_by_z10
-    carried_v2_4_by_z20_by_z10 = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_z10 + t127*z1_3_on_boundary_by_z20_by_z10 - t127*z2_3_on_boundary_by_z20_by_z10
-    # d/dz20 of: Phi along tau2
-    carried_z2_4_by_z20_by_z20 = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_z20 + t38*z1_3_on_boundary_by_z20_by_z20 + t40*v2_3_on_boundary_by_z20_by_z20
-    carried_v2_4_by_z10_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_z20 + t127*z1_3_on_boundary_by_z10_by_z20 - t127*z2_3_on_boundary_by_z10_by_z20
-    carried_v2_4_by_z20_by_z20 = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_z20 + t127*z1_3_on_boundary_by_z20_by_z20 - t127*z2_3_on_boundary_by_z20_by_z20
-    # d/dtau of: Phi along tau2
-    carried_z2_4_by_z20_by_tau = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_tau + t38*z1_3_on_boundary_by_z20_by_tau + t40*v2_3_on_boundary_by_z20_by_tau
-    carried_v2_4_by_z10_by_tau = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_tau + t127*z1_3_on_boundary_by_z10_by_tau - t127*z2_3_on_boundary_by_z10_by_tau
-    carried_v2_4_by_z20_by_tau = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_tau + t127*z1_3_on_boundary_by_z20_by_tau - t127*z2_3_on_boundary_by_z20_by_tau
-    # d/dtau1 of: Phi along tau2
-    carried_z2_4_by_z20_by_tau1 = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_tau1 + t38*z1_3_on_boundary_by_z20_by_tau1 + t40*v2_3_on_boundary_by_z20_by_tau1
-    carried_v2_4_by_z10_by_tau1 = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_tau1 + t127*z1_3_on_boundary_by_z10_by_tau1 - t127*z2_3_on_boundary_by_z10_by_tau1
-    carried_v2_4_by_z20_by_tau1 = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_tau1 + t127*z1_3_on_boundary_by_z20_by_tau1 - t127*z2_3_on_boundary_by_z20_by_tau1
-    # d/dtau2 of: Phi along tau2
-    t253 = -z1_3_on_boundary_by_z20 + z2_3_on_boundary_by_z20
-    t254 = t39*v2_3_on_boundary_by_z20
-    carried_z2_4_by_z20_by_tau2 = cos_omega3_tau2_by_tau2*t253 + sin_omega3_tau2_by_tau2*t254
-    t255 = t61 - t62
-    carried_v2_4_by_z10_by_tau2 = cos_omega3_tau2_by_tau2*v2_3_on_boundary_by_z10 + sin_omega3_tau2_by_tau2*t255
-    t256 = t63 - t64
-    carried_v2_4_by_z20_by_tau2 = cos_omega3_tau2_by_tau2*v2_3_on_boundary_by_z20 + sin_omega3_tau2_by_tau2*t256
-    # d/dchi of: Phi along tau2
-    t257 = t132*v2_3_on_boundary_by_z20
-    carried_z2_4_by_z20_by_chi = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_chi + cos_omega3_tau2_by_chi*t253 - omega3_by_chi*t257 + sin_omega3_tau2_by_chi*t254 + t38*z1_3_on_boundary_by_z20_by_chi + t40*v2_3_on_boundary_by_z20_by_chi
-    t258 = sin_omega3_tau2*z1_3_on_boundary_by_z10 - sin_omega3_tau2*z2_3_on_boundary_by_z10
-    carried_v2_4_by_z10_by_chi = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_chi + cos_omega3_tau2_by_chi*v2_3_on_boundary_by_z10 + omega3_by_chi*t258 + sin_omega3_tau2_by_chi*t255 + t127*z1_3_on_boundary_by_z10_by_chi - t127*z2_3_on_boundary_by_z10_by_chi
-    t259 = sin_omega3_tau2*z1_3_on_boundary_by_z20 - sin_omega3_tau2*z2_3_on_boundary_by_z20
-    carried_v2_4_by_z20_by_chi = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_chi + cos_omega3_tau2_by_chi*v2_3_on_boundary_by_z20 + omega3_by_chi*t259 + sin_omega3_tau2_by_chi*t256 + t127*z1_3_on_boundary_by_z20_by_chi - t127*z2_3_on_boundary_by_z20_by_chi
-    # d/deta of: Phi along tau2
-    carried_z2_4_by_z20_by_eta = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_eta + cos_omega3_tau2_by_eta*t253 - omega3_by_eta*t257 + sin_omega3_tau2_by_eta*t254 + t38*z1_3_on_boundary_by_z20_by_eta + t40*v2_3_on_boundary_by_z20_by_eta
-    carried_v2_4_by_z10_by_eta = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_eta + cos_omega3_tau2_by_eta*v2_3_on_boundary_by_z10 + omega3_by_eta*t258 + sin_omega3_tau2_by_eta*t255 + t127*z1_3_on_boundary_by_z10_by_eta - t127*z2_3_on_boundary_by_z10_by_eta
-    carried_v2_4_by_z20_by_eta = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_eta + cos_omega3_tau2_by_eta*v2_3_on_boundary_by_z20 + omega3_by_eta*t259 + sin_omega3_tau2_by_eta*t256 + t127*z1_3_on_boundary_by_z20_by_eta - t127*z2_3_on_boundary_by_z20_by_eta
-    # d/dV of: Phi along tau2
-    carried_z2_4_by_z20_by_V = cos_omega3_tau2*z2_3_on_boundary_by_z20_by_V + t38*z1_3_on_boundary_by_z20_by_V + t40*v2_3_on_boundary_by_z20_by_V
-    carried_v2_4_by_z10_by_V = cos_omega3_tau2*v2_3_on_boundary_by_z10_by_V + t127*z1_3_on_boundary_by_z10_by_V - t127*z2_3_on_boundary_by_z10_by_V
-    carried_v2_4_by_z20_by_V = cos_omega3_tau2*v2_3_on_boundary_by_z20_by_V + t127*z1_3_on_boundary_by_z20_by_V - t127*z2_3_on_boundary_by_z20_by_V
-    # d/dz10 of: rate of the exit boundary after tau2
-    rate_4_by_z10 = -t236*z2_4_by_z10 + t237
-    # d/dz20 of: rate of the exit boundary after tau2
-    rate_4_by_z20 = -t236*z2_4_by_z20 + t239
-    # d/dtau of: rate of the exit boundary after tau2
-    rate_4_by_tau = -t236*z2_4_by_tau + t241
-    # d/dtau1 of: rate of the exit boundary after tau2
-    rate_4_by_tau1 = -t236*z2_4_by_tau1 + t243
-    # d/dtau2 of: rate of the exit boundary after tau2
-    rate_4_by_tau2 = eta*t45 - t236*z2_4_by_tau2
-    # d/dchi of: rate of the exit boundary after tau2
-    rate_4_by_chi = -t236*z2_4_by_chi + t246 + t65 - t66
-    # d/deta of: rate of the exit boundary after tau2
-    rate_4_by_eta = chi*z1_4 - chi*z2_4 - t236*z2_4_by_eta + t249
-    # d/dV of: rate of the exit boundary after tau2
-    rate_4_by_V = t236*z1_4_by_V - t236*z2_4_by_V
-    # d/dz10 of: derivatives of the time to the boundary after tau2
-    t260 = 1/rate_4**2
-    t261 = rate_4_by_z10*t260
-    delay_tau2_by_z10_by_z10 = carried_v2_4_by_z10*t261 - carried_v2_4_by_z10_by_z10*t67
-    delay_tau2_by_z20_by_z10 = carried_v2_4_by_z20*t261 - carried_v2_4_by_z20_by_z10*t67
-    # d/dz20 of: derivatives of the time to the boundary after tau2
-    t262 = rate_4_by_z20*t260
-    delay_tau2_by_z10_by_z20 = carried_v2_4_by_z10*t262 - carried_v2_4_by_z10_by_z20*t67
-    delay_tau2_by_z20_by_z20 = carried_v2_4_by_z20*t262 - carried_v2_4_by_z20_by_z20*t67
-    # d/dtau of: derivatives of the time to the boundary after tau2
-    t263 = rate_4_by_tau*t260
-    delay_tau2_by_z10_by_tau = carried_v2_4_by_z10*t263 - carried_v2_4_by_z10_by_tau*t67
-    delay_tau2_by_z20_by_tau = carried_v2_4_by_z20*t263 - carried_v2_4_by_z20_by_tau*t67
-    # d/dtau1 of: derivatives of the time to the boundary after tau2
-    t264 = rate_4_by_tau1*t260
-    delay_tau2_by_z10_by_tau1 = carried_v2_4_by_z10*t264 - carried_v2_4_by_z10_by_tau1*t67
-    delay_tau2_by_z20_by_tau1 = carried_v2_4_by_z20*t264 - carried_v2_4_by_z20_by_tau1*t67
-    # d/dtau2 of: derivatives of the time to the boundary after tau2
-    t265 = rate_4_by_tau2*t260
-    delay_tau2_by_z10_by_tau2 = carried_v2_4_by_z10*t265 - carried_v2_4_by_z10_by_tau2*t67
-    delay_tau2_by_z20_by_tau2 = carried_v2_4_by_z20*t265 - carried_v2_4_by_z20_by_tau2*t67
-    # d/dchi of: derivatives of the time to the boundary after tau2
-    t266 = rate_4_by_chi*t260
-    delay_tau2_by_z10_by_chi = carried_v2_4_by_z10*t266 - carried_v2_4_by_z10_by_chi*t67
-    delay_tau2_by_z20_by_chi = carried_v2_4_by_z20*t266 - carried_v2_4_by_z20_by_chi*t67
-    # d/deta of: derivatives of the time to the boundary after tau2
-    t267 = rate_4_by_eta*t260
-    delay_tau2_by_z10_by_eta = carried_v2_4_by_z10*t267 - carried_v2_4_by_z10_by_eta*t67
-    delay_tau2_by_z20_by_eta = carried_v2_4_by_z20*t267 - carried_v2_4_by_z20_by_eta*t67
-    # d/dV of: derivatives of the time to the boundary after tau2
-    t268 = rate_4_by_V*t260
-    delay_tau2_by_z10_by_V = carried_v2_4_by_z10*t268 - carried_v2_4_by_z10_by_V*t67
-    delay_tau2_by_z20_by_V = carried_v2_4_by_z20*t268 - carried_v2_4_by_z20_by_V*t67
-    # d/dz10 of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_z10 = V*delay_tau2_by_z10_by_z10 + z1_3_on_boundary_by_z10_by_z10
-    z2_4_on_boundary_by_z20_by_z10 = carried_z2_4_by_z20_by_z10 + delay_tau2_by_z20*v2_4_by_z10 + delay_tau2_by_z20_by_z10*v2_4
-    # d/dz20 of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_z20 = V*delay_tau2_by_z10_by_z20 + z1_3_on_boundary_by_z10_by_z20
-    z2_4_on_boundary_by_z20_by_z20 = carried_z2_4_by_z20_by_z20 + delay_tau2_by_z20*v2_4_by_z20 + delay_tau2_by_z20_by_z20*v2_4
-    # d/dtau of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_tau = V*delay_tau2_by_z10_by_tau + z1_3_on_boundary_by_z10_by_tau
-    z2_4_on_boundary_by_z20_by_tau = carried_z2_4_by_z20_by_tau + delay_tau2_by_z20*v2_4_by_tau + delay_tau2_by_z20_by_tau*v2_4
-    # d/dtau1 of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_tau1 = V*delay_tau2_by_z10_by_tau1 + z1_3_on_boundary_by_z10_by_tau1
-    z2_4_on_boundary_by_z20_by_tau1 = carried_z2_4_by_z20_by_tau1 + delay_tau2_by_z20*v2_4_by_tau1 + delay_tau2_by_z20_by_tau1*v2_4
-    # d/dtau2 of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_tau2 = V*delay_tau2_by_z10_by_tau2
-    z2_4_on_boundary_by_z20_by_tau2 = carried_z2_4_by_z20_by_tau2 + delay_tau2_by_z20*v2_4_by_tau2 + delay_tau2_by_z20_by_tau2*v2_4
-    # d/dchi of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_chi = V*delay_tau2_by_z10_by_chi + z1_3_on_boundary_by_z10_by_chi
-    z2_4_on_boundary_by_z20_by_chi = carried_z2_4_by_z20_by_chi + delay_tau2_by_z20*v2_4_by_chi + delay_tau2_by_z20_by_chi*v2_4
-    # d/deta of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_eta = V*delay_tau2_by_z10_by_eta + z1_3_on_boundary_by_z10_by_eta
-    z2_4_on_boundary_by_z20_by_eta = carried_z2_4_by_z20_by_eta + delay_tau2_by_z20*v2_4_by_eta + delay_tau2_by_z20_by_eta*v2_4
-    # d/dV of: perturbation on the boundary after tau2
-    z1_4_on_boundary_by_z10_by_V = V*delay_tau2_by_z10_by_V + delay_tau2_by_z10 + z1_3_on_boundary_by_z10_by_V
-    z2_4_on_boundary_by_z20_by_V = carried_z2_4_by_z20_by_V + delay_tau2_by_z20*v2_4_by_V + delay_tau2_by_z20_by_V*v2_4
-    return [z1_4_on_boundary_by_z10_by_z10 + z2_4_on_boundary_by_z20_by_z10, z1_4_on_boundary_by_z10_by_z20 + z2_4_on_boundary_by_z20_by_z20, z1_4_on_boundary_by_z10_by_tau + z2_4_on_boundary_by_z20_by_tau, z1_4_on_boundary_by_z10_by_tau1 + z2_4_on_boundary_by_z20_by_tau1, z1_4_on_boundary_by_z10_by_tau2 + z2_4_on_boundary_by_z20_by_tau2, 0, z1_4_on_boundary_by_z10_by_chi + z2_4_on_boundary_by_z20_by_chi, z1_4_on_boundary_by_z10_by_eta + z2_4_on_boundary_by_z20_by_eta, z1_4_on_boundary_by_z10_by_V + z2_4_on_boundary_by_z20_by_V, 0]
+    t60 = 1/rate_4
+    delay_tau2_by_z10 = -carried_v2_4_by_z10*t60
+    delay_tau2_by_z20 = -carried_v2_4_by_z20*t60
+    # back through: rate of the exit boundary after tau2
+    t61 = 1/rate_4**2
+    slope_by_rate_4 = V*carried_v2_4_by_z10*t61 + carried_v2_4_by_z20*t61*v2_4
+    # back through: Phi along tau2
+    slope_by_carried_v2_4_by_z20 = -t60*v2_4
+    slope_by_carried_v2_4_by_z10 = -V*t60
+    # back through: perturbation on the boundary after tau1
+    slope_by_v2_3_on_boundary_by_z20 = cos_omega3_tau2*slope_by_carried_v2_4_by_z20 + t35
+    slope_by_v2_3_on_boundary_by_z10 = cos_omega3_tau2*slope_by_carried_v2_4_by_z10
+    t62 = omega3*sin_omega3_tau2
+    t63 = slope_by_carried_v2_4_by_z20*t62
+    slope_by_z2_3_on_boundary_by_z20 = cos_omega3_tau2 - t63
+    t64 = slope_by_carried_v2_4_by_z10*t62
+    slope_by_z2_3_on_boundary_by_z10 = -t64
+    slope_by_z1_3_on_boundary_by_z20 = -cos_omega3_tau2 + t63 + 1
+    slope_by_z1_3_on_boundary_by_z10 = t64 + 1
+    # back through: derivatives of the time to the boundary after tau1
+    slope_by_delay_tau1_by_z20 = slope_by_v2_3_on_boundary_by_z20*t53 + slope_by_z1_3_on_boundary_by_z20*v1_3 + slope_by_z2_3_on_boundary_by_z20*v2_3
+    slope_by_delay_tau1_by_z10 = slope_by_v2_3_on_boundary_by_z10*t53 + slope_by_z1_3_on_boundary_by_z10*v1_3 + slope_by_z2_3_on_boundary_by_z10*v2_3
+    # back through: rate of the exit boundary after tau1
+    t65 = 1/rate_3**2
+    slope_by_rate_3 = carried_v1_3_by_z10*slope_by_delay_tau1_by_z10*t65 + carried_v1_3_by_z20*slope_by_delay_tau1_by_z20*t65
+    # back through: Phi along tau1
+    slope_by_carried_v1_3_by_z20 = -slope_by_delay_tau1_by_z20*t51
+    slope_by_carried_v1_3_by_z10 = -slope_by_delay_tau1_by_z10*t51
+    # back through: perturbation on the boundary after tau
+    slope_by_v1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t17 + slope_by_v2_3_on_boundary_by_z20*t21 + slope_by_z1_3_on_boundary_by_z20*t16 + slope_by_z2_3_on_boundary_by_z20*t20
+    slope_by_v1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t17 + slope_by_v2_3_on_boundary_by_z10*t21 + slope_by_z1_3_on_boundary_by_z10*t16 + slope_by_z2_3_on_boundary_by_z10*t20
+    slope_by_z2_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t27 + slope_by_v2_3_on_boundary_by_z20*t29 + slope_by_z1_3_on_boundary_by_z20*t18 + slope_by_z2_3_on_boundary_by_z20*t22
+    slope_by_z2_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t27 + slope_by_v2_3_on_boundary_by_z10*t29 + slope_by_z1_3_on_boundary_by_z10*t18 + slope_by_z2_3_on_boundary_by_z10*t22
+    slope_by_z1_2_on_boundary_by_z20 = slope_by_carried_v1_3_by_z20*t26 + slope_by_v2_3_on_boundary_by_z20*t28 + slope_by_z1_3_on_boundary_by_z20*t17 + slope_by_z2_3_on_boundary_by_z20*t21
+    slope_by_z1_2_on_boundary_by_z10 = slope_by_carried_v1_3_by_z10*t26 + slope_by_v2_3_on_boundary_by_z10*t28 + slope_by_z1_3_on_boundary_by_z10*t17 + slope_by_z2_3_on_boundary_by_z10*t21
+    # back through: derivatives of the time to the boundary after tau
+    slope_by_delay_tau_by_z20 = V*slope_by_z2_2_on_boundary_by_z20 + slope_by_v1_2_on_boundary_by_z20*t49 + slope_by_z1_2_on_boundary_by_z20*v1_2
+    slope_by_delay_tau_by_z10 = V*slope_by_z2_2_on_boundary_by_z10 + slope_by_v1_2_on_boundary_by_z10*t49 + slope_by_z1_2_on_boundary_by_z10*v1_2
+    # back through: rate of the exit boundary after tau
+    t66 = 1/rate_2**2
+    slope_by_rate_2 = -slope_by_delay_tau_by_z10*t46*t66 - slope_by_delay_tau_by_z20*t48*t66
+    # back through: Phi along tau
+    t67 = chi*t44
+    t68 = slope_by_delay_tau_by_z20*t67
+    slope_by_carried_z1_2_by_z20 = slope_by_z1_2_on_boundary_by_z20 + t68
+    t69 = slope_by_delay_tau_by_z10*t67
+    slope_by_carried_z1_2_by_z10 = slope_by_z1_2_on_boundary_by_z10 + t69
+    # back through: perturbation on the boundary after ta
+    slope_by_z2_1_on_boundary_by_z20 = slope_by_carried_z1_2_by_z20*t3 + slope_by_v1_2_on_boundary_by_z20*t4 + slope_by_z2_2_on_boundary_by_z20 - t68
+    slope_by_z2_1_on_boundary_by_z10 = slope_by_carried_z1_2_by_z10*t3 + slope_by_v1_2_on_boundary_by_z10*t4 + slope_by_z2_2_on_boundary_by_z10 - t69
+    t70 = sin_tau*slope_by_v1_2_on_boundary_by_z20
+    slope_by_z1_1_on_boundary_by_z20 = cos_tau*slope_by_carried_z1_2_by_z20 - t70
+    t71 = sin_tau*slope_by_v1_2_on_boundary_by_z10
+    slope_by_z1_1_on_boundary_by_z10 = cos_tau*slope_by_carried_z1_2_by_z10 - t71
+    # back through: derivatives of the time to the boundary after ta
+    slope_by_delay_ta_by_z20 = V*slope_by_z1_1_on_boundary_by_z20 + V*slope_by_z2_1_on_boundary_by_z20
+    slope_by_delay_ta_by_z10 = V*slope_by_z1_1_on_boundary_by_z10 + V*slope_by_z2_1_on_boundary_by_z10
+    # back through: rate of the exit boundary after ta
+    t72 = 1/rate_1**2
+    slope_by_rate_1 = -chi*slope_by_delay_ta_by_z20*t72 + slope_by_delay_ta_by_z10*t72
+    # back through: stick-slip for tau2, until second-reaches-belt
+    t73 = chi*eta
+    t74 = slope_by_rate_4*t73
+    slope_by_z2_4 = -t74
+    slope_by_z1_4 = t74
+    # back through: functions of tau2 in stick-slip
+    slope_by_sin_omega3_tau2 = delay_tau2_by_z20*(t37 - t38) + slope_by_carried_v2_4_by_z10*(t54 - t55) + slope_by_carried_v2_4_by_z20*(t56 - t57) + slope_by_z2_4*(-V*t34 + t34*v2_3) + t34*v2_3_on_boundary_by_z20
+    slope_by_cos_omega3_tau2 = delay_tau2_by_z20*(-V + v2_3) + slope_by_carried_v2_4_by_z10*v2_3_on_boundary_by_z10 + slope_by_carried_v2_4_by_z20*v2_3_on_boundary_by_z20 + slope_by_z2_4*(-z1_3 + z2_3) - z1_3_on_boundary_by_z20 + z2_3_on_boundary_by_z20
+    # back through: slip-slip for tau1, until first-reaches-belt
+    slope_by_v2_3 = cos_omega3_tau2*delay_tau2_by_z20 + delay_tau1_by_z10*slope_by_z2_3_on_boundary_by_z10 + delay_tau1_by_z20*slope_by_z2_3_on_boundary_by_z20 + slope_by_z2_4*t35
+    slope_by_v1_3 = delay_tau1_by_z10*slope_by_z1_3_on_boundary_by_z10 + delay_tau1_by_z20*slope_by_z1_3_on_boundary_by_z20
+    t75 = delay_tau1_by_z10*slope_by_v2_3_on_boundary_by_z10
+    t76 = delay_tau1_by_z20*slope_by_v2_3_on_boundary_by_z20
+    t77 = delay_tau2_by_z20*t62 + t73*t75 + t73*t76
+    slope_by_z2_3 = chi*slope_by_rate_3 + cos_omega3_tau2*slope_by_z2_4 - t77
+    slope_by_z1_3 = -slope_by_rate_3 + slope_by_z1_4 + slope_by_z2_4*t33 + t77
+    # back through: functions of tau1 in slip-slip
+    t78 = p2*z2_2_on_boundary_by_z10
+    t79 = t13*z1_2_on_boundary_by_z10
+    t80 = p2*z2_2_on_boundary_by_z20
+    t81 = t13*z1_2_on_boundary_by_z20
+    t82 = p2*z2_2
+    t83 = t13*z1_2
+    t84 = p1*z2_2
+    t85 = p1*z2_2_on_boundary_by_z10
+    t86 = p1*z2_2_on_boundary_by_z20
+    t87 = V*p2
+    t88 = V*p1
+    t89 = p3*v1_2
+    t90 = t13*t14
+    t91 = slope_by_z1_3_on_boundary_by_z10*v1_2_on_boundary_by_z10
+    t92 = slope_by_z1_3_on_boundary_by_z20*v1_2_on_boundary_by_z20
+    t93 = p3*v1_2_on_boundary_by_z10
+    t94 = slope_by_z2_3_on_boundary_by_z10*t93
+    t95 = p3*v1_2_on_boundary_by_z20
+    t96 = slope_by_z2_3_on_boundary_by_z20*t95
+    slope_by_sin_omega2_tau1 = slope_by_carried_v1_3_by_z10*(omega2*t78 - omega2*t79) + slope_by_carried_v1_3_by_z20*(omega2*t80 - omega2*t81) + slope_by_v1_3*(omega2*t82 - omega2*t83) + slope_by_v2_3*(omega2*p3*z1_2 - omega2*t84) + slope_by_v2_3_on_boundary_by_z10*(omega2*p3*z1_2_on_boundary_by_z10 - omega2*t85) + slope_by_v2_3_on_boundary_by_z20*(omega2*p3*z1_2_on_boundary_by_z20 - omega2*t86) + slope_by_z1_3*(t13*t14*v1_2 - t14*t87) + slope_by_z2_3*(t14*t88 - t14*t89) - t14*t94 - t14*t96 + t90*t91 + t90*t92
+    t97 = p3*z1_2
+    t98 = p3*z1_2_on_boundary_by_z10
+    t99 = p3*z1_2_on_boundary_by_z20
+    t100 = slope_by_carried_v1_3_by_z10*v1_2_on_boundary_by_z10
+    t101 = slope_by_carried_v1_3_by_z20*v1_2_on_boundary_by_z20
+    t102 = slope_by_v2_3_on_boundary_by_z10*t93
+    t103 = slope_by_v2_3_on_boundary_by_z20*t95
+    slope_by_cos_omega2_tau1 = slope_by_v1_3*(t13*v1_2 - t87) + slope_by_v2_3*(t88 - t89) + slope_by_z1_3*(t13*z1_2 - t82) + slope_by_z1_3_on_boundary_by_z10*(t13*z1_2_on_boundary_by_z10 - t78) + slope_by_z1_3_on_boundary_by_z20*(t13*z1_2_on_boundary_by_z20 - t80) + slope_by_z2_3*(t84 - t97) + slope_by_z2_3_on_boundary_by_z10*(t85 - t98) + slope_by_z2_3_on_boundary_by_z20*(t86 - t99) + t100*t13 + t101*t13 - t102 - t103
+    t104 = p1*z1_2_on_boundary_by_z10
+    t105 = p1*z1_2_on_boundary_by_z20
+    t106 = p1*z1_2
+    t107 = t13*z2_2
+    t108 = t13*z2_2_on_boundary_by_z10
+    t109 = t13*z2_2_on_boundary_by_z20
+    t110 = p1*v1_2
+    t111 = V*t13
+    t112 = p1*t11
+    slope_by_sin_omega1_tau1 = slope_by_carried_v1_3_by_z10*(-omega1*t104 - omega1*t78) + slope_by_carried_v1_3_by_z20*(-omega1*t105 - omega1*t80) + slope_by_v1_3*(-omega1*t106 - omega1*t82) + slope_by_v2_3*(-omega1*t107 - omega1*t97) + slope_by_v2_3_on_boundary_by_z10*(-omega1*t108 - omega1*t98) + slope_by_v2_3_on_boundary_by_z20*(-omega1*t109 - omega1*t99) + slope_by_z1_3*(t11*t110 + t11*t87) + slope_by_z2_3*(t11*t111 + t11*t89) + t11*t94 + t11*t96 + t112*t91 + t112*t92
+    slope_by_cos_omega1_tau1 = p1*t100 + p1*t101 + slope_by_v1_3*(t110 + t87) + slope_by_v2_3*(t111 + t89) + slope_by_z1_3*(t106 + t82) + slope_by_z1_3_on_boundary_by_z10*(t104 + t78) + slope_by_z1_3_on_boundary_by_z20*(t105 + t80) + slope_by_z2_3*(t107 + t97) + slope_by_z2_3_on_boundary_by_z10*(t108 + t98) + slope_by_z2_3_on_boundary_by_z20*(t109 + t99) + t102 + t103
+    # back through: slip-stick for tau, until second-breaks-forward
+    t113 = chi*slope_by_rate_2
+    slope_by_v1_2 = delay_tau_by_z10*slope_by_z1_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z1_2_on_boundary_by_z20 + slope_by_v1_3*t17 + slope_by_v2_3*t21 + slope_by_z1_3*t16 + slope_by_z2_3*t20 - t113
+    t114 = delay_tau_by_z10*slope_by_v1_2_on_boundary_by_z10
+    t115 = delay_tau_by_z20*slope_by_v1_2_on_boundary_by_z20
+    slope_by_z2_2 = chi*t114 + chi*t115 + slope_by_v1_3*t27 + slope_by_v2_3*t29 + slope_by_z1_3*t18 + slope_by_z2_3*t22
+    slope_by_z1_2 = slope_by_v1_3*t26 + slope_by_v2_3*t28 + slope_by_z1_3*t17 + slope_by_z2_3*t21 - t114 - t115
+    # back through: functions of tau in slip-stick
+    t116 = chi*z20 - z10
+    t117 = t45 - z1_1_on_boundary_by_z10
+    t118 = t47 - z1_1_on_boundary_by_z20
+    slope_by_sin_tau = rate_1*slope_by_z1_2 + slope_by_v1_2*t116 + slope_by_v1_2_on_boundary_by_z10*t117 + slope_by_v1_2_on_boundary_by_z20*t118
+    slope_by_cos_tau = rate_1*slope_by_v1_2 - slope_by_carried_z1_2_by_z10*t117 - slope_by_carried_z1_2_by_z20*t118 - slope_by_z1_2*t116
+    # outputs
+    t119 = sin_omega2_tau1*slope_by_cos_omega2_tau1
+    t120 = sin_omega1_tau1*slope_by_cos_omega1_tau1
+    t121 = cos_omega3_tau2*slope_by_sin_omega3_tau2
+    t122 = sin_omega3_tau2*slope_by_cos_omega3_tau2
+    t123 = sin_omega1_tau1/omega1**2
+    t124 = p1*t123
+    t125 = cos_omega1_tau1*slope_by_sin_omega1_tau1*tau1 + slope_by_carried_v1_3_by_z10*(-sin_omega1_tau1*t104 - sin_omega1_tau1*t78) + slope_by_carried_v1_3_by_z20*(-sin_omega1_tau1*t105 - sin_omega1_tau1*t80) + slope_by_v1_3*(-sin_omega1_tau1*t106 - sin_omega1_tau1*t82) + slope_by_v2_3*(-sin_omega1_tau1*t107 - sin_omega1_tau1*t97) + slope_by_v2_3_on_boundary_by_z10*(-sin_omega1_tau1*t108 - sin_omega1_tau1*t98) + slope_by_v2_3_on_boundary_by_z20*(-sin_omega1_tau1*t109 - sin_omega1_tau1*t99) + slope_by_z1_3*(-t110*t123 - t123*t87) + slope_by_z2_3*(-t111*t123 - t123*t89) - t120*tau1 - t123*t94 - t123*t96 - t124*t91 - t124*t92
+    t126 = 1/omega2**2
+    t127 = sin_omega2_tau1*t126
+    t128 = t127*t13
+    t129 = cos_omega2_tau1*slope_by_sin_omega2_tau1*tau1 + slope_by_carried_v1_3_by_z10*(sin_omega2_tau1*t78 - sin_omega2_tau1*t79) + slope_by_carried_v1_3_by_z20*(sin_omega2_tau1*t80 - sin_omega2_tau1*t81) + slope_by_v1_3*(sin_omega2_tau1*t82 - sin_omega2_tau1*t83) + slope_by_v2_3*(p3*sin_omega2_tau1*z1_2 - sin_omega2_tau1*t84) + slope_by_v2_3_on_boundary_by_z10*(p3*sin_omega2_tau1*z1_2_on_boundary_by_z10 - sin_omega2_tau1*t85) + slope_by_v2_3_on_boundary_by_z20*(p3*sin_omega2_tau1*z1_2_on_boundary_by_z20 - sin_omega2_tau1*t86) + slope_by_z1_3*(-t127*t13*v1_2 + t127*t87) + slope_by_z2_3*(p3*sin_omega2_tau1*t126*v1_2 - t127*t88) - t119*tau1 + t127*t94 + t127*t96 - t128*t91 - t128*t92
+    t130 = sin_omega3_tau2/omega3**2
+    t131 = delay_tau2_by_z20*(sin_omega3_tau2*z1_3 - sin_omega3_tau2*z2_3) + slope_by_carried_v2_4_by_z10*(sin_omega3_tau2*z1_3_on_boundary_by_z10 - sin_omega3_tau2*z2_3_on_boundary_by_z10) + slope_by_carried_v2_4_by_z20*(sin_omega3_tau2*z1_3_on_boundary_by_z20 - sin_omega3_tau2*z2_3_on_boundary_by_z20) + slope_by_z2_4*(V*t130 - t130*v2_3) + t121*tau2 - t122*tau2 - t130*v2_3_on_boundary_by_z20
+    t132 = cos_omega1_tau1 - cos_omega2_tau1
+    t133 = -omega2*sin_omega2_tau1 + t25
+    t135 = t132*v1_2_on_boundary_by_z10 - t133*z1_2_on_boundary_by_z10
+    t136 = t132*v1_2_on_boundary_by_z20 - t133*z1_2_on_boundary_by_z20
+    t137 = t132*v1_2 - t133*z1_2
+    t139 = -sin_omega1_tau1*t11 + t15
+    t141 = t132*z1_2 - t139*v1_2
+    t142 = t132*z1_2_on_boundary_by_z10 - t139*v1_2_on_boundary_by_z10
+    t143 = t132*z1_2_on_boundary_by_z20 - t139*v1_2_on_boundary_by_z20
+    t144 = slope_by_carried_v1_3_by_z10*t135 + slope_by_carried_v1_3_by_z20*t136 + slope_by_v1_3*t137 + slope_by_v2_3*(-V*t132 + t133*z2_2) + slope_by_v2_3_on_boundary_by_z10*t133*z2_2_on_boundary_by_z10 + slope_by_v2_3_on_boundary_by_z20*t133*z2_2_on_boundary_by_z20 + slope_by_z1_3*t141 + slope_by_z1_3_on_boundary_by_z10*t142 + slope_by_z1_3_on_boundary_by_z20*t143 + slope_by_z2_3*(V*t139 - t132*z2_2) - slope_by_z2_3_on_boundary_by_z10*t132*z2_2_on_boundary_by_z10 - slope_by_z2_3_on_boundary_by_z20*t132*z2_2_on_boundary_by_z20
+    t145 = -slope_by_carried_v1_3_by_z10*t133*z2_2_on_boundary_by_z10 - slope_by_carried_v1_3_by_z20*t133*z2_2_on_boundary_by_z20 + slope_by_v1_3*(V*t132 - t133*z2_2) + slope_by_z1_3*(-V*t139 + t132*z2_2) + slope_by_z1_3_on_boundary_by_z10*t132*z2_2_on_boundary_by_z10 + slope_by_z1_3_on_boundary_by_z20*t132*z2_2_on_boundary_by_z20
+    t146 = slope_by_v2_3*t137 + slope_by_v2_3_on_boundary_by_z10*t135 + slope_by_v2_3_on_boundary_by_z20*t136 + slope_by_z2_3*t141 + slope_by_z2_3_on_boundary_by_z10*t142 + slope_by_z2_3_on_boundary_by_z20*t143
+    t147 = 1 - cos_tau
+    t148 = -eta*z2_3 + t52
+    t149 = chi*z1_3 - t50
+    return [cos_tau*slope_by_z1_2 - sin_tau*slope_by_v1_2, slope_by_v1_2*t4 + slope_by_z1_2*t3 + slope_by_z2_2, V*slope_by_z2_2 + cos_tau*slope_by_sin_tau - sin_tau*slope_by_cos_tau + slope_by_z1_2*t39, cos_omega1_tau1*omega1*slope_by_sin_omega1_tau1 + cos_omega2_tau1*omega2*slope_by_sin_omega2_tau1 - omega1*t120 - omega2*t119, V*slope_by_z1_4 + V*slope_by_z2_4 + omega3*t121 - omega3*t122, 0, -V*slope_by_rate_1 + omega1_by_chi*t125 + omega2_by_chi*t129 + omega3_by_chi*t131 + p1_by_chi*t144 + p2_by_chi*t145 + p3_by_chi*t146 + slope_by_carried_z1_2_by_z10*t147*z2_1_on_boundary_by_z10 + slope_by_carried_z1_2_by_z20*t147*z2_1_on_boundary_by_z20 + slope_by_delay_ta_by_z20*t41 + slope_by_delay_tau_by_z10*t44*(carried_z1_2_by_z10 - z2_1_on_boundary_by_z10) + slope_by_delay_tau_by_z20*t44*(carried_z1_2_by_z20 - z2_1_on_boundary_by_z20) + slope_by_rate_2*(V - v1_2) + slope_by_rate_3*z2_3 + slope_by_rate_4*(t58 - t59) + slope_by_v1_2*(V*t147 + sin_tau*z20) + slope_by_z1_2*(V*(-sin_tau + tau) + t147*z20) + t114*z2_2 + t115*z2_2 + t148*t75 + t148*t76 + t70*z2_1_on_boundary_by_z20 + t71*z2_1_on_boundary_by_z10, omega1_by_eta*t125 + omega2_by_eta*t129 + omega3_by_eta*t131 + p1_by_eta*t144 + p2_by_eta*t145 + p3_by_eta*t146 + slope_by_rate_4*(chi*z1_4 - chi*z2_4) + t149*t75 + t149*t76, delay_ta_by_z10*slope_by_z1_1_on_boundary_by_z10 + delay_ta_by_z10*slope_by_z2_1_on_boundary_by_z10 + delay_ta_by_z20*slope_by_z1_1_on_boundary_by_z20 + delay_ta_by_z20*slope_by_z2_1_on_boundary_by_z20 + delay_tau2_by_z10 + delay_tau2_by_z20*t33 + delay_tau_by_z10*slope_by_z2_2_on_boundary_by_z10 + delay_tau_by_z20*slope_by_z2_2_on_boundary_by_z20 + slope_by_rate_1*(1 - chi) + slope_by_v1_2*(chi + cos_tau - t2) + slope_by_v1_3*t18 + slope_by_v2_3*t22 + slope_by_z1_2*(chi*tau + sin_tau - t4) + slope_by_z1_3*t19 + slope_by_z1_4*tau2 + slope_by_z2_2*tau + slope_by_z2_3*t23 + slope_by_z2_4*t36 + t113, 0]
 
 
 def solution_ii_states(parameters, spectrum, unknowns, lib):

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.elastic_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 113e2b5e94516a32 */
+ * SymPy 1.14.0, derivation ac22722cc176f8d2 */
 #ifndef ELASTIC_STOP_H
 #define ELASTIC_STOP_H
 

@@ -1,10 +1,10 @@
 # Generated; do not edit.
 # Source: nonsmooth.derive.systems.elastic_stop
 # Again: python scripts/regenerate.py
-# SymPy 1.14.0, derivation 113e2b5e94516a32
+# SymPy 1.14.0, derivation ac22722cc176f8d2
 """Kernels and tables of the system elastic-stop, over any arithmetic ``lib``."""
 
-DERIVATION = "113e2b5e94516a32"
+DERIVATION = "ac22722cc176f8d2"
 
 SYSTEM = {'name': 'elastic-stop',
  'description': 'two coupled oscillators, the first in front of an elastic stop (Sec. 2.2)',
@@ -1513,7 +1513,7 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
         p5_by_k3, p5_by_m1, p5_by_m2, p6_by_k1, p6_by_k2, p6_by_k3, p6_by_m1, p6_by_m2.
     Takes unknowns (4): y, u, w, tau.
     Gives trace_gradient (10).
-    Operations: 4407. Intermediate terms: 955.
+    Operations: 1643. Intermediate terms: 317.
     """
     [m1, m2, k1, k2, k3, T] = parameters
     [_, omega1, omega2, p1, p2, p3, _, omega3, omega4, p4, p5, p6] = spectrum
@@ -1538,91 +1538,96 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     t14 = p1 - 1
     t15 = t10*t14 + t12
     t16 = 1/omega1
-    t17 = sin_omega1_tau*t16
-    t19 = 1/omega2
-    t20 = sin_omega2_tau*t19
-    t21 = p1*t17 - t14*t20
-    t22 = p2*sin_omega1_tau*t16 - p2*t20
-    t23 = cos_omega1_tau*p2 - cos_omega2_tau*p2
-    t24 = cos_omega1_tau*p1 - cos_omega2_tau*t14
-    x1_1 = -cos_omega1_tau*t13 + cos_omega2_tau*t15 + t10 + t21*u + t22*w + t23*y + t24
-    t25 = p3*t10
-    t27 = t11*t14 - t25
-    t28 = p1*t11
-    t29 = -t25 + t28
-    t30 = p3*sin_omega1_tau*t16 - p3*t20
-    t31 = p1*t20 - t14*t17
-    t32 = -cos_omega1_tau*t14 + cos_omega2_tau*p1
-    t33 = cos_omega1_tau*p3 - cos_omega2_tau*p3
-    x2_1 = cos_omega1_tau*t27 - cos_omega2_tau*t29 + t11 + t30*u + t31*w + t32*y + t33
-    t34 = omega1*p1
-    t35 = omega1*t12 + t10*t34
-    t36 = omega2*t12 + omega2*t14*t7*t9
-    t37 = omega1*sin_omega1_tau
-    t38 = omega2*p2*sin_omega2_tau - p2*t37
-    t39 = -omega2*t14
-    v1_1 = -sin_omega1_tau*t34 + sin_omega1_tau*t35 - sin_omega2_tau*t36 - sin_omega2_tau*t39 + t23*w + t24*u + t38*y
-    t40 = omega1*p3
-    t41 = -t11*t14
-    t42 = omega1*t41 + t10*t40
-    t43 = omega2*p3
-    t44 = omega2*t28 - t10*t43
-    t45 = omega2*sin_omega2_tau
-    t46 = -p1*t45 + t14*t37
-    v2_1 = -sin_omega1_tau*t40 + sin_omega1_tau*t42 + sin_omega2_tau*t43 + sin_omega2_tau*t44 + t32*w + t33*u + t46*y
+    t17 = p1*sin_omega1_tau
+    t18 = 1/omega2
+    t20 = -sin_omega2_tau*t14
+    t21 = t16*t17 + t18*t20
+    t22 = sin_omega2_tau*t18
+    t23 = p2*sin_omega1_tau*t16 - p2*t22
+    t24 = cos_omega1_tau*p2 - cos_omega2_tau*p2
+    t25 = cos_omega1_tau*p1 - cos_omega2_tau*t14
+    x1_1 = -cos_omega1_tau*t13 + cos_omega2_tau*t15 + t10 + t21*u + t23*w + t24*y + t25
+    t26 = p3*t10
+    t28 = t11*t14 - t26
+    t29 = p1*t11
+    t30 = -t26 + t29
+    t31 = p3*sin_omega2_tau
+    t32 = p3*sin_omega1_tau*t16 - t18*t31
+    t33 = p1*t22 - sin_omega1_tau*t14*t16
+    t34 = -cos_omega1_tau*t14 + cos_omega2_tau*p1
+    t35 = cos_omega1_tau*p3 - cos_omega2_tau*p3
+    x2_1 = cos_omega1_tau*t28 - cos_omega2_tau*t30 + t11 + t32*u + t33*w + t34*y + t35
+    t36 = omega1*p1
+    t37 = omega1*t12 + t10*t36
+    t38 = omega2*t12 + omega2*t14*t7*t9
+    t39 = omega1*sin_omega1_tau
+    t40 = omega2*p2*sin_omega2_tau - p2*t39
+    t41 = -omega2*t14
+    v1_1 = -sin_omega1_tau*t36 + sin_omega1_tau*t37 - sin_omega2_tau*t38 - sin_omega2_tau*t41 + t24*w + t25*u + t40*y
+    t42 = omega1*p3
+    t43 = -t11*t14
+    t44 = omega1*t43 + t10*t42
+    t45 = omega2*p3
+    t46 = omega2*t29 - t10*t45
+    t47 = omega2*sin_omega2_tau
+    t48 = -p1*t47 + t14*t39
+    v2_1 = -sin_omega1_tau*t42 + sin_omega1_tau*t44 + sin_omega2_tau*t45 + sin_omega2_tau*t46 + t34*w + t35*u + t48*y
     # tau1 completes the period
     tau1 = T - tau
     # functions of tau1 in free
-    t47 = omega3*tau1
-    cos_omega3_tau1 = lib.cos(t47)
-    sin_omega3_tau1 = lib.sin(t47)
-    t50 = omega4*tau1
-    cos_omega4_tau1 = lib.cos(t50)
-    sin_omega4_tau1 = lib.sin(t50)
+    t49 = omega3*tau1
+    cos_omega3_tau1 = lib.cos(t49)
+    sin_omega3_tau1 = lib.sin(t49)
+    t52 = omega4*tau1
+    cos_omega4_tau1 = lib.cos(t52)
+    sin_omega4_tau1 = lib.sin(t52)
     # free for tau1, until first-reaches-stop
-    t53 = 1/omega3
-    t54 = sin_omega3_tau1*t53
-    t55 = 1 - p4
-    t56 = 1/omega4
-    t57 = sin_omega4_tau1*t56
-    t58 = p4*t54 + t55*t57
-    t59 = p5*sin_omega3_tau1*t53 - p5*t57
-    t60 = cos_omega3_tau1*p4 + cos_omega4_tau1*t55
-    t61 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5
-    x1_2 = t58*v1_1 + t59*v2_1 + t60*x1_1 + t61*x2_1
-    t62 = p6*sin_omega3_tau1*t53 - p6*t57
-    t63 = p4*t57 + t54*t55
-    t64 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6
-    t65 = cos_omega3_tau1*t55 + cos_omega4_tau1*p4
-    x2_2 = t62*v1_1 + t63*v2_1 + t64*x1_1 + t65*x2_1
-    t66 = omega3*sin_omega3_tau1
-    t67 = omega4*sin_omega4_tau1
-    t68 = -p4*t66 - t55*t67
-    t69 = omega4*p5*sin_omega4_tau1 - p5*t66
-    v1_2 = t60*v1_1 + t61*v2_1 + t68*x1_1 + t69*x2_1
-    t70 = omega4*p6*sin_omega4_tau1 - p6*t66
-    t71 = -p4*t67 - t55*t66
-    v2_2 = t64*v1_1 + t65*v2_1 + t70*x1_1 + t71*x2_1
+    t55 = 1/omega3
+    t56 = sin_omega3_tau1*t55
+    t57 = 1 - p4
+    t58 = 1/omega4
+    t59 = sin_omega4_tau1*t58
+    t60 = p4*t56 + t57*t59
+    t61 = p5*sin_omega3_tau1*t55 - p5*t59
+    t62 = cos_omega3_tau1*p4 + cos_omega4_tau1*t57
+    t63 = cos_omega3_tau1*p5 - cos_omega4_tau1*p5
+    x1_2 = t60*v1_1 + t61*v2_1 + t62*x1_1 + t63*x2_1
+    t64 = p6*t59
+    t65 = p6*sin_omega3_tau1*t55 - t64
+    t66 = p4*t59 + t56*t57
+    t67 = cos_omega3_tau1*p6 - cos_omega4_tau1*p6
+    t68 = cos_omega3_tau1*t57 + cos_omega4_tau1*p4
+    x2_2 = t65*v1_1 + t66*v2_1 + t67*x1_1 + t68*x2_1
+    t69 = omega3*sin_omega3_tau1
+    t70 = omega4*sin_omega4_tau1
+    t71 = p4*t69 + t57*t70
+    t73 = p5*t69
+    t74 = omega4*p5*sin_omega4_tau1 - t73
+    v1_2 = t62*v1_1 + t63*v2_1 - t71*x1_1 + t74*x2_1
+    t75 = p6*t69
+    t76 = omega4*p6*sin_omega4_tau1 - t75
+    t77 = p4*t70 + t57*t69
+    v2_2 = t67*v1_1 + t68*v2_1 + t76*x1_1 - t77*x2_1
     # Phi along tau
-    carried_x1_1_by_y = t23
+    carried_x1_1_by_y = t24
     carried_x1_1_by_u = t21
-    carried_x1_1_by_w = t22
-    carried_x2_1_by_y = t32
-    carried_x2_1_by_u = t30
-    carried_x2_1_by_w = t31
-    carried_v1_1_by_y = t38
-    carried_v1_1_by_u = t24
-    carried_v1_1_by_w = t23
-    carried_v2_1_by_y = t46
-    carried_v2_1_by_u = t33
-    carried_v2_1_by_w = t32
+    carried_x1_1_by_w = t23
+    carried_x2_1_by_y = t34
+    carried_x2_1_by_u = t32
+    carried_x2_1_by_w = t33
+    carried_v1_1_by_y = t40
+    carried_v1_1_by_u = t25
+    carried_v1_1_by_w = t24
+    carried_v2_1_by_y = t48
+    carried_v2_1_by_u = t35
+    carried_v2_1_by_w = t34
     # rate of the exit boundary after tau
     rate_1 = -v1_1
     # derivatives of the time to the boundary after tau
-    t72 = 1/rate_1
-    delay_tau_by_y = carried_x1_1_by_y*t72
-    delay_tau_by_u = carried_x1_1_by_u*t72
-    delay_tau_by_w = carried_x1_1_by_w*t72
+    t79 = 1/rate_1
+    delay_tau_by_y = carried_x1_1_by_y*t79
+    delay_tau_by_u = carried_x1_1_by_u*t79
+    delay_tau_by_w = carried_x1_1_by_w*t79
     # perturbation on the boundary after tau
     x1_1_on_boundary_by_y = carried_x1_1_by_y + delay_tau_by_y*v1_1
     x1_1_on_boundary_by_u = carried_x1_1_by_u + delay_tau_by_u*v1_1
@@ -1630,957 +1635,231 @@ def one_contact_trace_gradient(parameters, spectrum, spectrum_derivatives, unkno
     x2_1_on_boundary_by_y = carried_x2_1_by_y + delay_tau_by_y*v2_1
     x2_1_on_boundary_by_u = carried_x2_1_by_u + delay_tau_by_u*v2_1
     x2_1_on_boundary_by_w = carried_x2_1_by_w + delay_tau_by_w*v2_1
-    t73 = 1/m1
-    t74 = k1 + k3
-    t75 = t73*x1_1
-    t76 = k1*t73*x2_1 + k3*t73 - t74*t75
-    v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t76
-    v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t76
-    v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t76
-    t77 = 1/m2
-    t78 = t77*x1_1
-    t79 = k1 + k2
-    t80 = t77*x2_1
-    t81 = k1*t78 - t79*t80
-    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t81
-    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t81
-    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t81
+    t80 = 1/m1
+    t81 = k1 + k3
+    t82 = t80*x1_1
+    t83 = k1*t80*x2_1 + k3*t80 - t81*t82
+    v1_1_on_boundary_by_y = carried_v1_1_by_y + delay_tau_by_y*t83
+    v1_1_on_boundary_by_u = carried_v1_1_by_u + delay_tau_by_u*t83
+    v1_1_on_boundary_by_w = carried_v1_1_by_w + delay_tau_by_w*t83
+    t84 = 1/m2
+    t85 = t84*x1_1
+    t86 = k1 + k2
+    t87 = t84*x2_1
+    t88 = k1*t85 - t86*t87
+    v2_1_on_boundary_by_y = carried_v2_1_by_y + delay_tau_by_y*t88
+    v2_1_on_boundary_by_u = carried_v2_1_by_u + delay_tau_by_u*t88
+    v2_1_on_boundary_by_w = carried_v2_1_by_w + delay_tau_by_w*t88
     # Phi along tau1
-    carried_x1_2_by_y = t58*v1_1_on_boundary_by_y + t59*v2_1_on_boundary_by_y + t60*x1_1_on_boundary_by_y + t61*x2_1_on_boundary_by_y
-    carried_x1_2_by_u = t58*v1_1_on_boundary_by_u + t59*v2_1_on_boundary_by_u + t60*x1_1_on_boundary_by_u + t61*x2_1_on_boundary_by_u
-    carried_x1_2_by_w = t58*v1_1_on_boundary_by_w + t59*v2_1_on_boundary_by_w + t60*x1_1_on_boundary_by_w + t61*x2_1_on_boundary_by_w
+    carried_x1_2_by_y = t60*v1_1_on_boundary_by_y + t61*v2_1_on_boundary_by_y + t62*x1_1_on_boundary_by_y + t63*x2_1_on_boundary_by_y
+    carried_x1_2_by_u = t60*v1_1_on_boundary_by_u + t61*v2_1_on_boundary_by_u + t62*x1_1_on_boundary_by_u + t63*x2_1_on_boundary_by_u
+    carried_x1_2_by_w = t60*v1_1_on_boundary_by_w + t61*v2_1_on_boundary_by_w + t62*x1_1_on_boundary_by_w + t63*x2_1_on_boundary_by_w
     # derivatives of the time to the boundary after tau1
-    t82 = 1/v1_2
-    delay_tau1_by_y = -carried_x1_2_by_y*t82
-    delay_tau1_by_u = -carried_x1_2_by_u*t82
-    delay_tau1_by_w = -carried_x1_2_by_w*t82
-    # d/dtau of: functions of tau in contact
-    cos_omega1_tau_by_tau = -omega1*sin_omega1_tau
-    sin_omega1_tau_by_tau = cos_omega1_tau*omega1
-    cos_omega2_tau_by_tau = -omega2*sin_omega2_tau
-    sin_omega2_tau_by_tau = cos_omega2_tau*omega2
-    # d/dm1 of: functions of tau in contact
-    t83 = omega1_by_m1*tau
-    cos_omega1_tau_by_m1 = -sin_omega1_tau*t83
-    sin_omega1_tau_by_m1 = cos_omega1_tau*t83
-    t84 = omega2_by_m1*tau
-    cos_omega2_tau_by_m1 = -sin_omega2_tau*t84
-    sin_omega2_tau_by_m1 = cos_omega2_tau*t84
-    # d/dm2 of: functions of tau in contact
-    t85 = omega1_by_m2*tau
-    cos_omega1_tau_by_m2 = -sin_omega1_tau*t85
-    sin_omega1_tau_by_m2 = cos_omega1_tau*t85
-    t86 = omega2_by_m2*tau
-    cos_omega2_tau_by_m2 = -sin_omega2_tau*t86
-    sin_omega2_tau_by_m2 = cos_omega2_tau*t86
-    # d/dk1 of: functions of tau in contact
-    t87 = omega1_by_k1*tau
-    cos_omega1_tau_by_k1 = -sin_omega1_tau*t87
-    sin_omega1_tau_by_k1 = cos_omega1_tau*t87
-    t88 = omega2_by_k1*tau
-    cos_omega2_tau_by_k1 = -sin_omega2_tau*t88
-    sin_omega2_tau_by_k1 = cos_omega2_tau*t88
-    # d/dk2 of: functions of tau in contact
-    t89 = omega1_by_k2*tau
-    cos_omega1_tau_by_k2 = -sin_omega1_tau*t89
-    sin_omega1_tau_by_k2 = cos_omega1_tau*t89
-    t90 = omega2_by_k2*tau
-    cos_omega2_tau_by_k2 = -sin_omega2_tau*t90
-    sin_omega2_tau_by_k2 = cos_omega2_tau*t90
-    # d/dk3 of: functions of tau in contact
-    t91 = omega1_by_k3*tau
-    cos_omega1_tau_by_k3 = -sin_omega1_tau*t91
-    sin_omega1_tau_by_k3 = cos_omega1_tau*t91
-    t92 = omega2_by_k3*tau
-    cos_omega2_tau_by_k3 = -sin_omega2_tau*t92
-    sin_omega2_tau_by_k3 = cos_omega2_tau*t92
-    # d/dy of: contact for tau, until first-leaves-stop
-    x1_1_by_y = t23
-    x2_1_by_y = t32
-    v1_1_by_y = t38
-    v2_1_by_y = t46
-    # d/du of: contact for tau, until first-leaves-stop
-    x1_1_by_u = t21
-    x2_1_by_u = t30
-    v1_1_by_u = t24
-    v2_1_by_u = t33
-    # d/dw of: contact for tau, until first-leaves-stop
-    x1_1_by_w = t22
-    x2_1_by_w = t31
-    v1_1_by_w = t23
-    v2_1_by_w = t32
-    # d/dtau of: contact for tau, until first-leaves-stop
-    t93 = p2*y
-    t94 = -p1 - t93
-    t95 = -t13 - t94
-    t96 = t15 + t94 + 1
-    t97 = p1*u
-    t98 = p2*w
-    t99 = t16*t97 + t16*t98
-    t100 = -t14*t19*u - t19*t98
-    x1_1_by_tau = cos_omega1_tau_by_tau*t95 + cos_omega2_tau_by_tau*t96 + sin_omega1_tau_by_tau*t99 + sin_omega2_tau_by_tau*t100
-    t101 = -t14*y
-    t102 = p3 + t101 + t27
-    t103 = p1*y - p3 - t29
-    t104 = p3*u
-    t105 = -t14*w
-    t106 = t104*t16 + t105*t16
-    t107 = p1*w
-    t108 = -t104*t19 + t107*t19
-    x2_1_by_tau = cos_omega1_tau_by_tau*t102 + cos_omega2_tau_by_tau*t103 + sin_omega1_tau_by_tau*t106 + sin_omega2_tau_by_tau*t108
-    t109 = t97 + t98
-    t110 = -t14*u - t98
-    t111 = -omega1*t93 - t34 + t35
-    t112 = omega2*p2*y - t36 - t39
-    v1_1_by_tau = cos_omega1_tau_by_tau*t109 + cos_omega2_tau_by_tau*t110 + sin_omega1_tau_by_tau*t111 + sin_omega2_tau_by_tau*t112
-    t113 = t104 + t105
-    t114 = -t104 + t107
-    t115 = -omega1*t101 - t40 + t42
-    t116 = p1*y
-    t117 = -omega2*t116 + t43 + t44
-    v2_1_by_tau = cos_omega1_tau_by_tau*t113 + cos_omega2_tau_by_tau*t114 + sin_omega1_tau_by_tau*t115 + sin_omega2_tau_by_tau*t117
-    # d/dm1 of: contact for tau, until first-leaves-stop
-    t118 = 1/omega1**2
-    t119 = sin_omega1_tau*t118
-    t120 = -t119*t97 - t119*t98
-    t121 = 1/omega2**2
-    t122 = sin_omega2_tau*t121
-    t123 = t122*t14*u + t122*t98
-    t124 = -sin_omega1_tau*t16 + t20
-    t126 = cos_omega1_tau - cos_omega2_tau
-    t127 = -cos_omega1_tau*t10 + cos_omega2_tau*t10 - t124*u + t126
-    t128 = cos_omega2_tau*t11
-    t129 = cos_omega1_tau*t11
-    t130 = -t124*w + t126*y + t128 - t129
-    x1_1_by_m1 = cos_omega1_tau_by_m1*t95 + cos_omega2_tau_by_m1*t96 + omega1_by_m1*t120 + omega2_by_m1*t123 + p1_by_m1*t127 + p2_by_m1*t130 + sin_omega1_tau_by_m1*t99 + sin_omega2_tau_by_m1*t100
-    t131 = -t104*t119 - t105*t119
-    t132 = p3*sin_omega2_tau*t121*u - t107*t122
-    t134 = t124*w - t126*y - t128 + t129
-    x2_1_by_m1 = cos_omega1_tau_by_m1*t102 + cos_omega2_tau_by_m1*t103 + omega1_by_m1*t131 + omega2_by_m1*t132 + p1_by_m1*t134 + p3_by_m1*t127 + sin_omega1_tau_by_m1*t106 + sin_omega2_tau_by_m1*t108
-    t135 = p1*sin_omega1_tau
-    t136 = sin_omega1_tau*t13 - sin_omega1_tau*t93 - t135
-    t137 = -sin_omega2_tau*t14
-    t138 = sin_omega2_tau*t93 + sin_omega2_tau*(-t12 - t14*t7*t9) - t137
-    t139 = t10*t37 - t10*t45 + t126*u - t37 + t45
-    t140 = -omega2*sin_omega2_tau + t37
-    t142 = t11*t37
-    t143 = t11*t45
-    t144 = t126*w - t140*y + t142 - t143
-    v1_1_by_m1 = cos_omega1_tau_by_m1*t109 + cos_omega2_tau_by_m1*t110 + omega1_by_m1*t136 + omega2_by_m1*t138 + p1_by_m1*t139 + p2_by_m1*t144 + sin_omega1_tau_by_m1*t111 + sin_omega2_tau_by_m1*t112
-    t145 = p3*sin_omega1_tau
-    t146 = -sin_omega1_tau*t101 + sin_omega1_tau*(t25 + t41) - t145
-    t147 = p3*sin_omega2_tau
-    t148 = -sin_omega2_tau*t116 + sin_omega2_tau*t29 + t147
-    t149 = -t126*w + t140*y - t142 + t143
-    v2_1_by_m1 = cos_omega1_tau_by_m1*t113 + cos_omega2_tau_by_m1*t114 + omega1_by_m1*t146 + omega2_by_m1*t148 + p1_by_m1*t149 + p3_by_m1*t139 + sin_omega1_tau_by_m1*t115 + sin_omega2_tau_by_m1*t117
-    # d/dm2 of: contact for tau, until first-leaves-stop
-    x1_1_by_m2 = cos_omega1_tau_by_m2*t95 + cos_omega2_tau_by_m2*t96 + omega1_by_m2*t120 + omega2_by_m2*t123 + p1_by_m2*t127 + p2_by_m2*t130 + sin_omega1_tau_by_m2*t99 + sin_omega2_tau_by_m2*t100
-    x2_1_by_m2 = cos_omega1_tau_by_m2*t102 + cos_omega2_tau_by_m2*t103 + omega1_by_m2*t131 + omega2_by_m2*t132 + p1_by_m2*t134 + p3_by_m2*t127 + sin_omega1_tau_by_m2*t106 + sin_omega2_tau_by_m2*t108
-    v1_1_by_m2 = cos_omega1_tau_by_m2*t109 + cos_omega2_tau_by_m2*t110 + omega1_by_m2*t136 + omega2_by_m2*t138 + p1_by_m2*t139 + p2_by_m2*t144 + sin_omega1_tau_by_m2*t111 + sin_omega2_tau_by_m2*t112
-    v2_1_by_m2 = cos_omega1_tau_by_m2*t113 + cos_omega2_tau_by_m2*t114 + omega1_by_m2*t146 + omega2_by_m2*t148 + p1_by_m2*t149 + p3_by_m2*t139 + sin_omega1_tau_by_m2*t115 + sin_omega2_tau_by_m2*t117
-    # d/dk1 of: contact for tau, until first-leaves-stop
-    t150 = k3*t9
-    t151 = p1*t150
-    t152 = -k2 - k3
-    t153 = 1/t8**2
-    t154 = t153*t7
-    t155 = t152*t154
-    t156 = p2*t150
-    t157 = t153*t6
-    t158 = t152*t157
-    t159 = p2*t158
-    t160 = t156 + t159
-    t161 = t14*t150
-    x1_1_by_k1 = cos_omega1_tau*(-p1*t155 - t151 - t160) + cos_omega1_tau_by_k1*t95 + cos_omega2_tau*(t14*t155 + t160 + t161) + cos_omega2_tau_by_k1*t96 + omega1_by_k1*t120 + omega2_by_k1*t123 + p1_by_k1*t127 + p2_by_k1*t130 + sin_omega1_tau_by_k1*t99 + sin_omega2_tau_by_k1*t100 + t150 + t155
-    t162 = p3*t150
-    t163 = -p3*t155 - t162
-    t164 = p1*t158
-    x2_1_by_k1 = cos_omega1_tau*(t14*t158 + t161 + t163) + cos_omega1_tau_by_k1*t102 + cos_omega2_tau*(-t151 - t163 - t164) + cos_omega2_tau_by_k1*t103 + omega1_by_k1*t131 + omega2_by_k1*t132 + p1_by_k1*t134 + p3_by_k1*t127 + sin_omega1_tau_by_k1*t106 + sin_omega2_tau_by_k1*t108 + t150 + t158
-    t165 = t150*t34
-    v1_1_by_k1 = cos_omega1_tau_by_k1*t109 + cos_omega2_tau_by_k1*t110 + omega1_by_k1*t136 + omega2_by_k1*t138 + p1_by_k1*t139 + p2_by_k1*t144 + sin_omega1_tau*(omega1*t156 + omega1*t159 + t155*t34 + t165) + sin_omega1_tau_by_k1*t111 + sin_omega2_tau*(-k3*omega2*t14*t9 - omega2*t14*t152*t153*t7 - omega2*t156 - omega2*t159) + sin_omega2_tau_by_k1*t112
-    t166 = t150*t40
-    t167 = -omega1*t14
-    t168 = t150*t43
-    v2_1_by_k1 = cos_omega1_tau_by_k1*t113 + cos_omega2_tau_by_k1*t114 + omega1_by_k1*t146 + omega2_by_k1*t148 + p1_by_k1*t149 + p3_by_k1*t139 + sin_omega1_tau*(t150*t167 + t155*t40 + t158*t167 + t166) + sin_omega1_tau_by_k1*t115 + sin_omega2_tau*(omega2*t151 + omega2*t164 - t155*t43 - t168) + sin_omega2_tau_by_k1*t117
-    # d/dk2 of: contact for tau, until first-leaves-stop
-    t170 = -t154*t74
-    t171 = -t157*t74
-    t172 = p2*t171
-    x1_1_by_k2 = cos_omega1_tau*(-p1*t170 - t151 - t172) + cos_omega1_tau_by_k2*t95 + cos_omega2_tau*(t14*t170 + t161 + t172) + cos_omega2_tau_by_k2*t96 + omega1_by_k2*t120 + omega2_by_k2*t123 + p1_by_k2*t127 + p2_by_k2*t130 + sin_omega1_tau_by_k2*t99 + sin_omega2_tau_by_k2*t100 + t150 + t170
-    t173 = p3*t170 + t162
-    x2_1_by_k2 = cos_omega1_tau*(-k1*k3*t14*t153*t74 - t173) + cos_omega1_tau_by_k2*t102 + cos_omega2_tau*(-p1*t171 + t173) + cos_omega2_tau_by_k2*t103 + omega1_by_k2*t131 + omega2_by_k2*t132 + p1_by_k2*t134 + p3_by_k2*t127 + sin_omega1_tau_by_k2*t106 + sin_omega2_tau_by_k2*t108 + t171
-    v1_1_by_k2 = cos_omega1_tau_by_k2*t109 + cos_omega2_tau_by_k2*t110 + omega1_by_k2*t136 + omega2_by_k2*t138 + p1_by_k2*t139 + p2_by_k2*t144 + sin_omega1_tau*(omega1*t172 + t165 + t170*t34) + sin_omega1_tau_by_k2*t111 + sin_omega2_tau*(-omega2*t172 + t150*t39 + t170*t39) + sin_omega2_tau_by_k2*t112
-    v2_1_by_k2 = cos_omega1_tau_by_k2*t113 + cos_omega2_tau_by_k2*t114 + omega1_by_k2*t146 + omega2_by_k2*t148 + p1_by_k2*t149 + p3_by_k2*t139 + sin_omega1_tau*(t166 + t167*t171 + t170*t40) + sin_omega1_tau_by_k2*t115 + sin_omega2_tau*(-k1*k3*omega2*p1*t153*t74 - t168 - t170*t43) + sin_omega2_tau_by_k2*t117
-    # d/dk3 of: contact for tau, until first-leaves-stop
-    t174 = t79*t9
-    t176 = -t154*t79
-    t177 = k1*t9
-    t178 = p2*t177
-    t179 = -t157*t79
-    t180 = p2*t179
-    t181 = t178 + t180
-    x1_1_by_k3 = cos_omega1_tau*(-p1*t174 - p1*t176 - t181) + cos_omega1_tau_by_k3*t95 + cos_omega2_tau*(t14*t174 + t14*t176 + t181) + cos_omega2_tau_by_k3*t96 + omega1_by_k3*t120 + omega2_by_k3*t123 + p1_by_k3*t127 + p2_by_k3*t130 + sin_omega1_tau_by_k3*t99 + sin_omega2_tau_by_k3*t100 + t174 + t176
-    t182 = -p3*t174 - p3*t176
-    t183 = p1*t177
-    t184 = p1*t179
-    x2_1_by_k3 = cos_omega1_tau*(t14*t177 + t14*t179 + t182) + cos_omega1_tau_by_k3*t102 + cos_omega2_tau*(-t182 - t183 - t184) + cos_omega2_tau_by_k3*t103 + omega1_by_k3*t131 + omega2_by_k3*t132 + p1_by_k3*t134 + p3_by_k3*t127 + sin_omega1_tau_by_k3*t106 + sin_omega2_tau_by_k3*t108 + t177 + t179
-    v1_1_by_k3 = cos_omega1_tau_by_k3*t109 + cos_omega2_tau_by_k3*t110 + omega1_by_k3*t136 + omega2_by_k3*t138 + p1_by_k3*t139 + p2_by_k3*t144 + sin_omega1_tau*(omega1*t178 + omega1*t180 + t174*t34 + t176*t34) + sin_omega1_tau_by_k3*t111 + sin_omega2_tau*(omega2*t14*t153*t7*t79 - omega2*t14*t79*t9 - omega2*t178 - omega2*t180) + sin_omega2_tau_by_k3*t112
-    v2_1_by_k3 = cos_omega1_tau_by_k3*t113 + cos_omega2_tau_by_k3*t114 + omega1_by_k3*t146 + omega2_by_k3*t148 + p1_by_k3*t149 + p3_by_k3*t139 + sin_omega1_tau*(t167*t177 + t167*t179 + t174*t40 + t176*t40) + sin_omega1_tau_by_k3*t115 + sin_omega2_tau*(omega2*t183 + omega2*t184 - t174*t43 - t176*t43) + sin_omega2_tau_by_k3*t117
-    # d/dtau of: functions of tau1 in free
-    cos_omega3_tau1_by_tau = omega3*sin_omega3_tau1
-    t186 = cos_omega3_tau1*omega3
-    sin_omega3_tau1_by_tau = -t186
-    cos_omega4_tau1_by_tau = omega4*sin_omega4_tau1
-    t188 = cos_omega4_tau1*omega4
-    sin_omega4_tau1_by_tau = -t188
-    # d/dm1 of: functions of tau1 in free
-    t189 = omega3_by_m1*tau1
-    cos_omega3_tau1_by_m1 = -sin_omega3_tau1*t189
-    sin_omega3_tau1_by_m1 = cos_omega3_tau1*t189
-    t190 = omega4_by_m1*tau1
-    cos_omega4_tau1_by_m1 = -sin_omega4_tau1*t190
-    sin_omega4_tau1_by_m1 = cos_omega4_tau1*t190
-    # d/dm2 of: functions of tau1 in free
-    t191 = omega3_by_m2*tau1
-    cos_omega3_tau1_by_m2 = -sin_omega3_tau1*t191
-    sin_omega3_tau1_by_m2 = cos_omega3_tau1*t191
-    t192 = omega4_by_m2*tau1
-    cos_omega4_tau1_by_m2 = -sin_omega4_tau1*t192
-    sin_omega4_tau1_by_m2 = cos_omega4_tau1*t192
-    # d/dk1 of: functions of tau1 in free
-    t193 = omega3_by_k1*tau1
-    cos_omega3_tau1_by_k1 = -sin_omega3_tau1*t193
-    sin_omega3_tau1_by_k1 = cos_omega3_tau1*t193
-    t194 = omega4_by_k1*tau1
-    cos_omega4_tau1_by_k1 = -sin_omega4_tau1*t194
-    sin_omega4_tau1_by_k1 = cos_omega4_tau1*t194
-    # d/dk2 of: functions of tau1 in free
-    t195 = omega3_by_k2*tau1
-    cos_omega3_tau1_by_k2 = -sin_omega3_tau1*t195
-    sin_omega3_tau1_by_k2 = cos_omega3_tau1*t195
-    t196 = omega4_by_k2*tau1
-    cos_omega4_tau1_by_k2 = -sin_omega4_tau1*t196
-    sin_omega4_tau1_by_k2 = cos_omega4_tau1*t196
-    # d/dk3 of: functions of tau1 in free
-    t197 = omega3_by_k3*tau1
-    cos_omega3_tau1_by_k3 = -sin_omega3_tau1*t197
-    sin_omega3_tau1_by_k3 = cos_omega3_tau1*t197
-    t198 = omega4_by_k3*tau1
-    cos_omega4_tau1_by_k3 = -sin_omega4_tau1*t198
-    sin_omega4_tau1_by_k3 = cos_omega4_tau1*t198
-    # d/dT of: functions of tau1 in free
-    cos_omega3_tau1_by_T = -cos_omega3_tau1_by_tau
-    sin_omega3_tau1_by_T = t186
-    cos_omega4_tau1_by_T = -cos_omega4_tau1_by_tau
-    sin_omega4_tau1_by_T = t188
-    # d/dy of: free for tau1, until first-reaches-stop
-    x1_2_by_y = t58*v1_1_by_y + t59*v2_1_by_y + t60*x1_1_by_y + t61*x2_1_by_y
-    x2_2_by_y = t62*v1_1_by_y + t63*v2_1_by_y + t64*x1_1_by_y + t65*x2_1_by_y
-    v1_2_by_y = t60*v1_1_by_y + t61*v2_1_by_y + t68*x1_1_by_y + t69*x2_1_by_y
-    v2_2_by_y = t64*v1_1_by_y + t65*v2_1_by_y + t70*x1_1_by_y + t71*x2_1_by_y
-    # d/du of: free for tau1, until first-reaches-stop
-    x1_2_by_u = t58*v1_1_by_u + t59*v2_1_by_u + t60*x1_1_by_u + t61*x2_1_by_u
-    x2_2_by_u = t62*v1_1_by_u + t63*v2_1_by_u + t64*x1_1_by_u + t65*x2_1_by_u
-    v1_2_by_u = t60*v1_1_by_u + t61*v2_1_by_u + t68*x1_1_by_u + t69*x2_1_by_u
-    v2_2_by_u = t64*v1_1_by_u + t65*v2_1_by_u + t70*x1_1_by_u + t71*x2_1_by_u
-    # d/dw of: free for tau1, until first-reaches-stop
-    x1_2_by_w = t58*v1_1_by_w + t59*v2_1_by_w + t60*x1_1_by_w + t61*x2_1_by_w
-    x2_2_by_w = t62*v1_1_by_w + t63*v2_1_by_w + t64*x1_1_by_w + t65*x2_1_by_w
-    v1_2_by_w = t60*v1_1_by_w + t61*v2_1_by_w + t68*x1_1_by_w + t69*x2_1_by_w
-    v2_2_by_w = t64*v1_1_by_w + t65*v2_1_by_w + t70*x1_1_by_w + t71*x2_1_by_w
-    # d/dtau of: free for tau1, until first-reaches-stop
-    t199 = p4*x1_1
-    t200 = p5*x2_1
-    t201 = t199 + t200
-    t202 = -t200 + t55*x1_1
-    t203 = p4*v1_1
-    t204 = p5*v2_1
-    t205 = t203*t53 + t204*t53
-    t206 = -t204*t56 + t55*t56*v1_1
-    x1_2_by_tau = cos_omega3_tau1_by_tau*t201 + cos_omega4_tau1_by_tau*t202 + sin_omega3_tau1_by_tau*t205 + sin_omega4_tau1_by_tau*t206 + t58*v1_1_by_tau + t59*v2_1_by_tau + t60*x1_1_by_tau + t61*x2_1_by_tau
-    t207 = p6*x1_1
-    t208 = t55*x2_1
-    t209 = t207 + t208
-    t210 = p4*x2_1
-    t211 = -t207 + t210
-    t212 = p6*v1_1
-    t213 = t55*v2_1
-    t214 = t212*t53 + t213*t53
-    t215 = p4*v2_1
-    t216 = -t212*t56 + t215*t56
-    x2_2_by_tau = cos_omega3_tau1_by_tau*t209 + cos_omega4_tau1_by_tau*t211 + sin_omega3_tau1_by_tau*t214 + sin_omega4_tau1_by_tau*t216 + t62*v1_1_by_tau + t63*v2_1_by_tau + t64*x1_1_by_tau + t65*x2_1_by_tau
-    t217 = t203 + t204
-    t218 = -t204 + t55*v1_1
-    t219 = -omega3*t199 - omega3*t200
-    t220 = t55*x1_1
-    t221 = omega4*t200 - omega4*t220
-    v1_2_by_tau = cos_omega3_tau1_by_tau*t217 + cos_omega4_tau1_by_tau*t218 + sin_omega3_tau1_by_tau*t219 + sin_omega4_tau1_by_tau*t221 + t60*v1_1_by_tau + t61*v2_1_by_tau + t68*x1_1_by_tau + t69*x2_1_by_tau
-    t222 = t212 + t213
-    t223 = -t212 + t215
-    t224 = -omega3*t207 - omega3*t208
-    t225 = omega4*p6*x1_1 - omega4*t210
-    v2_2_by_tau = cos_omega3_tau1_by_tau*t222 + cos_omega4_tau1_by_tau*t223 + sin_omega3_tau1_by_tau*t224 + sin_omega4_tau1_by_tau*t225 + t64*v1_1_by_tau + t65*v2_1_by_tau + t70*x1_1_by_tau + t71*x2_1_by_tau
-    # d/dm1 of: free for tau1, until first-reaches-stop
-    t226 = sin_omega3_tau1/omega3**2
-    t227 = -t203*t226 - t204*t226
-    t228 = 1/omega4**2
-    t229 = sin_omega4_tau1*t228
-    t230 = t204*t229 - t229*t55*v1_1
-    t231 = -sin_omega3_tau1*t53 + t57
-    t233 = cos_omega3_tau1 - cos_omega4_tau1
-    t234 = -t231*v1_1 + t233*x1_1
-    t235 = -t231*v2_1 + t233*x2_1
-    x1_2_by_m1 = cos_omega3_tau1_by_m1*t201 + cos_omega4_tau1_by_m1*t202 + omega3_by_m1*t227 + omega4_by_m1*t230 + p4_by_m1*t234 + p5_by_m1*t235 + sin_omega3_tau1_by_m1*t205 + sin_omega4_tau1_by_m1*t206 + t58*v1_1_by_m1 + t59*v2_1_by_m1 + t60*x1_1_by_m1 + t61*x2_1_by_m1
-    t236 = -t212*t226 - t213*t226
-    t237 = p6*sin_omega4_tau1*t228*v1_1 - t215*t229
-    t239 = t231*v2_1 - t233*x2_1
-    x2_2_by_m1 = cos_omega3_tau1_by_m1*t209 + cos_omega4_tau1_by_m1*t211 + omega3_by_m1*t236 + omega4_by_m1*t237 + p4_by_m1*t239 + p6_by_m1*t234 + sin_omega3_tau1_by_m1*t214 + sin_omega4_tau1_by_m1*t216 + t62*v1_1_by_m1 + t63*v2_1_by_m1 + t64*x1_1_by_m1 + t65*x2_1_by_m1
-    t240 = -sin_omega3_tau1*t199 - sin_omega3_tau1*t200
-    t241 = sin_omega4_tau1*t200 - sin_omega4_tau1*t220
-    t242 = -omega4*sin_omega4_tau1 + t66
-    t244 = t233*v1_1 - t242*x1_1
-    t245 = t233*v2_1 - t242*x2_1
-    v1_2_by_m1 = cos_omega3_tau1_by_m1*t217 + cos_omega4_tau1_by_m1*t218 + omega3_by_m1*t240 + omega4_by_m1*t241 + p4_by_m1*t244 + p5_by_m1*t245 + sin_omega3_tau1_by_m1*t219 + sin_omega4_tau1_by_m1*t221 + t60*v1_1_by_m1 + t61*v2_1_by_m1 + t68*x1_1_by_m1 + t69*x2_1_by_m1
-    t246 = -sin_omega3_tau1*t207 - sin_omega3_tau1*t208
-    t247 = p6*sin_omega4_tau1*x1_1 - sin_omega4_tau1*t210
-    t248 = -t233*v2_1 + t242*x2_1
-    v2_2_by_m1 = cos_omega3_tau1_by_m1*t222 + cos_omega4_tau1_by_m1*t223 + omega3_by_m1*t246 + omega4_by_m1*t247 + p4_by_m1*t248 + p6_by_m1*t244 + sin_omega3_tau1_by_m1*t224 + sin_omega4_tau1_by_m1*t225 + t64*v1_1_by_m1 + t65*v2_1_by_m1 + t70*x1_1_by_m1 + t71*x2_1_by_m1
-    # d/dm2 of: free for tau1, until first-reaches-stop
-    x1_2_by_m2 = cos_omega3_tau1_by_m2*t201 + cos_omega4_tau1_by_m2*t202 + omega3_by_m2*t227 + omega4_by_m2*t230 + p4_by_m2*t234 + p5_by_m2*t235 + sin_omega3_tau1_by_m2*t205 + sin_omega4_tau1_by_m2*t206 + t58*v1_1_by_m2 + t59*v2_1_by_m2 + t60*x1_1_by_m2 + t61*x2_1_by_m2
-    x2_2_by_m2 = cos_omega3_tau1_by_m2*t209 + cos_omega4_tau1_by_m2*t211 + omega3_by_m2*t236 + omega4_by_m2*t237 + p4_by_m2*t239 + p6_by_m2*t234 + sin_omega3_tau1_by_m2*t214 + sin_omega4_tau1_by_m2*t216 + t62*v1_1_by_m2 + t63*v2_1_by_m2 + t64*x1_1_by_m2 + t65*x2_1_by_m2
-    v1_2_by_m2 = cos_omega3_tau1_by_m2*t217 + cos_omega4_tau1_by_m2*t218 + omega3_by_m2*t240 + omega4_by_m2*t241 + p4_by_m2*t244 + p5_by_m2*t245 + sin_omega3_tau1_by_m2*t219 + sin_omega4_tau1_by_m2*t221 + t60*v1_1_by_m2 + t61*v2_1_by_m2 + t68*x1_1_by_m2 + t69*x2_1_by_m2
-    v2_2_by_m2 = cos_omega3_tau1_by_m2*t222 + cos_omega4_tau1_by_m2*t223 + omega3_by_m2*t246 + omega4_by_m2*t247 + p4_by_m2*t248 + p6_by_m2*t244 + sin_omega3_tau1_by_m2*t224 + sin_omega4_tau1_by_m2*t225 + t64*v1_1_by_m2 + t65*v2_1_by_m2 + t70*x1_1_by_m2 + t71*x2_1_by_m2
-    # d/dk1 of: free for tau1, until first-reaches-stop
-    x1_2_by_k1 = cos_omega3_tau1_by_k1*t201 + cos_omega4_tau1_by_k1*t202 + omega3_by_k1*t227 + omega4_by_k1*t230 + p4_by_k1*t234 + p5_by_k1*t235 + sin_omega3_tau1_by_k1*t205 + sin_omega4_tau1_by_k1*t206 + t58*v1_1_by_k1 + t59*v2_1_by_k1 + t60*x1_1_by_k1 + t61*x2_1_by_k1
-    x2_2_by_k1 = cos_omega3_tau1_by_k1*t209 + cos_omega4_tau1_by_k1*t211 + omega3_by_k1*t236 + omega4_by_k1*t237 + p4_by_k1*t239 + p6_by_k1*t234 + sin_omega3_tau1_by_k1*t214 + sin_omega4_tau1_by_k1*t216 + t62*v1_1_by_k1 + t63*v2_1_by_k1 + t64*x1_1_by_k1 + t65*x2_1_by_k1
-    v1_2_by_k1 = cos_omega3_tau1_by_k1*t217 + cos_omega4_tau1_by_k1*t218 + omega3_by_k1*t240 + omega4_by_k1*t241 + p4_by_k1*t244 + p5_by_k1*t245 + sin_omega3_tau1_by_k1*t219 + sin_omega4_tau1_by_k1*t221 + t60*v1_1_by_k1 + t61*v2_1_by_k1 + t68*x1_1_by_k1 + t69*x2_1_by_k1
-    v2_2_by_k1 = cos_omega3_tau1_by_k1*t222 + cos_omega4_tau1_by_k1*t223 + omega3_by_k1*t246 + omega4_by_k1*t247 + p4_by_k1*t248 + p6_by_k1*t244 + sin_omega3_tau1_by_k1*t224 + sin_omega4_tau1_by_k1*t225 + t64*v1_1_by_k1 + t65*v2_1_by_k1 + t70*x1_1_by_k1 + t71*x2_1_by_k1
-    # d/dk2 of: free for tau1, until first-reaches-stop
-    x1_2_by_k2 = cos_omega3_tau1_by_k2*t201 + cos_omega4_tau1_by_k2*t202 + omega3_by_k2*t227 + omega4_by_k2*t230 + p4_by_k2*t234 + p5_by_k2*t235 + sin_omega3_tau1_by_k2*t205 + sin_omega4_tau1_by_k2*t206 + t58*v1_1_by_k2 + t59*v2_1_by_k2 + t60*x1_1_by_k2 + t61*x2_1_by_k2
-    x2_2_by_k2 = cos_omega3_tau1_by_k2*t209 + cos_omega4_tau1_by_k2*t211 + omega3_by_k2*t236 + omega4_by_k2*t237 + p4_by_k2*t239 + p6_by_k2*t234 + sin_omega3_tau1_by_k2*t214 + sin_omega4_tau1_by_k2*t216 + t62*v1_1_by_k2 + t63*v2_1_by_k2 + t64*x1_1_by_k2 + t65*x2_1_by_k2
-    v1_2_by_k2 = cos_omega3_tau1_by_k2*t217 + cos_omega4_tau1_by_k2*t218 + omega3_by_k2*t240 + omega4_by_k2*t241 + p4_by_k2*t244 + p5_by_k2*t245 + sin_omega3_tau1_by_k2*t219 + sin_omega4_tau1_by_k2*t221 + t60*v1_1_by_k2 + t61*v2_1_by_k2 + t68*x1_1_by_k2 + t69*x2_1_by_k2
-    v2_2_by_k2 = cos_omega3_tau1_by_k2*t222 + cos_omega4_tau1_by_k2*t223 + omega3_by_k2*t246 + omega4_by_k2*t247 + p4_by_k2*t248 + p6_by_k2*t244 + sin_omega3_tau1_by_k2*t224 + sin_omega4_tau1_by_k2*t225 + t64*v1_1_by_k2 + t65*v2_1_by_k2 + t70*x1_1_by_k2 + t71*x2_1_by_k2
-    # d/dk3 of: free for tau1, until first-reaches-stop
-    x1_2_by_k3 = cos_omega3_tau1_by_k3*t201 + cos_omega4_tau1_by_k3*t202 + omega3_by_k3*t227 + omega4_by_k3*t230 + p4_by_k3*t234 + p5_by_k3*t235 + sin_omega3_tau1_by_k3*t205 + sin_omega4_tau1_by_k3*t206 + t58*v1_1_by_k3 + t59*v2_1_by_k3 + t60*x1_1_by_k3 + t61*x2_1_by_k3
-    x2_2_by_k3 = cos_omega3_tau1_by_k3*t209 + cos_omega4_tau1_by_k3*t211 + omega3_by_k3*t236 + omega4_by_k3*t237 + p4_by_k3*t239 + p6_by_k3*t234 + sin_omega3_tau1_by_k3*t214 + sin_omega4_tau1_by_k3*t216 + t62*v1_1_by_k3 + t63*v2_1_by_k3 + t64*x1_1_by_k3 + t65*x2_1_by_k3
-    v1_2_by_k3 = cos_omega3_tau1_by_k3*t217 + cos_omega4_tau1_by_k3*t218 + omega3_by_k3*t240 + omega4_by_k3*t241 + p4_by_k3*t244 + p5_by_k3*t245 + sin_omega3_tau1_by_k3*t219 + sin_omega4_tau1_by_k3*t221 + t60*v1_1_by_k3 + t61*v2_1_by_k3 + t68*x1_1_by_k3 + t69*x2_1_by_k3
-    v2_2_by_k3 = cos_omega3_tau1_by_k3*t222 + cos_omega4_tau1_by_k3*t223 + omega3_by_k3*t246 + omega4_by_k3*t247 + p4_by_k3*t248 + p6_by_k3*t244 + sin_omega3_tau1_by_k3*t224 + sin_omega4_tau1_by_k3*t225 + t64*v1_1_by_k3 + t65*v2_1_by_k3 + t70*x1_1_by_k3 + t71*x2_1_by_k3
-    # d/dT of: free for tau1, until first-reaches-stop
-    x1_2_by_T = cos_omega3_tau1_by_T*t201 + cos_omega4_tau1_by_T*t202 + sin_omega3_tau1_by_T*t205 + sin_omega4_tau1_by_T*t206
-    x2_2_by_T = cos_omega3_tau1_by_T*t209 + cos_omega4_tau1_by_T*t211 + sin_omega3_tau1_by_T*t214 + sin_omega4_tau1_by_T*t216
-    v1_2_by_T = cos_omega3_tau1_by_T*t217 + cos_omega4_tau1_by_T*t218 + sin_omega3_tau1_by_T*t219 + sin_omega4_tau1_by_T*t221
-    v2_2_by_T = cos_omega3_tau1_by_T*t222 + cos_omega4_tau1_by_T*t223 + sin_omega3_tau1_by_T*t224 + sin_omega4_tau1_by_T*t225
-    # d/dtau of: Phi along tau
-    carried_x1_1_by_y_by_tau = cos_omega1_tau_by_tau*p2 - cos_omega2_tau_by_tau*p2
-    t250 = sin_omega1_tau_by_tau*t16
-    t251 = sin_omega2_tau_by_tau*t19
-    carried_x1_1_by_u_by_tau = p1*t250 - t14*t251
-    carried_x1_1_by_w_by_tau = p2*sin_omega1_tau_by_tau*t16 - p2*t251
-    carried_x2_1_by_y_by_tau = -cos_omega1_tau_by_tau*t14 + cos_omega2_tau_by_tau*p1
-    carried_x2_1_by_u_by_tau = p3*sin_omega1_tau_by_tau*t16 - p3*t251
-    carried_x2_1_by_w_by_tau = p1*t251 - t14*t250
-    t253 = omega1*sin_omega1_tau_by_tau
-    carried_v1_1_by_y_by_tau = omega2*p2*sin_omega2_tau_by_tau - p2*t253
-    carried_v1_1_by_u_by_tau = cos_omega1_tau_by_tau*p1 - cos_omega2_tau_by_tau*t14
-    carried_v1_1_by_w_by_tau = carried_x1_1_by_y_by_tau
-    carried_v2_1_by_y_by_tau = -omega2*p1*sin_omega2_tau_by_tau + t14*t253
-    carried_v2_1_by_u_by_tau = cos_omega1_tau_by_tau*p3 - cos_omega2_tau_by_tau*p3
-    carried_v2_1_by_w_by_tau = carried_x2_1_by_y_by_tau
-    # d/dm1 of: Phi along tau
-    carried_x1_1_by_y_by_m1 = cos_omega1_tau_by_m1*p2 - cos_omega2_tau_by_m1*p2 + p2_by_m1*t126
-    t255 = sin_omega1_tau_by_m1*t16
-    t256 = sin_omega2_tau_by_m1*t19
-    t257 = omega1_by_m1*t118
-    t258 = omega2_by_m1*t121
-    carried_x1_1_by_u_by_m1 = p1*t255 - p1_by_m1*t124 - t135*t257 - t137*t258 - t14*t256
-    t259 = omega2_by_m1*sin_omega2_tau
-    t260 = p2*t259
-    t261 = omega1_by_m1*sin_omega1_tau
-    t262 = p2*t261
-    carried_x1_1_by_w_by_m1 = p2*t255 - p2*t256 - p2_by_m1*t124 - t118*t262 + t121*t260
-    carried_x2_1_by_y_by_m1 = -cos_omega1_tau_by_m1*t14 + cos_omega2_tau_by_m1*p1 - p1_by_m1*t126
-    carried_x2_1_by_u_by_m1 = p3*t255 - p3*t256 - p3_by_m1*t124 - t145*t257 + t147*t258
-    t264 = -t14*t261
-    t265 = p1*t259
-    carried_x2_1_by_w_by_m1 = p1*t256 + p1_by_m1*t124 - t118*t264 - t121*t265 - t14*t255
-    t266 = omega2*sin_omega2_tau_by_m1
-    t267 = omega1*sin_omega1_tau_by_m1
-    carried_v1_1_by_y_by_m1 = p2*t266 - p2*t267 - p2_by_m1*t140 + t260 - t262
-    carried_v1_1_by_u_by_m1 = cos_omega1_tau_by_m1*p1 - cos_omega2_tau_by_m1*t14 + p1_by_m1*t126
-    carried_v1_1_by_w_by_m1 = carried_x1_1_by_y_by_m1
-    carried_v2_1_by_y_by_m1 = -p1*t266 + p1_by_m1*t140 + t14*t267 - t264 - t265
-    carried_v2_1_by_u_by_m1 = cos_omega1_tau_by_m1*p3 - cos_omega2_tau_by_m1*p3 + p3_by_m1*t126
-    carried_v2_1_by_w_by_m1 = carried_x2_1_by_y_by_m1
-    # d/dm2 of: Phi along tau
-    carried_x1_1_by_y_by_m2 = cos_omega1_tau_by_m2*p2 - cos_omega2_tau_by_m2*p2 + p2_by_m2*t126
-    t269 = sin_omega1_tau_by_m2*t16
-    t270 = sin_omega2_tau_by_m2*t19
-    t271 = omega1_by_m2*t118
-    t272 = omega2_by_m2*t121
-    carried_x1_1_by_u_by_m2 = p1*t269 - p1_by_m2*t124 - t135*t271 - t137*t272 - t14*t270
-    t273 = omega2_by_m2*sin_omega2_tau
-    t274 = p2*t273
-    t275 = omega1_by_m2*sin_omega1_tau
-    t276 = p2*t275
-    carried_x1_1_by_w_by_m2 = p2*t269 - p2*t270 - p2_by_m2*t124 - t118*t276 + t121*t274
-    carried_x2_1_by_y_by_m2 = -cos_omega1_tau_by_m2*t14 + cos_omega2_tau_by_m2*p1 - p1_by_m2*t126
-    carried_x2_1_by_u_by_m2 = p3*t269 - p3*t270 - p3_by_m2*t124 - t145*t271 + t147*t272
-    t278 = -t14*t275
-    t279 = p1*t273
-    carried_x2_1_by_w_by_m2 = p1*t270 + p1_by_m2*t124 - t118*t278 - t121*t279 - t14*t269
-    t280 = omega2*sin_omega2_tau_by_m2
-    t281 = omega1*sin_omega1_tau_by_m2
-    carried_v1_1_by_y_by_m2 = p2*t280 - p2*t281 - p2_by_m2*t140 + t274 - t276
-    carried_v1_1_by_u_by_m2 = cos_omega1_tau_by_m2*p1 - cos_omega2_tau_by_m2*t14 + p1_by_m2*t126
-    carried_v1_1_by_w_by_m2 = carried_x1_1_by_y_by_m2
-    carried_v2_1_by_y_by_m2 = -p1*t280 + p1_by_m2*t140 + t14*t281 - t278 - t279
-    carried_v2_1_by_u_by_m2 = cos_omega1_tau_by_m2*p3 - cos_omega2_tau_by_m2*p3 + p3_by_m2*t126
-    carried_v2_1_by_w_by_m2 = carried_x2_1_by_y_by_m2
-    # d/dk1 of: Phi along tau
-    carried_x1_1_by_y_by_k1 = cos_omega1_tau_by_k1*p2 - cos_omega2_tau_by_k1*p2 + p2_by_k1*t126
-    t283 = sin_omega1_tau_by_k1*t16
-    t284 = sin_omega2_tau_by_k1*t19
-    t285 = omega1_by_k1*t118
-    t286 = omega2_by_k1*t121
-    carried_x1_1_by_u_by_k1 = p1*t283 - p1_by_k1*t124 - t135*t285 - t137*t286 - t14*t284
-    t287 = omega2_by_k1*sin_omega2_tau
-    t288 = p2*t287
-    t289 = omega1_by_k1*sin_omega1_tau
-    t290 = p2*t289
-    carried_x1_1_by_w_by_k1 = p2*t283 - p2*t284 - p2_by_k1*t124 - t118*t290 + t121*t288
-    carried_x2_1_by_y_by_k1 = -cos_omega1_tau_by_k1*t14 + cos_omega2_tau_by_k1*p1 - p1_by_k1*t126
-    carried_x2_1_by_u_by_k1 = p3*t283 - p3*t284 - p3_by_k1*t124 - t145*t285 + t147*t286
-    t292 = -t14*t289
-    t293 = p1*t287
-    carried_x2_1_by_w_by_k1 = p1*t284 + p1_by_k1*t124 - t118*t292 - t121*t293 - t14*t283
-    t294 = omega2*sin_omega2_tau_by_k1
-    t295 = omega1*sin_omega1_tau_by_k1
-    carried_v1_1_by_y_by_k1 = p2*t294 - p2*t295 - p2_by_k1*t140 + t288 - t290
-    carried_v1_1_by_u_by_k1 = cos_omega1_tau_by_k1*p1 - cos_omega2_tau_by_k1*t14 + p1_by_k1*t126
-    carried_v1_1_by_w_by_k1 = carried_x1_1_by_y_by_k1
-    carried_v2_1_by_y_by_k1 = -p1*t294 + p1_by_k1*t140 + t14*t295 - t292 - t293
-    carried_v2_1_by_u_by_k1 = cos_omega1_tau_by_k1*p3 - cos_omega2_tau_by_k1*p3 + p3_by_k1*t126
-    carried_v2_1_by_w_by_k1 = carried_x2_1_by_y_by_k1
-    # d/dk2 of: Phi along tau
-    carried_x1_1_by_y_by_k2 = cos_omega1_tau_by_k2*p2 - cos_omega2_tau_by_k2*p2 + p2_by_k2*t126
-    t297 = sin_omega1_tau_by_k2*t16
-    t298 = sin_omega2_tau_by_k2*t19
-    t299 = omega1_by_k2*t118
-    t300 = omega2_by_k2*t121
-    carried_x1_1_by_u_by_k2 = p1*t297 - p1_by_k2*t124 - t135*t299 - t137*t300 - t14*t298
-    t301 = omega2_by_k2*sin_omega2_tau
-    t302 = p2*t301
-    t303 = omega1_by_k2*sin_omega1_tau
-    t304 = p2*t303
-    carried_x1_1_by_w_by_k2 = p2*t297 - p2*t298 - p2_by_k2*t124 - t118*t304 + t121*t302
-    carried_x2_1_by_y_by_k2 = -cos_omega1_tau_by_k2*t14 + cos_omega2_tau_by_k2*p1 - p1_by_k2*t126
-    carried_x2_1_by_u_by_k2 = p3*t297 - p3*t298 - p3_by_k2*t124 - t145*t299 + t147*t300
-    t306 = -t14*t303
-    t307 = p1*t301
-    carried_x2_1_by_w_by_k2 = p1*t298 + p1_by_k2*t124 - t118*t306 - t121*t307 - t14*t297
-    t308 = omega2*sin_omega2_tau_by_k2
-    t309 = omega1*sin_omega1_tau_by_k2
-    carried_v1_1_by_y_by_k2 = p2*t308 - p2*t309 - p2_by_k2*t140 + t302 - t304
-    carried_v1_1_by_u_by_k2 = cos_omega1_tau_by_k2*p1 - cos_omega2_tau_by_k2*t14 + p1_by_k2*t126
-    carried_v1_1_by_w_by_k2 = carried_x1_1_by_y_by_k2
-    carried_v2_1_by_y_by_k2 = -p1*t308 + p1_by_k2*t140 + t14*t309 - t306 - t307
-    carried_v2_1_by_u_by_k2 = cos_omega1_tau_by_k2*p3 - cos_omega2_tau_by_k2*p3 + p3_by_k2*t126
-    carried_v2_1_by_w_by_k2 = carried_x2_1_by_y_by_k2
-    # d/dk3 of: Phi along tau
-    carried_x1_1_by_y_by_k3 = cos_omega1_tau_by_k3*p2 - cos_omega2_tau_by_k3*p2 + p2_by_k3*t126
-    t311 = sin_omega1_tau_by_k3*t16
-    t312 = sin_omega2_tau_by_k3*t19
-    t313 = omega1_by_k3*t118
-    t314 = omega2_by_k3*t121
-    carried_x1_1_by_u_by_k3 = p1*t311 - p1_by_k3*t124 - t135*t313 - t137*t314 - t14*t312
-    t315 = omega2_by_k3*sin_omega2_tau
-    t316 = p2*t315
-    t317 = omega1_by_k3*sin_omega1_tau
-    t318 = p2*t317
-    carried_x1_1_by_w_by_k3 = p2*t311 - p2*t312 - p2_by_k3*t124 - t118*t318 + t121*t316
-    carried_x2_1_by_y_by_k3 = -cos_omega1_tau_by_k3*t14 + cos_omega2_tau_by_k3*p1 - p1_by_k3*t126
-    carried_x2_1_by_u_by_k3 = p3*t311 - p3*t312 - p3_by_k3*t124 - t145*t313 + t147*t314
-    t320 = -t14*t317
-    t321 = p1*t315
-    carried_x2_1_by_w_by_k3 = p1*t312 + p1_by_k3*t124 - t118*t320 - t121*t321 - t14*t311
-    t322 = omega2*sin_omega2_tau_by_k3
-    t323 = omega1*sin_omega1_tau_by_k3
-    carried_v1_1_by_y_by_k3 = p2*t322 - p2*t323 - p2_by_k3*t140 + t316 - t318
-    carried_v1_1_by_u_by_k3 = cos_omega1_tau_by_k3*p1 - cos_omega2_tau_by_k3*t14 + p1_by_k3*t126
-    carried_v1_1_by_w_by_k3 = carried_x1_1_by_y_by_k3
-    carried_v2_1_by_y_by_k3 = -p1*t322 + p1_by_k3*t140 + t14*t323 - t320 - t321
-    carried_v2_1_by_u_by_k3 = cos_omega1_tau_by_k3*p3 - cos_omega2_tau_by_k3*p3 + p3_by_k3*t126
-    carried_v2_1_by_w_by_k3 = carried_x2_1_by_y_by_k3
-    # d/dy of: rate of the exit boundary after tau
-    rate_1_by_y = -v1_1_by_y
-    # d/du of: rate of the exit boundary after tau
-    rate_1_by_u = -v1_1_by_u
-    # d/dw of: rate of the exit boundary after tau
-    rate_1_by_w = -v1_1_by_w
-    # d/dtau of: rate of the exit boundary after tau
-    rate_1_by_tau = -v1_1_by_tau
-    # d/dm1 of: rate of the exit boundary after tau
-    rate_1_by_m1 = -v1_1_by_m1
-    # d/dm2 of: rate of the exit boundary after tau
-    rate_1_by_m2 = -v1_1_by_m2
-    # d/dk1 of: rate of the exit boundary after tau
-    rate_1_by_k1 = -v1_1_by_k1
-    # d/dk2 of: rate of the exit boundary after tau
-    rate_1_by_k2 = -v1_1_by_k2
-    # d/dk3 of: rate of the exit boundary after tau
-    rate_1_by_k3 = -v1_1_by_k3
-    # d/dy of: derivatives of the time to the boundary after tau
-    t324 = 1/rate_1**2
-    t325 = rate_1_by_y*t324
-    delay_tau_by_y_by_y = -carried_x1_1_by_y*t325
-    delay_tau_by_u_by_y = -carried_x1_1_by_u*t325
-    delay_tau_by_w_by_y = -carried_x1_1_by_w*t325
-    # d/du of: derivatives of the time to the boundary after tau
-    t326 = rate_1_by_u*t324
-    delay_tau_by_y_by_u = -carried_x1_1_by_y*t326
-    delay_tau_by_u_by_u = -carried_x1_1_by_u*t326
-    delay_tau_by_w_by_u = -carried_x1_1_by_w*t326
-    # d/dw of: derivatives of the time to the boundary after tau
-    t327 = rate_1_by_w*t324
-    delay_tau_by_y_by_w = -carried_x1_1_by_y*t327
-    delay_tau_by_u_by_w = -carried_x1_1_by_u*t327
-    delay_tau_by_w_by_w = -carried_x1_1_by_w*t327
-    # d/dtau of: derivatives of the time to the boundary after tau
-    t328 = rate_1_by_tau*t324
-    delay_tau_by_y_by_tau = -carried_x1_1_by_y*t328 + carried_x1_1_by_y_by_tau*t72
-    delay_tau_by_u_by_tau = -carried_x1_1_by_u*t328 + carried_x1_1_by_u_by_tau*t72
-    delay_tau_by_w_by_tau = -carried_x1_1_by_w*t328 + carried_x1_1_by_w_by_tau*t72
-    # d/dm1 of: derivatives of the time to the boundary after tau
-    t329 = rate_1_by_m1*t324
-    delay_tau_by_y_by_m1 = -carried_x1_1_by_y*t329 + carried_x1_1_by_y_by_m1*t72
-    delay_tau_by_u_by_m1 = -carried_x1_1_by_u*t329 + carried_x1_1_by_u_by_m1*t72
-    delay_tau_by_w_by_m1 = -carried_x1_1_by_w*t329 + carried_x1_1_by_w_by_m1*t72
-    # d/dm2 of: derivatives of the time to the boundary after tau
-    t330 = rate_1_by_m2*t324
-    delay_tau_by_y_by_m2 = -carried_x1_1_by_y*t330 + carried_x1_1_by_y_by_m2*t72
-    delay_tau_by_u_by_m2 = -carried_x1_1_by_u*t330 + carried_x1_1_by_u_by_m2*t72
-    delay_tau_by_w_by_m2 = -carried_x1_1_by_w*t330 + carried_x1_1_by_w_by_m2*t72
-    # d/dk1 of: derivatives of the time to the boundary after tau
-    t331 = rate_1_by_k1*t324
-    delay_tau_by_y_by_k1 = -carried_x1_1_by_y*t331 + carried_x1_1_by_y_by_k1*t72
-    delay_tau_by_u_by_k1 = -carried_x1_1_by_u*t331 + carried_x1_1_by_u_by_k1*t72
-    delay_tau_by_w_by_k1 = -carried_x1_1_by_w*t331 + carried_x1_1_by_w_by_k1*t72
-    # d/dk2 of: derivatives of the time to the boundary after tau
-    t332 = rate_1_by_k2*t324
-    delay_tau_by_y_by_k2 = -carried_x1_1_by_y*t332 + carried_x1_1_by_y_by_k2*t72
-    delay_tau_by_u_by_k2 = -carried_x1_1_by_u*t332 + carried_x1_1_by_u_by_k2*t72
-    delay_tau_by_w_by_k2 = -carried_x1_1_by_w*t332 + carried_x1_1_by_w_by_k2*t72
-    # d/dk3 of: derivatives of the time to the boundary after tau
-    t333 = rate_1_by_k3*t324
-    delay_tau_by_y_by_k3 = -carried_x1_1_by_y*t333 + carried_x1_1_by_y_by_k3*t72
-    delay_tau_by_u_by_k3 = -carried_x1_1_by_u*t333 + carried_x1_1_by_u_by_k3*t72
-    delay_tau_by_w_by_k3 = -carried_x1_1_by_w*t333 + carried_x1_1_by_w_by_k3*t72
-    # d/dy of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_y = delay_tau_by_y*v1_1_by_y + delay_tau_by_y_by_y*v1_1
-    x1_1_on_boundary_by_u_by_y = delay_tau_by_u*v1_1_by_y + delay_tau_by_u_by_y*v1_1
-    x1_1_on_boundary_by_w_by_y = delay_tau_by_w*v1_1_by_y + delay_tau_by_w_by_y*v1_1
-    x2_1_on_boundary_by_y_by_y = delay_tau_by_y*v2_1_by_y + delay_tau_by_y_by_y*v2_1
-    x2_1_on_boundary_by_u_by_y = delay_tau_by_u*v2_1_by_y + delay_tau_by_u_by_y*v2_1
-    x2_1_on_boundary_by_w_by_y = delay_tau_by_w*v2_1_by_y + delay_tau_by_w_by_y*v2_1
-    t334 = delay_tau_by_y*t73
-    t335 = k1*x2_1_by_y
-    t336 = t74*x1_1_by_y
-    v1_1_on_boundary_by_y_by_y = delay_tau_by_y_by_y*t76 + t334*t335 - t334*t336
-    t337 = delay_tau_by_u*t73
-    v1_1_on_boundary_by_u_by_y = delay_tau_by_u_by_y*t76 + t335*t337 - t336*t337
-    t338 = delay_tau_by_w*t73
-    v1_1_on_boundary_by_w_by_y = delay_tau_by_w_by_y*t76 + t335*t338 - t336*t338
-    t339 = delay_tau_by_y*t77
-    t340 = k1*x1_1_by_y
-    t341 = t79*x2_1_by_y
-    v2_1_on_boundary_by_y_by_y = delay_tau_by_y_by_y*t81 + t339*t340 - t339*t341
-    t342 = delay_tau_by_u*t77
-    v2_1_on_boundary_by_u_by_y = delay_tau_by_u_by_y*t81 + t340*t342 - t341*t342
-    t343 = delay_tau_by_w*t77
-    v2_1_on_boundary_by_w_by_y = delay_tau_by_w_by_y*t81 + t340*t343 - t341*t343
-    # d/du of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_u = delay_tau_by_y*v1_1_by_u + delay_tau_by_y_by_u*v1_1
-    x1_1_on_boundary_by_u_by_u = delay_tau_by_u*v1_1_by_u + delay_tau_by_u_by_u*v1_1
-    x1_1_on_boundary_by_w_by_u = delay_tau_by_w*v1_1_by_u + delay_tau_by_w_by_u*v1_1
-    x2_1_on_boundary_by_y_by_u = delay_tau_by_y*v2_1_by_u + delay_tau_by_y_by_u*v2_1
-    x2_1_on_boundary_by_u_by_u = delay_tau_by_u*v2_1_by_u + delay_tau_by_u_by_u*v2_1
-    x2_1_on_boundary_by_w_by_u = delay_tau_by_w*v2_1_by_u + delay_tau_by_w_by_u*v2_1
-    t344 = k1*x2_1_by_u
-    t345 = t74*x1_1_by_u
-    v1_1_on_boundary_by_y_by_u = delay_tau_by_y_by_u*t76 + t334*t344 - t334*t345
-    v1_1_on_boundary_by_u_by_u = delay_tau_by_u_by_u*t76 + t337*t344 - t337*t345
-    v1_1_on_boundary_by_w_by_u = delay_tau_by_w_by_u*t76 + t338*t344 - t338*t345
-    t346 = k1*x1_1_by_u
-    t347 = t79*x2_1_by_u
-    v2_1_on_boundary_by_y_by_u = delay_tau_by_y_by_u*t81 + t339*t346 - t339*t347
-    v2_1_on_boundary_by_u_by_u = delay_tau_by_u_by_u*t81 + t342*t346 - t342*t347
-    v2_1_on_boundary_by_w_by_u = delay_tau_by_w_by_u*t81 + t343*t346 - t343*t347
-    # d/dw of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_w = delay_tau_by_y*v1_1_by_w + delay_tau_by_y_by_w*v1_1
-    x1_1_on_boundary_by_u_by_w = delay_tau_by_u*v1_1_by_w + delay_tau_by_u_by_w*v1_1
-    x1_1_on_boundary_by_w_by_w = delay_tau_by_w*v1_1_by_w + delay_tau_by_w_by_w*v1_1
-    x2_1_on_boundary_by_y_by_w = delay_tau_by_y*v2_1_by_w + delay_tau_by_y_by_w*v2_1
-    x2_1_on_boundary_by_u_by_w = delay_tau_by_u*v2_1_by_w + delay_tau_by_u_by_w*v2_1
-    x2_1_on_boundary_by_w_by_w = delay_tau_by_w*v2_1_by_w + delay_tau_by_w_by_w*v2_1
-    t348 = k1*x2_1_by_w
-    t349 = t74*x1_1_by_w
-    v1_1_on_boundary_by_y_by_w = delay_tau_by_y_by_w*t76 + t334*t348 - t334*t349
-    v1_1_on_boundary_by_u_by_w = delay_tau_by_u_by_w*t76 + t337*t348 - t337*t349
-    v1_1_on_boundary_by_w_by_w = delay_tau_by_w_by_w*t76 + t338*t348 - t338*t349
-    t350 = k1*x1_1_by_w
-    t351 = t79*x2_1_by_w
-    v2_1_on_boundary_by_y_by_w = delay_tau_by_y_by_w*t81 + t339*t350 - t339*t351
-    v2_1_on_boundary_by_u_by_w = delay_tau_by_u_by_w*t81 + t342*t350 - t342*t351
-    v2_1_on_boundary_by_w_by_w = delay_tau_by_w_by_w*t81 + t343*t350 - t343*t351
-    # d/dtau of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_tau = carried_x1_1_by_y_by_tau + delay_tau_by_y*v1_1_by_tau + delay_tau_by_y_by_tau*v1_1
-    x1_1_on_boundary_by_u_by_tau = carried_x1_1_by_u_by_tau + delay_tau_by_u*v1_1_by_tau + delay_tau_by_u_by_tau*v1_1
-    x1_1_on_boundary_by_w_by_tau = carried_x1_1_by_w_by_tau + delay_tau_by_w*v1_1_by_tau + delay_tau_by_w_by_tau*v1_1
-    x2_1_on_boundary_by_y_by_tau = carried_x2_1_by_y_by_tau + delay_tau_by_y*v2_1_by_tau + delay_tau_by_y_by_tau*v2_1
-    x2_1_on_boundary_by_u_by_tau = carried_x2_1_by_u_by_tau + delay_tau_by_u*v2_1_by_tau + delay_tau_by_u_by_tau*v2_1
-    x2_1_on_boundary_by_w_by_tau = carried_x2_1_by_w_by_tau + delay_tau_by_w*v2_1_by_tau + delay_tau_by_w_by_tau*v2_1
-    t352 = k1*x2_1_by_tau
-    t353 = t74*x1_1_by_tau
-    v1_1_on_boundary_by_y_by_tau = carried_v1_1_by_y_by_tau + delay_tau_by_y_by_tau*t76 + t334*t352 - t334*t353
-    v1_1_on_boundary_by_u_by_tau = carried_v1_1_by_u_by_tau + delay_tau_by_u_by_tau*t76 + t337*t352 - t337*t353
-    v1_1_on_boundary_by_w_by_tau = carried_v1_1_by_w_by_tau + delay_tau_by_w_by_tau*t76 + t338*t352 - t338*t353
-    t354 = k1*x1_1_by_tau
-    t355 = t79*x2_1_by_tau
-    v2_1_on_boundary_by_y_by_tau = carried_v2_1_by_y_by_tau + delay_tau_by_y_by_tau*t81 + t339*t354 - t339*t355
-    v2_1_on_boundary_by_u_by_tau = carried_v2_1_by_u_by_tau + delay_tau_by_u_by_tau*t81 + t342*t354 - t342*t355
-    v2_1_on_boundary_by_w_by_tau = carried_v2_1_by_w_by_tau + delay_tau_by_w_by_tau*t81 + t343*t354 - t343*t355
-    # d/dm1 of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_m1 = carried_x1_1_by_y_by_m1 + delay_tau_by_y*v1_1_by_m1 + delay_tau_by_y_by_m1*v1_1
-    x1_1_on_boundary_by_u_by_m1 = carried_x1_1_by_u_by_m1 + delay_tau_by_u*v1_1_by_m1 + delay_tau_by_u_by_m1*v1_1
-    x1_1_on_boundary_by_w_by_m1 = carried_x1_1_by_w_by_m1 + delay_tau_by_w*v1_1_by_m1 + delay_tau_by_w_by_m1*v1_1
-    x2_1_on_boundary_by_y_by_m1 = carried_x2_1_by_y_by_m1 + delay_tau_by_y*v2_1_by_m1 + delay_tau_by_y_by_m1*v2_1
-    x2_1_on_boundary_by_u_by_m1 = carried_x2_1_by_u_by_m1 + delay_tau_by_u*v2_1_by_m1 + delay_tau_by_u_by_m1*v2_1
-    x2_1_on_boundary_by_w_by_m1 = carried_x2_1_by_w_by_m1 + delay_tau_by_w*v2_1_by_m1 + delay_tau_by_w_by_m1*v2_1
-    t356 = 1/m1**2
-    t357 = k1*t356
-    t358 = -k3*t356 + t356*t74*x1_1 - t357*x2_1
-    t359 = k1*x2_1_by_m1
-    t360 = t74*x1_1_by_m1
-    v1_1_on_boundary_by_y_by_m1 = carried_v1_1_by_y_by_m1 + delay_tau_by_y*t358 + delay_tau_by_y_by_m1*t76 + t334*t359 - t334*t360
-    v1_1_on_boundary_by_u_by_m1 = carried_v1_1_by_u_by_m1 + delay_tau_by_u*t358 + delay_tau_by_u_by_m1*t76 + t337*t359 - t337*t360
-    v1_1_on_boundary_by_w_by_m1 = carried_v1_1_by_w_by_m1 + delay_tau_by_w*t358 + delay_tau_by_w_by_m1*t76 + t338*t359 - t338*t360
-    t361 = k1*x1_1_by_m1
-    t362 = t79*x2_1_by_m1
-    v2_1_on_boundary_by_y_by_m1 = carried_v2_1_by_y_by_m1 + delay_tau_by_y_by_m1*t81 + t339*t361 - t339*t362
-    v2_1_on_boundary_by_u_by_m1 = carried_v2_1_by_u_by_m1 + delay_tau_by_u_by_m1*t81 + t342*t361 - t342*t362
-    v2_1_on_boundary_by_w_by_m1 = carried_v2_1_by_w_by_m1 + delay_tau_by_w_by_m1*t81 + t343*t361 - t343*t362
-    # d/dm2 of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_m2 = carried_x1_1_by_y_by_m2 + delay_tau_by_y*v1_1_by_m2 + delay_tau_by_y_by_m2*v1_1
-    x1_1_on_boundary_by_u_by_m2 = carried_x1_1_by_u_by_m2 + delay_tau_by_u*v1_1_by_m2 + delay_tau_by_u_by_m2*v1_1
-    x1_1_on_boundary_by_w_by_m2 = carried_x1_1_by_w_by_m2 + delay_tau_by_w*v1_1_by_m2 + delay_tau_by_w_by_m2*v1_1
-    x2_1_on_boundary_by_y_by_m2 = carried_x2_1_by_y_by_m2 + delay_tau_by_y*v2_1_by_m2 + delay_tau_by_y_by_m2*v2_1
-    x2_1_on_boundary_by_u_by_m2 = carried_x2_1_by_u_by_m2 + delay_tau_by_u*v2_1_by_m2 + delay_tau_by_u_by_m2*v2_1
-    x2_1_on_boundary_by_w_by_m2 = carried_x2_1_by_w_by_m2 + delay_tau_by_w*v2_1_by_m2 + delay_tau_by_w_by_m2*v2_1
-    t363 = k1*x2_1_by_m2
-    t364 = t74*x1_1_by_m2
-    v1_1_on_boundary_by_y_by_m2 = carried_v1_1_by_y_by_m2 + delay_tau_by_y_by_m2*t76 + t334*t363 - t334*t364
-    v1_1_on_boundary_by_u_by_m2 = carried_v1_1_by_u_by_m2 + delay_tau_by_u_by_m2*t76 + t337*t363 - t337*t364
-    v1_1_on_boundary_by_w_by_m2 = carried_v1_1_by_w_by_m2 + delay_tau_by_w_by_m2*t76 + t338*t363 - t338*t364
-    t365 = 1/m2**2
-    t366 = k1*t365
-    t367 = t365*t79*x2_1 - t366*x1_1
-    t368 = k1*x1_1_by_m2
-    t369 = t79*x2_1_by_m2
-    v2_1_on_boundary_by_y_by_m2 = carried_v2_1_by_y_by_m2 + delay_tau_by_y*t367 + delay_tau_by_y_by_m2*t81 + t339*t368 - t339*t369
-    v2_1_on_boundary_by_u_by_m2 = carried_v2_1_by_u_by_m2 + delay_tau_by_u*t367 + delay_tau_by_u_by_m2*t81 + t342*t368 - t342*t369
-    v2_1_on_boundary_by_w_by_m2 = carried_v2_1_by_w_by_m2 + delay_tau_by_w*t367 + delay_tau_by_w_by_m2*t81 + t343*t368 - t343*t369
-    # d/dk1 of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_k1 = carried_x1_1_by_y_by_k1 + delay_tau_by_y*v1_1_by_k1 + delay_tau_by_y_by_k1*v1_1
-    x1_1_on_boundary_by_u_by_k1 = carried_x1_1_by_u_by_k1 + delay_tau_by_u*v1_1_by_k1 + delay_tau_by_u_by_k1*v1_1
-    x1_1_on_boundary_by_w_by_k1 = carried_x1_1_by_w_by_k1 + delay_tau_by_w*v1_1_by_k1 + delay_tau_by_w_by_k1*v1_1
-    x2_1_on_boundary_by_y_by_k1 = carried_x2_1_by_y_by_k1 + delay_tau_by_y*v2_1_by_k1 + delay_tau_by_y_by_k1*v2_1
-    x2_1_on_boundary_by_u_by_k1 = carried_x2_1_by_u_by_k1 + delay_tau_by_u*v2_1_by_k1 + delay_tau_by_u_by_k1*v2_1
-    x2_1_on_boundary_by_w_by_k1 = carried_x2_1_by_w_by_k1 + delay_tau_by_w*v2_1_by_k1 + delay_tau_by_w_by_k1*v2_1
-    t370 = t73*x2_1 - t75
-    t371 = k1*x2_1_by_k1
-    t372 = t74*x1_1_by_k1
-    v1_1_on_boundary_by_y_by_k1 = carried_v1_1_by_y_by_k1 + delay_tau_by_y*t370 + delay_tau_by_y_by_k1*t76 + t334*t371 - t334*t372
-    v1_1_on_boundary_by_u_by_k1 = carried_v1_1_by_u_by_k1 + delay_tau_by_u*t370 + delay_tau_by_u_by_k1*t76 + t337*t371 - t337*t372
-    v1_1_on_boundary_by_w_by_k1 = carried_v1_1_by_w_by_k1 + delay_tau_by_w*t370 + delay_tau_by_w_by_k1*t76 + t338*t371 - t338*t372
-    t373 = t78 - t80
-    t374 = k1*x1_1_by_k1
-    t375 = t79*x2_1_by_k1
-    v2_1_on_boundary_by_y_by_k1 = carried_v2_1_by_y_by_k1 + delay_tau_by_y*t373 + delay_tau_by_y_by_k1*t81 + t339*t374 - t339*t375
-    v2_1_on_boundary_by_u_by_k1 = carried_v2_1_by_u_by_k1 + delay_tau_by_u*t373 + delay_tau_by_u_by_k1*t81 + t342*t374 - t342*t375
-    v2_1_on_boundary_by_w_by_k1 = carried_v2_1_by_w_by_k1 + delay_tau_by_w*t373 + delay_tau_by_w_by_k1*t81 + t343*t374 - t343*t375
-    # d/dk2 of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_k2 = carried_x1_1_by_y_by_k2 + delay_tau_by_y*v1_1_by_k2 + delay_tau_by_y_by_k2*v1_1
-    x1_1_on_boundary_by_u_by_k2 = carried_x1_1_by_u_by_k2 + delay_tau_by_u*v1_1_by_k2 + delay_tau_by_u_by_k2*v1_1
-    x1_1_on_boundary_by_w_by_k2 = carried_x1_1_by_w_by_k2 + delay_tau_by_w*v1_1_by_k2 + delay_tau_by_w_by_k2*v1_1
-    x2_1_on_boundary_by_y_by_k2 = carried_x2_1_by_y_by_k2 + delay_tau_by_y*v2_1_by_k2 + delay_tau_by_y_by_k2*v2_1
-    x2_1_on_boundary_by_u_by_k2 = carried_x2_1_by_u_by_k2 + delay_tau_by_u*v2_1_by_k2 + delay_tau_by_u_by_k2*v2_1
-    x2_1_on_boundary_by_w_by_k2 = carried_x2_1_by_w_by_k2 + delay_tau_by_w*v2_1_by_k2 + delay_tau_by_w_by_k2*v2_1
-    t376 = k1*x2_1_by_k2
-    t377 = t74*x1_1_by_k2
-    v1_1_on_boundary_by_y_by_k2 = carried_v1_1_by_y_by_k2 + delay_tau_by_y_by_k2*t76 + t334*t376 - t334*t377
-    v1_1_on_boundary_by_u_by_k2 = carried_v1_1_by_u_by_k2 + delay_tau_by_u_by_k2*t76 + t337*t376 - t337*t377
-    v1_1_on_boundary_by_w_by_k2 = carried_v1_1_by_w_by_k2 + delay_tau_by_w_by_k2*t76 + t338*t376 - t338*t377
-    t378 = k1*x1_1_by_k2
-    t379 = t79*x2_1_by_k2
-    v2_1_on_boundary_by_y_by_k2 = carried_v2_1_by_y_by_k2 - delay_tau_by_y*t80 + delay_tau_by_y_by_k2*t81 + t339*t378 - t339*t379
-    v2_1_on_boundary_by_u_by_k2 = carried_v2_1_by_u_by_k2 - delay_tau_by_u*t80 + delay_tau_by_u_by_k2*t81 + t342*t378 - t342*t379
-    v2_1_on_boundary_by_w_by_k2 = carried_v2_1_by_w_by_k2 - delay_tau_by_w*t80 + delay_tau_by_w_by_k2*t81 + t343*t378 - t343*t379
-    # d/dk3 of: perturbation on the boundary after tau
-    x1_1_on_boundary_by_y_by_k3 = carried_x1_1_by_y_by_k3 + delay_tau_by_y*v1_1_by_k3 + delay_tau_by_y_by_k3*v1_1
-    x1_1_on_boundary_by_u_by_k3 = carried_x1_1_by_u_by_k3 + delay_tau_by_u*v1_1_by_k3 + delay_tau_by_u_by_k3*v1_1
-    x1_1_on_boundary_by_w_by_k3 = carried_x1_1_by_w_by_k3 + delay_tau_by_w*v1_1_by_k3 + delay_tau_by_w_by_k3*v1_1
-    x2_1_on_boundary_by_y_by_k3 = carried_x2_1_by_y_by_k3 + delay_tau_by_y*v2_1_by_k3 + delay_tau_by_y_by_k3*v2_1
-    x2_1_on_boundary_by_u_by_k3 = carried_x2_1_by_u_by_k3 + delay_tau_by_u*v2_1_by_k3 + delay_tau_by_u_by_k3*v2_1
-    x2_1_on_boundary_by_w_by_k3 = carried_x2_1_by_w_by_k3 + delay_tau_by_w*v2_1_by_k3 + delay_tau_by_w_by_k3*v2_1
-    t380 = t73 - t75
-    t381 = k1*x2_1_by_k3
-    t382 = t74*x1_1_by_k3
-    v1_1_on_boundary_by_y_by_k3 = carried_v1_1_by_y_by_k3 + delay_tau_by_y*t380 + delay_tau_by_y_by_k3*t76 + t334*t381 - t334*t382
-    v1_1_on_boundary_by_u_by_k3 = carried_v1_1_by_u_by_k3 + delay_tau_by_u*t380 + delay_tau_by_u_by_k3*t76 + t337*t381 - t337*t382
-    v1_1_on_boundary_by_w_by_k3 = carried_v1_1_by_w_by_k3 + delay_tau_by_w*t380 + delay_tau_by_w_by_k3*t76 + t338*t381 - t338*t382
-    t383 = k1*x1_1_by_k3
-    t384 = t79*x2_1_by_k3
-    v2_1_on_boundary_by_y_by_k3 = carried_v2_1_by_y_by_k3 + delay_tau_by_y_by_k3*t81 + t339*t383 - t339*t384
-    v2_1_on_boundary_by_u_by_k3 = carried_v2_1_by_u_by_k3 + delay_tau_by_u_by_k3*t81 + t342*t383 - t342*t384
-    v2_1_on_boundary_by_w_by_k3 = carried_v2_1_by_w_by_k3 + delay_tau_by_w_by_k3*t81 + t343*t383 - t343*t384
-    # d/dy of: Phi along tau1
-    carried_x1_2_by_y_by_y = t58*v1_1_on_boundary_by_y_by_y + t59*v2_1_on_boundary_by_y_by_y + t60*x1_1_on_boundary_by_y_by_y + t61*x2_1_on_boundary_by_y_by_y
-    carried_x1_2_by_u_by_y = t58*v1_1_on_boundary_by_u_by_y + t59*v2_1_on_boundary_by_u_by_y + t60*x1_1_on_boundary_by_u_by_y + t61*x2_1_on_boundary_by_u_by_y
-    carried_x1_2_by_w_by_y = t58*v1_1_on_boundary_by_w_by_y + t59*v2_1_on_boundary_by_w_by_y + t60*x1_1_on_boundary_by_w_by_y + t61*x2_1_on_boundary_by_w_by_y
-    carried_x2_2_by_y_by_y = t62*v1_1_on_boundary_by_y_by_y + t63*v2_1_on_boundary_by_y_by_y + t64*x1_1_on_boundary_by_y_by_y + t65*x2_1_on_boundary_by_y_by_y
-    carried_v1_2_by_u_by_y = t60*v1_1_on_boundary_by_u_by_y + t61*v2_1_on_boundary_by_u_by_y + t68*x1_1_on_boundary_by_u_by_y + t69*x2_1_on_boundary_by_u_by_y
-    carried_v2_2_by_w_by_y = t64*v1_1_on_boundary_by_w_by_y + t65*v2_1_on_boundary_by_w_by_y + t70*x1_1_on_boundary_by_w_by_y + t71*x2_1_on_boundary_by_w_by_y
-    # d/du of: Phi along tau1
-    carried_x1_2_by_y_by_u = t58*v1_1_on_boundary_by_y_by_u + t59*v2_1_on_boundary_by_y_by_u + t60*x1_1_on_boundary_by_y_by_u + t61*x2_1_on_boundary_by_y_by_u
-    carried_x1_2_by_u_by_u = t58*v1_1_on_boundary_by_u_by_u + t59*v2_1_on_boundary_by_u_by_u + t60*x1_1_on_boundary_by_u_by_u + t61*x2_1_on_boundary_by_u_by_u
-    carried_x1_2_by_w_by_u = t58*v1_1_on_boundary_by_w_by_u + t59*v2_1_on_boundary_by_w_by_u + t60*x1_1_on_boundary_by_w_by_u + t61*x2_1_on_boundary_by_w_by_u
-    carried_x2_2_by_y_by_u = t62*v1_1_on_boundary_by_y_by_u + t63*v2_1_on_boundary_by_y_by_u + t64*x1_1_on_boundary_by_y_by_u + t65*x2_1_on_boundary_by_y_by_u
-    carried_v1_2_by_u_by_u = t60*v1_1_on_boundary_by_u_by_u + t61*v2_1_on_boundary_by_u_by_u + t68*x1_1_on_boundary_by_u_by_u + t69*x2_1_on_boundary_by_u_by_u
-    carried_v2_2_by_w_by_u = t64*v1_1_on_boundary_by_w_by_u + t65*v2_1_on_boundary_by_w_by_u + t70*x1_1_on_boundary_by_w_by_u + t71*x2_1_on_boundary_by_w_by_u
-    # d/dw of: Phi along tau1
-    carried_x1_2_by_y_by_w = t58*v1_1_on_boundary_by_y_by_w + t59*v2_1_on_boundary_by_y_by_w + t60*x1_1_on_boundary_by_y_by_w + t61*x2_1_on_boundary_by_y_by_w
-    carried_x1_2_by_u_by_w = t58*v1_1_on_boundary_by_u_by_w + t59*v2_1_on_boundary_by_u_by_w + t60*x1_1_on_boundary_by_u_by_w + t61*x2_1_on_boundary_by_u_by_w
-    carried_x1_2_by_w_by_w = t58*v1_1_on_boundary_by_w_by_w + t59*v2_1_on_boundary_by_w_by_w + t60*x1_1_on_boundary_by_w_by_w + t61*x2_1_on_boundary_by_w_by_w
-    carried_x2_2_by_y_by_w = t62*v1_1_on_boundary_by_y_by_w + t63*v2_1_on_boundary_by_y_by_w + t64*x1_1_on_boundary_by_y_by_w + t65*x2_1_on_boundary_by_y_by_w
-    carried_v1_2_by_u_by_w = t60*v1_1_on_boundary_by_u_by_w + t61*v2_1_on_boundary_by_u_by_w + t68*x1_1_on_boundary_by_u_by_w + t69*x2_1_on_boundary_by_u_by_w
-    carried_v2_2_by_w_by_w = t64*v1_1_on_boundary_by_w_by_w + t65*v2_1_on_boundary_by_w_by_w + t70*x1_1_on_boundary_by_w_by_w + t71*x2_1_on_boundary_by_w_by_w
-    # d/dtau of: Phi along tau1
-    t385 = p5*x2_1_on_boundary_by_y
-    t386 = p4*x1_1_on_boundary_by_y + t385
-    t387 = -t385 + t55*x1_1_on_boundary_by_y
-    t388 = p4*t53
-    t389 = p5*v2_1_on_boundary_by_y
-    t390 = t388*v1_1_on_boundary_by_y + t389*t53
-    t391 = -t389*t56 + t55*t56*v1_1_on_boundary_by_y
-    carried_x1_2_by_y_by_tau = cos_omega3_tau1_by_tau*t386 + cos_omega4_tau1_by_tau*t387 + sin_omega3_tau1_by_tau*t390 + sin_omega4_tau1_by_tau*t391 + t58*v1_1_on_boundary_by_y_by_tau + t59*v2_1_on_boundary_by_y_by_tau + t60*x1_1_on_boundary_by_y_by_tau + t61*x2_1_on_boundary_by_y_by_tau
-    t392 = p4*x1_1_on_boundary_by_u
-    t393 = p5*x2_1_on_boundary_by_u
-    t394 = t392 + t393
-    t395 = -t393 + t55*x1_1_on_boundary_by_u
-    t396 = p4*v1_1_on_boundary_by_u
-    t397 = p5*v2_1_on_boundary_by_u
-    t398 = t396*t53 + t397*t53
-    t399 = -t397*t56 + t55*t56*v1_1_on_boundary_by_u
-    carried_x1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t394 + cos_omega4_tau1_by_tau*t395 + sin_omega3_tau1_by_tau*t398 + sin_omega4_tau1_by_tau*t399 + t58*v1_1_on_boundary_by_u_by_tau + t59*v2_1_on_boundary_by_u_by_tau + t60*x1_1_on_boundary_by_u_by_tau + t61*x2_1_on_boundary_by_u_by_tau
-    t400 = p5*x2_1_on_boundary_by_w
-    t401 = p4*x1_1_on_boundary_by_w + t400
-    t402 = -t400 + t55*x1_1_on_boundary_by_w
-    t403 = p5*v2_1_on_boundary_by_w
-    t404 = t388*v1_1_on_boundary_by_w + t403*t53
-    t405 = -t403*t56 + t55*t56*v1_1_on_boundary_by_w
-    carried_x1_2_by_w_by_tau = cos_omega3_tau1_by_tau*t401 + cos_omega4_tau1_by_tau*t402 + sin_omega3_tau1_by_tau*t404 + sin_omega4_tau1_by_tau*t405 + t58*v1_1_on_boundary_by_w_by_tau + t59*v2_1_on_boundary_by_w_by_tau + t60*x1_1_on_boundary_by_w_by_tau + t61*x2_1_on_boundary_by_w_by_tau
-    t406 = p6*x1_1_on_boundary_by_y
-    t407 = t406 + t55*x2_1_on_boundary_by_y
-    t408 = p4*x2_1_on_boundary_by_y - t406
-    t409 = p6*v1_1_on_boundary_by_y
-    t410 = t55*v2_1_on_boundary_by_y
-    t411 = t409*t53 + t410*t53
-    t412 = p4*v2_1_on_boundary_by_y
-    t413 = -t409*t56 + t412*t56
-    carried_x2_2_by_y_by_tau = cos_omega3_tau1_by_tau*t407 + cos_omega4_tau1_by_tau*t408 + sin_omega3_tau1_by_tau*t411 + sin_omega4_tau1_by_tau*t413 + t62*v1_1_on_boundary_by_y_by_tau + t63*v2_1_on_boundary_by_y_by_tau + t64*x1_1_on_boundary_by_y_by_tau + t65*x2_1_on_boundary_by_y_by_tau
-    t414 = t396 + t397
-    t415 = -t397 + t55*v1_1_on_boundary_by_u
-    t416 = -omega3*t392 - omega3*t393
-    t417 = t55*x1_1_on_boundary_by_u
-    t418 = omega4*t393 - omega4*t417
-    carried_v1_2_by_u_by_tau = cos_omega3_tau1_by_tau*t414 + cos_omega4_tau1_by_tau*t415 + sin_omega3_tau1_by_tau*t416 + sin_omega4_tau1_by_tau*t418 + t60*v1_1_on_boundary_by_u_by_tau + t61*v2_1_on_boundary_by_u_by_tau + t68*x1_1_on_boundary_by_u_by_tau + t69*x2_1_on_boundary_by_u_by_tau
-    t419 = p6*v1_1_on_boundary_by_w
-    t420 = t419 + t55*v2_1_on_boundary_by_w
-    t421 = p4*v2_1_on_boundary_by_w - t419
-    t422 = p6*x1_1_on_boundary_by_w
-    t423 = t55*x2_1_on_boundary_by_w
-    t424 = -omega3*t422 - omega3*t423
-    t425 = p4*x2_1_on_boundary_by_w
-    t426 = omega4*p6*x1_1_on_boundary_by_w - omega4*t425
-    carried_v2_2_by_w_by_tau = cos_omega3_tau1_by_tau*t420 + cos_omega4_tau1_by_tau*t421 + sin_omega3_tau1_by_tau*t424 + sin_omega4_tau1_by_tau*t426 + t64*v1_1_on_boundary_by_w_by_tau + t65*v2_1_on_boundary_by_w_by_tau + t70*x1_1_on_boundary_by_w_by_tau + t71*x2_1_on_boundary_by_w_by_tau
-    # d/dm1 of: Phi along tau1
-    t427 = p4*t226
-    t428 = -t226*t389 - t427*v1_1_on_boundary_by_y
-    t429 = t229*t55
-    t430 = t229*t389 - t429*v1_1_on_boundary_by_y
-    t431 = -t231*v1_1_on_boundary_by_y + t233*x1_1_on_boundary_by_y
-    t432 = -t231*v2_1_on_boundary_by_y + t233*x2_1_on_boundary_by_y
-    carried_x1_2_by_y_by_m1 = cos_omega3_tau1_by_m1*t386 + cos_omega4_tau1_by_m1*t387 + omega3_by_m1*t428 + omega4_by_m1*t430 + p4_by_m1*t431 + p5_by_m1*t432 + sin_omega3_tau1_by_m1*t390 + sin_omega4_tau1_by_m1*t391 + t58*v1_1_on_boundary_by_y_by_m1 + t59*v2_1_on_boundary_by_y_by_m1 + t60*x1_1_on_boundary_by_y_by_m1 + t61*x2_1_on_boundary_by_y_by_m1
-    t433 = -t226*t396 - t226*t397
-    t434 = t229*t397 - t229*t55*v1_1_on_boundary_by_u
-    t435 = -t231*v1_1_on_boundary_by_u + t233*x1_1_on_boundary_by_u
-    t436 = -t231*v2_1_on_boundary_by_u + t233*x2_1_on_boundary_by_u
-    carried_x1_2_by_u_by_m1 = cos_omega3_tau1_by_m1*t394 + cos_omega4_tau1_by_m1*t395 + omega3_by_m1*t433 + omega4_by_m1*t434 + p4_by_m1*t435 + p5_by_m1*t436 + sin_omega3_tau1_by_m1*t398 + sin_omega4_tau1_by_m1*t399 + t58*v1_1_on_boundary_by_u_by_m1 + t59*v2_1_on_boundary_by_u_by_m1 + t60*x1_1_on_boundary_by_u_by_m1 + t61*x2_1_on_boundary_by_u_by_m1
-    t437 = -t226*t403 - t427*v1_1_on_boundary_by_w
-    t438 = t229*t403 - t429*v1_1_on_boundary_by_w
-    t439 = -t231*v1_1_on_boundary_by_w + t233*x1_1_on_boundary_by_w
-    t440 = -t231*v2_1_on_boundary_by_w + t233*x2_1_on_boundary_by_w
-    carried_x1_2_by_w_by_m1 = cos_omega3_tau1_by_m1*t401 + cos_omega4_tau1_by_m1*t402 + omega3_by_m1*t437 + omega4_by_m1*t438 + p4_by_m1*t439 + p5_by_m1*t440 + sin_omega3_tau1_by_m1*t404 + sin_omega4_tau1_by_m1*t405 + t58*v1_1_on_boundary_by_w_by_m1 + t59*v2_1_on_boundary_by_w_by_m1 + t60*x1_1_on_boundary_by_w_by_m1 + t61*x2_1_on_boundary_by_w_by_m1
-    t441 = -t226*t409 - t226*t410
-    t442 = p6*sin_omega4_tau1*t228*v1_1_on_boundary_by_y - t229*t412
-    t443 = t231*v2_1_on_boundary_by_y - t233*x2_1_on_boundary_by_y
-    carried_x2_2_by_y_by_m1 = cos_omega3_tau1_by_m1*t407 + cos_omega4_tau1_by_m1*t408 + omega3_by_m1*t441 + omega4_by_m1*t442 + p4_by_m1*t443 + p6_by_m1*t431 + sin_omega3_tau1_by_m1*t411 + sin_omega4_tau1_by_m1*t413 + t62*v1_1_on_boundary_by_y_by_m1 + t63*v2_1_on_boundary_by_y_by_m1 + t64*x1_1_on_boundary_by_y_by_m1 + t65*x2_1_on_boundary_by_y_by_m1
-    t444 = -sin_omega3_tau1*t392 - sin_omega3_tau1*t393
-    t445 = sin_omega4_tau1*t393 - sin_omega4_tau1*t417
-    t446 = t233*v1_1_on_boundary_by_u - t242*x1_1_on_boundary_by_u
-    t447 = t233*v2_1_on_boundary_by_u - t242*x2_1_on_boundary_by_u
-    carried_v1_2_by_u_by_m1 = cos_omega3_tau1_by_m1*t414 + cos_omega4_tau1_by_m1*t415 + omega3_by_m1*t444 + omega4_by_m1*t445 + p4_by_m1*t446 + p5_by_m1*t447 + sin_omega3_tau1_by_m1*t416 + sin_omega4_tau1_by_m1*t418 + t60*v1_1_on_boundary_by_u_by_m1 + t61*v2_1_on_boundary_by_u_by_m1 + t68*x1_1_on_boundary_by_u_by_m1 + t69*x2_1_on_boundary_by_u_by_m1
-    t448 = -sin_omega3_tau1*t422 - sin_omega3_tau1*t423
-    t449 = p6*sin_omega4_tau1*x1_1_on_boundary_by_w - sin_omega4_tau1*t425
-    t450 = -t233*v2_1_on_boundary_by_w + t242*x2_1_on_boundary_by_w
-    t451 = t233*v1_1_on_boundary_by_w - t242*x1_1_on_boundary_by_w
-    carried_v2_2_by_w_by_m1 = cos_omega3_tau1_by_m1*t420 + cos_omega4_tau1_by_m1*t421 + omega3_by_m1*t448 + omega4_by_m1*t449 + p4_by_m1*t450 + p6_by_m1*t451 + sin_omega3_tau1_by_m1*t424 + sin_omega4_tau1_by_m1*t426 + t64*v1_1_on_boundary_by_w_by_m1 + t65*v2_1_on_boundary_by_w_by_m1 + t70*x1_1_on_boundary_by_w_by_m1 + t71*x2_1_on_boundary_by_w_by_m1
-    # d/dm2 of: Phi along tau1
-    carried_x1_2_by_y_by_m2 = cos_omega3_tau1_by_m2*t386 + cos_omega4_tau1_by_m2*t387 + omega3_by_m2*t428 + omega4_by_m2*t430 + p4_by_m2*t431 + p5_by_m2*t432 + sin_omega3_tau1_by_m2*t390 + sin_omega4_tau1_by_m2*t391 + t58*v1_1_on_boundary_by_y_by_m2 + t59*v2_1_on_boundary_by_y_by_m2 + t60*x1_1_on_boundary_by_y_by_m2 + t61*x2_1_on_boundary_by_y_by_m2
-    carried_x1_2_by_u_by_m2 = cos_omega3_tau1_by_m2*t394 + cos_omega4_tau1_by_m2*t395 + omega3_by_m2*t433 + omega4_by_m2*t434 + p4_by_m2*t435 + p5_by_m2*t436 + sin_omega3_tau1_by_m2*t398 + sin_omega4_tau1_by_m2*t399 + t58*v1_1_on_boundary_by_u_by_m2 + t59*v2_1_on_boundary_by_u_by_m2 + t60*x1_1_on_boundary_by_u_by_m2 + t61*x2_1_on_boundary_by_u_by_m2
-    carried_x1_2_by_w_by_m2 = cos_omega3_tau1_by_m2*t401 + cos_omega4_tau1_by_m2*t402 + omega3_by_m2*t437 + omega4_by_m2*t438 + p4_by_m2*t439 + p5_by_m2*t440 + sin_omega3_tau1_by_m2*t404 + sin_omega4_tau1_by_m2*t405 + t58*v1_1_on_boundary_by_w_by_m2 + t59*v2_1_on_boundary_by_w_by_m2 + t60*x1_1_on_boundary_by_w_by_m2 + t61*x2_1_on_boundary_by_w_by_m2
-    carried_x2_2_by_y_by_m2 = cos_omega3_tau1_by_m2*t407 + cos_omega4_tau1_by_m2*t408 + omega3_by_m2*t441 + omega4_by_m2*t442 + p4_by_m2*t443 + p6_by_m2*t431 + sin_omega3_tau1_by_m2*t411 + sin_omega4_tau1_by_m2*t413 + t62*v1_1_on_boundary_by_y_by_m2 + t63*v2_1_on_boundary_by_y_by_m2 + t64*x1_1_on_boundary_by_y_by_m2 + t65*x2_1_on_boundary_by_y_by_m2
-    carried_v1_2_by_u_by_m2 = cos_omega3_tau1_by_m2*t414 + cos_omega4_tau1_by_m2*t415 + omega3_by_m2*t444 + omega4_by_m2*t445 + p4_by_m2*t446 + p5_by_m2*t447 + sin_omega3_tau1_by_m2*t416 + sin_omega4_tau1_by_m2*t418 + t60*v1_1_on_boundary_by_u_by_m2 + t61*v2_1_on_boundary_by_u_by_m2 + t68*x1_1_on_boundary_by_u_by_m2 + t69*x2_1_on_boundary_by_u_by_m2
-    carried_v2_2_by_w_by_m2 = cos_omega3_tau1_by_m2*t420 + cos_omega4_tau1_by_m2*t421 + omega3_by_m2*t448 + omega4_by_m2*t449 + p4_by_m2*t450 + p6_by_m2*t451 + sin_omega3_tau1_by_m2*t424 + sin_omega4_tau1_by_m2*t426 + t64*v1_1_on_boundary_by_w_by_m2 + t65*v2_1_on_boundary_by_w_by_m2 + t70*x1_1_on_boundary_by_w_by_m2 + t71*x2_1_on_boundary_by_w_by_m2
-    # d/dk1 of: Phi along tau1
-    carried_x1_2_by_y_by_k1 = cos_omega3_tau1_by_k1*t386 + cos_omega4_tau1_by_k1*t387 + omega3_by_k1*t428 + omega4_by_k1*t430 + p4_by_k1*t431 + p5_by_k1*t432 + sin_omega3_tau1_by_k1*t390 + sin_omega4_tau1_by_k1*t391 + t58*v1_1_on_boundary_by_y_by_k1 + t59*v2_1_on_boundary_by_y_by_k1 + t60*x1_1_on_boundary_by_y_by_k1 + t61*x2_1_on_boundary_by_y_by_k1
-    carried_x1_2_by_u_by_k1 = cos_omega3_tau1_by_k1*t394 + cos_omega4_tau1_by_k1*t395 + omega3_by_k1*t433 + omega4_by_k1*t434 + p4_by_k1*t435 + p5_by_k1*t436 + sin_omega3_tau1_by_k1*t398 + sin_omega4_tau1_by_k1*t399 + t58*v1_1_on_boundary_by_u_by_k1 + t59*v2_1_on_boundary_by_u_by_k1 + t60*x1_1_on_boundary_by_u_by_k1 + t61*x2_1_on_boundary_by_u_by_k1
-    carried_x1_2_by_w_by_k1 = cos_omega3_tau1_by_k1*t401 + cos_omega4_tau1_by_k1*t402 + omega3_by_k1*t437 + omega4_by_k1*t438 + p4_by_k1*t439 + p5_by_k1*t440 + sin_omega3_tau1_by_k1*t404 + sin_omega4_tau1_by_k1*t405 + t58*v1_1_on_boundary_by_w_by_k1 + t59*v2_1_on_boundary_by_w_by_k1 + t60*x1_1_on_boundary_by_w_by_k1 + t61*x2_1_on_boundary_by_w_by_k1
-    carried_x2_2_by_y_by_k1 = cos_omega3_tau1_by_k1*t407 + cos_omega4_tau1_by_k1*t408 + omega3_by_k1*t441 + omega4_by_k1*t442 + p4_by_k1*t443 + p6_by_k1*t431 + sin_omega3_tau1_by_k1*t411 + sin_omega4_tau1_by_k1*t413 + t62*v1_1_on_boundary_by_y_by_k1 + t63*v2_1_on_boundary_by_y_by_k1 + t64*x1_1_on_boundary_by_y_by_k1 + t65*x2_1_on_boundary_by_y_by_k1
-    carried_v1_2_by_u_by_k1 = cos_omega3_tau1_by_k1*t414 + cos_omega4_tau1_by_k1*t415 + omega3_by_k1*t444 + omega4_by_k1*t445 + p4_by_k1*t446 + p5_by_k1*t447 + sin_omega3_tau1_by_k1*t416 + sin_omega4_tau1_by_k1*t418 + t60*v1_1_on_boundary_by_u_by_k1 + t61*v2_1_on_boundary_by_u_by_k1 + t68*x1_1_on_boundary_by_u_by_k1 + t69*x2_1_on_boundary_by_u_by_k1
-    carried_v2_2_by_w_by_k1 = cos_omega3_tau1_by_k1*t420 + cos_omega4_tau1_by_k1*t421 + omega3_by_k1*t448 + omega4_by_k1*t449 + p4_by_k1*t450 + p6_by_k1*t451 + sin_omega3_tau1_by_k1*t424 + sin_omega4_tau1_by_k1*t426 + t64*v1_1_on_boundary_by_w_by_k1 + t65*v2_1_on_boundary_by_w_by_k1 + t70*x1_1_on_boundary_by_w_by_k1 + t71*x2_1_on_boundary_by_w_by_k1
-    # d/dk2 of: Phi along tau1
-    carried_x1_2_by_y_by_k2 = cos_omega3_tau1_by_k2*t386 + cos_omega4_tau1_by_k2*t387 + omega3_by_k2*t428 + omega4_by_k2*t430 + p4_by_k2*t431 + p5_by_k2*t432 + sin_omega3_tau1_by_k2*t390 + sin_omega4_tau1_by_k2*t391 + t58*v1_1_on_boundary_by_y_by_k2 + t59*v2_1_on_boundary_by_y_by_k2 + t60*x1_1_on_boundary_by_y_by_k2 + t61*x2_1_on_boundary_by_y_by_k2
-    carried_x1_2_by_u_by_k2 = cos_omega3_tau1_by_k2*t394 + cos_omega4_tau1_by_k2*t395 + omega3_by_k2*t433 + omega4_by_k2*t434 + p4_by_k2*t435 + p5_by_k2*t436 + sin_omega3_tau1_by_k2*t398 + sin_omega4_tau1_by_k2*t399 + t58*v1_1_on_boundary_by_u_by_k2 + t59*v2_1_on_boundary_by_u_by_k2 + t60*x1_1_on_boundary_by_u_by_k2 + t61*x2_1_on_boundary_by_u_by_k2
-    carried_x1_2_by_w_by_k2 = cos_omega3_tau1_by_k2*t401 + cos_omega4_tau1_by_k2*t402 + omega3_by_k2*t437 + omega4_by_k2*t438 + p4_by_k2*t439 + p5_by_k2*t440 + sin_omega3_tau1_by_k2*t404 + sin_omega4_tau1_by_k2*t405 + t58*v1_1_on_boundary_by_w_by_k2 + t59*v2_1_on_boundary_by_w_by_k2 + t60*x1_1_on_boundary_by_w_by_k2 + t61*x2_1_on_boundary_by_w_by_k2
-    carried_x2_2_by_y_by_k2 = cos_omega3_tau1_by_k2*t407 + cos_omega4_tau1_by_k2*t408 + omega3_by_k2*t441 + omega4_by_k2*t442 + p4_by_k2*t443 + p6_by_k2*t431 + sin_omega3_tau1_by_k2*t411 + sin_omega4_tau1_by_k2*t413 + t62*v1_1_on_boundary_by_y_by_k2 + t63*v2_1_on_boundary_by_y_by_k2 + t64*x1_1_on_boundary_by_y_by_k2 + t65*x2_1_on_boundary_by_y_by_k2
-    carried_v1_2_by_u_by_k2 = cos_omega3_tau1_by_k2*t414 + cos_omega4_tau1_by_k2*t415 + omega3_by_k2*t444 + omega4_by_k2*t445 + p4_by_k2*t446 + p5_by_k2*t447 + sin_omega3_tau1_by_k2*t416 + sin_omega4_tau1_by_k2*t418 + t60*v1_1_on_boundary_by_u_by_k2 + t61*v2_1_on_boundary_by_u_by_k2 + t68*x1_1_on_boundary_by_u_by_k2 + t69*x2_1_on_boundary_by_u_by_k2
-    carried_v2_2_by_w_by_k2 = cos_omega3_tau1_by_k2*t420 + cos_omega4_tau1_by_k2*t421 + omega3_by_k2*t448 + omega4_by_k2*t449 + p4_by_k2*t450 + p6_by_k2*t451 + sin_omega3_tau1_by_k2*t424 + sin_omega4_tau1_by_k2*t426 + t64*v1_1_on_boundary_by_w_by_k2 + t65*v2_1_on_boundary_by_w_by_k2 + t70*x1_1_on_boundary_by_w_by_k2 + t71*x2_1_on_boundary_by_w_by_k2
-    # d/dk3 of: Phi along tau1
-    carried_x1_2_by_y_by_k3 = cos_omega3_tau1_by_k3*t386 + cos_omega4_tau1_by_k3*t387 + omega3_by_k3*t428 + omega4_by_k3*t430 + p4_by_k3*t431 + p5_by_k3*t432 + sin_omega3_tau1_by_k3*t390 + sin_omega4_tau1_by_k3*t391 + t58*v1_1_on_boundary_by_y_by_k3 + t59*v2_1_on_boundary_by_y_by_k3 + t60*x1_1_on_boundary_by_y_by_k3 + t61*x2_1_on_boundary_by_y_by_k3
-    carried_x1_2_by_u_by_k3 = cos_omega3_tau1_by_k3*t394 + cos_omega4_tau1_by_k3*t395 + omega3_by_k3*t433 + omega4_by_k3*t434 + p4_by_k3*t435 + p5_by_k3*t436 + sin_omega3_tau1_by_k3*t398 + sin_omega4_tau1_by_k3*t399 + t58*v1_1_on_boundary_by_u_by_k3 + t59*v2_1_on_boundary_by_u_by_k3 + t60*x1_1_on_boundary_by_u_by_k3 + t61*x2_1_on_boundary_by_u_by_k3
-    carried_x1_2_by_w_by_k3 = cos_omega3_tau1_by_k3*t401 + cos_omega4_tau1_by_k3*t402 + omega3_by_k3*t437 + omega4_by_k3*t438 + p4_by_k3*t439 + p5_by_k3*t440 + sin_omega3_tau1_by_k3*t404 + sin_omega4_tau1_by_k3*t405 + t58*v1_1_on_boundary_by_w_by_k3 + t59*v2_1_on_boundary_by_w_by_k3 + t60*x1_1_on_boundary_by_w_by_k3 + t61*x2_1_on_boundary_by_w_by_k3
-    carried_x2_2_by_y_by_k3 = cos_omega3_tau1_by_k3*t407 + cos_omega4_tau1_by_k3*t408 + omega3_by_k3*t441 + omega4_by_k3*t442 + p4_by_k3*t443 + p6_by_k3*t431 + sin_omega3_tau1_by_k3*t411 + sin_omega4_tau1_by_k3*t413 + t62*v1_1_on_boundary_by_y_by_k3 + t63*v2_1_on_boundary_by_y_by_k3 + t64*x1_1_on_boundary_by_y_by_k3 + t65*x2_1_on_boundary_by_y_by_k3
-    carried_v1_2_by_u_by_k3 = cos_omega3_tau1_by_k3*t414 + cos_omega4_tau1_by_k3*t415 + omega3_by_k3*t444 + omega4_by_k3*t445 + p4_by_k3*t446 + p5_by_k3*t447 + sin_omega3_tau1_by_k3*t416 + sin_omega4_tau1_by_k3*t418 + t60*v1_1_on_boundary_by_u_by_k3 + t61*v2_1_on_boundary_by_u_by_k3 + t68*x1_1_on_boundary_by_u_by_k3 + t69*x2_1_on_boundary_by_u_by_k3
-    carried_v2_2_by_w_by_k3 = cos_omega3_tau1_by_k3*t420 + cos_omega4_tau1_by_k3*t421 + omega3_by_k3*t448 + omega4_by_k3*t449 + p4_by_k3*t450 + p6_by_k3*t451 + sin_omega3_tau1_by_k3*t424 + sin_omega4_tau1_by_k3*t426 + t64*v1_1_on_boundary_by_w_by_k3 + t65*v2_1_on_boundary_by_w_by_k3 + t70*x1_1_on_boundary_by_w_by_k3 + t71*x2_1_on_boundary_by_w_by_k3
-    # d/dT of: Phi along tau1
-    carried_x1_2_by_y_by_T = cos_omega3_tau1_by_T*t386 + cos_omega4_tau1_by_T*t387 + sin_omega3_tau1_by_T*t390 + sin_omega4_tau1_by_T*t391
-    carried_x1_2_by_u_by_T = cos_omega3_tau1_by_T*t394 + cos_omega4_tau1_by_T*t395 + sin_omega3_tau1_by_T*t398 + sin_omega4_tau1_by_T*t399
-    carried_x1_2_by_w_by_T = cos_omega3_tau1_by_T*t401 + cos_omega4_tau1_by_T*t402 + sin_omega3_tau1_by_T*t404 + sin_omega4_tau1_by_T*t405
-    carried_x2_2_by_y_by_T = cos_omega3_tau1_by_T*t407 + cos_omega4_tau1_by_T*t408 + sin_omega3_tau1_by_T*t411 + sin_omega4_tau1_by_T*t413
-    carried_v1_2_by_u_by_T = cos_omega3_tau1_by_T*t414 + cos_omega4_tau1_by_T*t415 + sin_omega3_tau1_by_T*t416 + sin_omega4_tau1_by_T*t418
-    carried_v2_2_by_w_by_T = cos_omega3_tau1_by_T*t420 + cos_omega4_tau1_by_T*t421 + sin_omega3_tau1_by_T*t424 + sin_omega4_tau1_by_T*t426
-    # d/dy of: derivatives of the time to the boundary after tau1
-    t452 = 1/v1_2**2
-    t453 = t452*v1_2_by_y
-    delay_tau1_by_y_by_y = carried_x1_2_by_y*t453 - carried_x1_2_by_y_by_y*t82
-    delay_tau1_by_u_by_y = carried_x1_2_by_u*t453 - carried_x1_2_by_u_by_y*t82
-    delay_tau1_by_w_by_y = carried_x1_2_by_w*t453 - carried_x1_2_by_w_by_y*t82
-    # d/du of: derivatives of the time to the boundary after tau1
-    t454 = t452*v1_2_by_u
-    delay_tau1_by_y_by_u = carried_x1_2_by_y*t454 - carried_x1_2_by_y_by_u*t82
-    delay_tau1_by_u_by_u = carried_x1_2_by_u*t454 - carried_x1_2_by_u_by_u*t82
-    delay_tau1_by_w_by_u = carried_x1_2_by_w*t454 - carried_x1_2_by_w_by_u*t82
-    # d/dw of: derivatives of the time to the boundary after tau1
-    t455 = t452*v1_2_by_w
-    delay_tau1_by_y_by_w = carried_x1_2_by_y*t455 - carried_x1_2_by_y_by_w*t82
-    delay_tau1_by_u_by_w = carried_x1_2_by_u*t455 - carried_x1_2_by_u_by_w*t82
-    delay_tau1_by_w_by_w = carried_x1_2_by_w*t455 - carried_x1_2_by_w_by_w*t82
-    # d/dtau of: derivatives of the time to the boundary after tau1
-    t456 = t452*v1_2_by_tau
-    delay_tau1_by_y_by_tau = carried_x1_2_by_y*t456 - carried_x1_2_by_y_by_tau*t82
-    delay_tau1_by_u_by_tau = carried_x1_2_by_u*t456 - carried_x1_2_by_u_by_tau*t82
-    delay_tau1_by_w_by_tau = carried_x1_2_by_w*t456 - carried_x1_2_by_w_by_tau*t82
-    # d/dm1 of: derivatives of the time to the boundary after tau1
-    t457 = t452*v1_2_by_m1
-    delay_tau1_by_y_by_m1 = carried_x1_2_by_y*t457 - carried_x1_2_by_y_by_m1*t82
-    delay_tau1_by_u_by_m1 = carried_x1_2_by_u*t457 - carried_x1_2_by_u_by_m1*t82
-    delay_tau1_by_w_by_m1 = carried_x1_2_by_w*t457 - carried_x1_2_by_w_by_m1*t82
-    # d/dm2 of: derivatives of the time to the boundary after tau1
-    t458 = t452*v1_2_by_m2
-    delay_tau1_by_y_by_m2 = carried_x1_2_by_y*t458 - carried_x1_2_by_y_by_m2*t82
-    delay_tau1_by_u_by_m2 = carried_x1_2_by_u*t458 - carried_x1_2_by_u_by_m2*t82
-    delay_tau1_by_w_by_m2 = carried_x1_2_by_w*t458 - carried_x1_2_by_w_by_m2*t82
-    # d/dk1 of: derivatives of the time to the boundary after tau1
-    t459 = t452*v1_2_by_k1
-    delay_tau1_by_y_by_k1 = carried_x1_2_by_y*t459 - carried_x1_2_by_y_by_k1*t82
-    delay_tau1_by_u_by_k1 = carried_x1_2_by_u*t459 - carried_x1_2_by_u_by_k1*t82
-    delay_tau1_by_w_by_k1 = carried_x1_2_by_w*t459 - carried_x1_2_by_w_by_k1*t82
-    # d/dk2 of: derivatives of the time to the boundary after tau1
-    t460 = t452*v1_2_by_k2
-    delay_tau1_by_y_by_k2 = carried_x1_2_by_y*t460 - carried_x1_2_by_y_by_k2*t82
-    delay_tau1_by_u_by_k2 = carried_x1_2_by_u*t460 - carried_x1_2_by_u_by_k2*t82
-    delay_tau1_by_w_by_k2 = carried_x1_2_by_w*t460 - carried_x1_2_by_w_by_k2*t82
-    # d/dk3 of: derivatives of the time to the boundary after tau1
-    t461 = t452*v1_2_by_k3
-    delay_tau1_by_y_by_k3 = carried_x1_2_by_y*t461 - carried_x1_2_by_y_by_k3*t82
-    delay_tau1_by_u_by_k3 = carried_x1_2_by_u*t461 - carried_x1_2_by_u_by_k3*t82
-    delay_tau1_by_w_by_k3 = carried_x1_2_by_w*t461 - carried_x1_2_by_w_by_k3*t82
-    # d/dT of: derivatives of the time to the boundary after tau1
-    t462 = t452*v1_2_by_T
-    delay_tau1_by_y_by_T = carried_x1_2_by_y*t462 - carried_x1_2_by_y_by_T*t82
-    delay_tau1_by_u_by_T = carried_x1_2_by_u*t462 - carried_x1_2_by_u_by_T*t82
-    delay_tau1_by_w_by_T = carried_x1_2_by_w*t462 - carried_x1_2_by_w_by_T*t82
-    # d/dy of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_y = carried_x2_2_by_y_by_y + delay_tau1_by_y*v2_2_by_y + delay_tau1_by_y_by_y*v2_2
-    t463 = t73*x1_2
-    t464 = -k1*t463 + k1*t73*x2_2
-    t465 = delay_tau1_by_u*k1*t73
-    v1_2_on_boundary_by_u_by_y = carried_v1_2_by_u_by_y + delay_tau1_by_u_by_y*t464 - t465*x1_2_by_y + t465*x2_2_by_y
-    t466 = t77*x1_2
-    t467 = t77*x2_2
-    t468 = k1*t466 - t467*t79
-    t469 = delay_tau1_by_w*t77
-    t470 = k1*t469
-    t471 = t469*t79
-    v2_2_on_boundary_by_w_by_y = carried_v2_2_by_w_by_y + delay_tau1_by_w_by_y*t468 + t470*x1_2_by_y - t471*x2_2_by_y
-    # d/du of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_u = carried_x2_2_by_y_by_u + delay_tau1_by_y*v2_2_by_u + delay_tau1_by_y_by_u*v2_2
-    v1_2_on_boundary_by_u_by_u = carried_v1_2_by_u_by_u + delay_tau1_by_u_by_u*t464 - t465*x1_2_by_u + t465*x2_2_by_u
-    v2_2_on_boundary_by_w_by_u = carried_v2_2_by_w_by_u + delay_tau1_by_w_by_u*t468 + t470*x1_2_by_u - t471*x2_2_by_u
-    # d/dw of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_w = carried_x2_2_by_y_by_w + delay_tau1_by_y*v2_2_by_w + delay_tau1_by_y_by_w*v2_2
-    v1_2_on_boundary_by_u_by_w = carried_v1_2_by_u_by_w + delay_tau1_by_u_by_w*t464 - t465*x1_2_by_w + t465*x2_2_by_w
-    v2_2_on_boundary_by_w_by_w = carried_v2_2_by_w_by_w + delay_tau1_by_w_by_w*t468 + t470*x1_2_by_w - t471*x2_2_by_w
-    # d/dtau of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_tau = carried_x2_2_by_y_by_tau + delay_tau1_by_y*v2_2_by_tau + delay_tau1_by_y_by_tau*v2_2
-    v1_2_on_boundary_by_u_by_tau = carried_v1_2_by_u_by_tau + delay_tau1_by_u_by_tau*t464 - t465*x1_2_by_tau + t465*x2_2_by_tau
-    v2_2_on_boundary_by_w_by_tau = carried_v2_2_by_w_by_tau + delay_tau1_by_w_by_tau*t468 + t470*x1_2_by_tau - t471*x2_2_by_tau
-    # d/dm1 of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_m1 = carried_x2_2_by_y_by_m1 + delay_tau1_by_y*v2_2_by_m1 + delay_tau1_by_y_by_m1*v2_2
-    v1_2_on_boundary_by_u_by_m1 = carried_v1_2_by_u_by_m1 + delay_tau1_by_u*(t357*x1_2 - t357*x2_2) + delay_tau1_by_u_by_m1*t464 - t465*x1_2_by_m1 + t465*x2_2_by_m1
-    v2_2_on_boundary_by_w_by_m1 = carried_v2_2_by_w_by_m1 + delay_tau1_by_w_by_m1*t468 + t470*x1_2_by_m1 - t471*x2_2_by_m1
-    # d/dm2 of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_m2 = carried_x2_2_by_y_by_m2 + delay_tau1_by_y*v2_2_by_m2 + delay_tau1_by_y_by_m2*v2_2
-    v1_2_on_boundary_by_u_by_m2 = carried_v1_2_by_u_by_m2 + delay_tau1_by_u_by_m2*t464 - t465*x1_2_by_m2 + t465*x2_2_by_m2
-    v2_2_on_boundary_by_w_by_m2 = carried_v2_2_by_w_by_m2 + delay_tau1_by_w*(t365*t79*x2_2 - t366*x1_2) + delay_tau1_by_w_by_m2*t468 + t470*x1_2_by_m2 - t471*x2_2_by_m2
-    # d/dk1 of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_k1 = carried_x2_2_by_y_by_k1 + delay_tau1_by_y*v2_2_by_k1 + delay_tau1_by_y_by_k1*v2_2
-    v1_2_on_boundary_by_u_by_k1 = carried_v1_2_by_u_by_k1 + delay_tau1_by_u*(-t463 + t73*x2_2) + delay_tau1_by_u_by_k1*t464 - t465*x1_2_by_k1 + t465*x2_2_by_k1
-    v2_2_on_boundary_by_w_by_k1 = carried_v2_2_by_w_by_k1 + delay_tau1_by_w*(t466 - t467) + delay_tau1_by_w_by_k1*t468 + t470*x1_2_by_k1 - t471*x2_2_by_k1
-    # d/dk2 of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_k2 = carried_x2_2_by_y_by_k2 + delay_tau1_by_y*v2_2_by_k2 + delay_tau1_by_y_by_k2*v2_2
-    v1_2_on_boundary_by_u_by_k2 = carried_v1_2_by_u_by_k2 + delay_tau1_by_u_by_k2*t464 - t465*x1_2_by_k2 + t465*x2_2_by_k2
-    v2_2_on_boundary_by_w_by_k2 = carried_v2_2_by_w_by_k2 - delay_tau1_by_w*t467 + delay_tau1_by_w_by_k2*t468 + t470*x1_2_by_k2 - t471*x2_2_by_k2
-    # d/dk3 of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_k3 = carried_x2_2_by_y_by_k3 + delay_tau1_by_y*v2_2_by_k3 + delay_tau1_by_y_by_k3*v2_2
-    v1_2_on_boundary_by_u_by_k3 = carried_v1_2_by_u_by_k3 + delay_tau1_by_u_by_k3*t464 - t465*x1_2_by_k3 + t465*x2_2_by_k3
-    v2_2_on_boundary_by_w_by_k3 = carried_v2_2_by_w_by_k3 + delay_tau1_by_w_by_k3*t468 + t470*x1_2_by_k3 - t471*x2_2_by_k3
-    # d/dT of: perturbation on the boundary after tau1
-    x2_2_on_boundary_by_y_by_T = carried_x2_2_by_y_by_T + delay_tau1_by_y*v2_2_by_T + delay_tau1_by_y_by_T*v2_2
-    v1_2_on_boundary_by_u_by_T = carried_v1_2_by_u_by_T + delay_tau1_by_u_by_T*t464 - t465*x1_2_by_T + t465*x2_2_by_T
-    v2_2_on_boundary_by_w_by_T = carried_v2_2_by_w_by_T + delay_tau1_by_w_by_T*t468 + t470*x1_2_by_T - t471*x2_2_by_T
-    return [v1_2_on_boundary_by_u_by_y + v2_2_on_boundary_by_w_by_y + x2_2_on_boundary_by_y_by_y, v1_2_on_boundary_by_u_by_u + v2_2_on_boundary_by_w_by_u + x2_2_on_boundary_by_y_by_u, v1_2_on_boundary_by_u_by_w + v2_2_on_boundary_by_w_by_w + x2_2_on_boundary_by_y_by_w, v1_2_on_boundary_by_u_by_tau + v2_2_on_boundary_by_w_by_tau + x2_2_on_boundary_by_y_by_tau, v1_2_on_boundary_by_u_by_m1 + v2_2_on_boundary_by_w_by_m1 + x2_2_on_boundary_by_y_by_m1, v1_2_on_boundary_by_u_by_m2 + v2_2_on_boundary_by_w_by_m2 + x2_2_on_boundary_by_y_by_m2, v1_2_on_boundary_by_u_by_k1 + v2_2_on_boundary_by_w_by_k1 + x2_2_on_boundary_by_y_by_k1, v1_2_on_boundary_by_u_by_k2 + v2_2_on_boundary_by_w_by_k2 + x2_2_on_boundary_by_y_by_k2, v1_2_on_boundary_by_u_by_k3 + v2_2_on_boundary_by_w_by_k3 + x2_2_on_boundary_by_y_by_k3, v1_2_on_boundary_by_u_by_T + v2_2_on_boundary_by_w_by_T + x2_2_on_boundary_by_y_by_T]
+    t89 = 1/v1_2
+    delay_tau1_by_y = -carried_x1_2_by_y*t89
+    delay_tau1_by_u = -carried_x1_2_by_u*t89
+    delay_tau1_by_w = -carried_x1_2_by_w*t89
+    # back through: derivatives of the time to the boundary after tau1
+    t90 = t84*x1_2
+    t91 = t84*x2_2
+    slope_by_delay_tau1_by_w = k1*t90 - t86*t91
+    t92 = t80*x1_2
+    slope_by_delay_tau1_by_u = k1*t80*x2_2 - k1*t92
+    # back through: Phi along tau1
+    slope_by_carried_x1_2_by_w = -slope_by_delay_tau1_by_w*t89
+    slope_by_carried_x1_2_by_u = -slope_by_delay_tau1_by_u*t89
+    slope_by_carried_x1_2_by_y = -t89*v2_2
+    # back through: perturbation on the boundary after tau
+    slope_by_v2_1_on_boundary_by_w = slope_by_carried_x1_2_by_w*t61 + t68
+    slope_by_v2_1_on_boundary_by_u = slope_by_carried_x1_2_by_u*t61 + t63
+    slope_by_v2_1_on_boundary_by_y = slope_by_carried_x1_2_by_y*t61 + t66
+    slope_by_v1_1_on_boundary_by_w = slope_by_carried_x1_2_by_w*t60 + t67
+    slope_by_v1_1_on_boundary_by_u = slope_by_carried_x1_2_by_u*t60 + t62
+    slope_by_v1_1_on_boundary_by_y = p6*t56 + slope_by_carried_x1_2_by_y*t60 - t64
+    slope_by_x2_1_on_boundary_by_w = slope_by_carried_x1_2_by_w*t63 - t77
+    slope_by_x2_1_on_boundary_by_u = p5*t70 + slope_by_carried_x1_2_by_u*t63 - t73
+    slope_by_x2_1_on_boundary_by_y = slope_by_carried_x1_2_by_y*t63 + t68
+    slope_by_x1_1_on_boundary_by_w = p6*t70 + slope_by_carried_x1_2_by_w*t62 - t75
+    slope_by_x1_1_on_boundary_by_u = slope_by_carried_x1_2_by_u*t62 - t71
+    slope_by_x1_1_on_boundary_by_y = slope_by_carried_x1_2_by_y*t62 + t67
+    # back through: derivatives of the time to the boundary after tau
+    slope_by_delay_tau_by_w = slope_by_v1_1_on_boundary_by_w*t83 + slope_by_v2_1_on_boundary_by_w*t88 + slope_by_x1_1_on_boundary_by_w*v1_1 + slope_by_x2_1_on_boundary_by_w*v2_1
+    slope_by_delay_tau_by_u = slope_by_v1_1_on_boundary_by_u*t83 + slope_by_v2_1_on_boundary_by_u*t88 + slope_by_x1_1_on_boundary_by_u*v1_1 + slope_by_x2_1_on_boundary_by_u*v2_1
+    slope_by_delay_tau_by_y = slope_by_v1_1_on_boundary_by_y*t83 + slope_by_v2_1_on_boundary_by_y*t88 + slope_by_x1_1_on_boundary_by_y*v1_1 + slope_by_x2_1_on_boundary_by_y*v2_1
+    # back through: rate of the exit boundary after tau
+    t93 = 1/rate_1**2
+    slope_by_rate_1 = -carried_x1_1_by_u*slope_by_delay_tau_by_u*t93 - carried_x1_1_by_w*slope_by_delay_tau_by_w*t93 - carried_x1_1_by_y*slope_by_delay_tau_by_y*t93
+    # back through: Phi along tau
+    slope_by_carried_x1_1_by_w = slope_by_delay_tau_by_w*t79 + slope_by_x1_1_on_boundary_by_w
+    slope_by_carried_x1_1_by_u = slope_by_delay_tau_by_u*t79 + slope_by_x1_1_on_boundary_by_u
+    slope_by_carried_x1_1_by_y = slope_by_delay_tau_by_y*t79 + slope_by_x1_1_on_boundary_by_y
+    # back through: free for tau1, until first-reaches-stop
+    t94 = 1/v1_2**2
+    slope_by_v1_2 = carried_x1_2_by_u*slope_by_delay_tau1_by_u*t94 + carried_x1_2_by_w*slope_by_delay_tau1_by_w*t94 + carried_x1_2_by_y*t94*v2_2
+    t95 = k1*t80
+    t96 = delay_tau1_by_u*t95
+    slope_by_x2_2 = -delay_tau1_by_w*t84*t86 + t96
+    slope_by_x1_2 = delay_tau1_by_w*k1*t84 - t96
+    # back through: functions of tau1 in free
+    t97 = p4*x2_1
+    t98 = p5*v2_1_on_boundary_by_u
+    t99 = p5*t58
+    t100 = p5*x2_1
+    t101 = t57*x1_1
+    t102 = p5*v2_1
+    t103 = p4*v2_1
+    t104 = p6*v1_1
+    t105 = p4*v2_1_on_boundary_by_y
+    t106 = p5*x2_1_on_boundary_by_u
+    t107 = p6*x1_1_on_boundary_by_w
+    t108 = p4*x2_1_on_boundary_by_w
+    t109 = p6*v1_1_on_boundary_by_y
+    t110 = t57*x1_1_on_boundary_by_u
+    slope_by_sin_omega4_tau1 = delay_tau1_by_y*(omega4*p6*x1_1 - omega4*t97) + omega4*t106 + omega4*t107 - omega4*t108 - omega4*t110 + slope_by_carried_x1_2_by_u*(t57*t58*v1_1_on_boundary_by_u - t58*t98) + slope_by_carried_x1_2_by_w*(t57*t58*v1_1_on_boundary_by_w - t99*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t57*t58*v1_1_on_boundary_by_y - t99*v2_1_on_boundary_by_y) + slope_by_v1_2*(omega4*t100 - omega4*t101) + slope_by_x1_2*(-t102*t58 + t57*t58*v1_1) + slope_by_x2_2*(t103*t58 - t104*t58) + t105*t58 - t109*t58
+    t111 = p5*x2_1_on_boundary_by_w
+    t112 = p5*x2_1_on_boundary_by_y
+    t113 = p6*x1_1
+    t114 = t57*v1_1_on_boundary_by_u
+    t115 = p6*v1_1_on_boundary_by_w
+    t116 = p6*x1_1_on_boundary_by_y
+    slope_by_cos_omega4_tau1 = delay_tau1_by_y*(t103 - t104) + p4*v2_1_on_boundary_by_w + p4*x2_1_on_boundary_by_y + slope_by_carried_x1_2_by_u*(-t106 + t57*x1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(-t111 + t57*x1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t112 + t57*x1_1_on_boundary_by_y) + slope_by_v1_2*(-t102 + t57*v1_1) + slope_by_x1_2*(-t100 + t57*x1_1) + slope_by_x2_2*(-t113 + t97) + t114 - t115 - t116 - t98
+    t117 = t57*x2_1
+    t118 = p4*v1_1_on_boundary_by_u
+    t119 = p4*t55
+    t120 = p5*t55
+    t121 = p4*x1_1
+    t122 = p4*v1_1
+    t123 = t57*v2_1
+    t124 = t57*v2_1_on_boundary_by_y
+    t125 = p4*x1_1_on_boundary_by_u
+    t126 = t57*x2_1_on_boundary_by_w
+    slope_by_sin_omega3_tau1 = delay_tau1_by_y*(-omega3*t113 - omega3*t117) - omega3*t106 - omega3*t107 - omega3*t125 - omega3*t126 + slope_by_carried_x1_2_by_u*(t118*t55 + t55*t98) + slope_by_carried_x1_2_by_w*(t119*v1_1_on_boundary_by_w + t120*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t119*v1_1_on_boundary_by_y + t120*v2_1_on_boundary_by_y) + slope_by_v1_2*(-omega3*t100 - omega3*t121) + slope_by_x1_2*(t102*t55 + t122*t55) + slope_by_x2_2*(t104*t55 + t123*t55) + t109*t55 + t124*t55
+    slope_by_cos_omega3_tau1 = delay_tau1_by_y*(t104 + t123) + slope_by_carried_x1_2_by_u*(t106 + t125) + slope_by_carried_x1_2_by_w*(p4*x1_1_on_boundary_by_w + t111) + slope_by_carried_x1_2_by_y*(p4*x1_1_on_boundary_by_y + t112) + slope_by_v1_2*(t102 + t122) + slope_by_x1_2*(t100 + t121) + slope_by_x2_2*(t113 + t117) + t115 + t116 + t118 + t57*v2_1_on_boundary_by_w + t57*x2_1_on_boundary_by_y + t98
+    # back through: tau1 completes the period
+    t127 = sin_omega3_tau1*slope_by_cos_omega3_tau1
+    t128 = sin_omega4_tau1*slope_by_cos_omega4_tau1
+    slope_by_tau1 = cos_omega3_tau1*omega3*slope_by_sin_omega3_tau1 + cos_omega4_tau1*omega4*slope_by_sin_omega4_tau1 - omega3*t127 - omega4*t128
+    # back through: contact for tau, until first-leaves-stop
+    slope_by_v2_1 = delay_tau1_by_y*t68 + delay_tau_by_u*slope_by_x2_1_on_boundary_by_u + delay_tau_by_w*slope_by_x2_1_on_boundary_by_w + delay_tau_by_y*slope_by_x2_1_on_boundary_by_y + slope_by_v1_2*t63 + slope_by_x1_2*t61 + slope_by_x2_2*t66
+    slope_by_v1_1 = delay_tau1_by_y*t67 + delay_tau_by_u*slope_by_x1_1_on_boundary_by_u + delay_tau_by_w*slope_by_x1_1_on_boundary_by_w + delay_tau_by_y*slope_by_x1_1_on_boundary_by_y - slope_by_rate_1 + slope_by_v1_2*t62 + slope_by_x1_2*t60 + slope_by_x2_2*t65
+    t129 = delay_tau_by_u*slope_by_v1_1_on_boundary_by_u
+    t130 = delay_tau_by_w*slope_by_v1_1_on_boundary_by_w
+    t131 = delay_tau_by_y*slope_by_v1_1_on_boundary_by_y
+    t132 = delay_tau_by_u*slope_by_v2_1_on_boundary_by_u
+    t133 = t84*t86
+    t134 = delay_tau_by_w*slope_by_v2_1_on_boundary_by_w
+    t135 = delay_tau_by_y*slope_by_v2_1_on_boundary_by_y
+    slope_by_x2_1 = -delay_tau1_by_y*t77 + slope_by_v1_2*t74 + slope_by_x1_2*t63 + slope_by_x2_2*t68 + t129*t95 + t130*t95 + t131*t95 - t132*t133 - t133*t134 - t133*t135
+    t136 = k1*t84
+    t137 = t80*t81
+    slope_by_x1_1 = delay_tau1_by_y*t76 - slope_by_v1_2*t71 + slope_by_x1_2*t62 + slope_by_x2_2*t67 - t129*t137 - t130*t137 - t131*t137 + t132*t136 + t134*t136 + t135*t136
+    # back through: functions of tau in contact
+    t138 = p1*y
+    t139 = p2*w
+    t140 = p1*w
+    t141 = p3*u
+    t142 = p1*slope_by_x2_1_on_boundary_by_w
+    t143 = p2*slope_by_v1_1_on_boundary_by_y
+    t144 = p1*slope_by_v2_1_on_boundary_by_y
+    t145 = p2*slope_by_carried_x1_1_by_w
+    t146 = p3*slope_by_x2_1_on_boundary_by_u
+    slope_by_sin_omega2_tau = omega2*t143 - omega2*t144 - slope_by_carried_x1_1_by_u*t14*t18 + slope_by_v1_1*(omega2*p2*y - t38 - t41) + slope_by_v2_1*(-omega2*t138 + t45 + t46) + slope_by_x1_1*(-t139*t18 - t14*t18*u) + slope_by_x2_1*(t140*t18 - t141*t18) + t142*t18 - t145*t18 - t146*t18
+    t147 = p2*y
+    t148 = -p1 - t147
+    t149 = p2*slope_by_carried_x1_1_by_y
+    t150 = p2*slope_by_v1_1_on_boundary_by_w
+    t151 = p3*slope_by_v2_1_on_boundary_by_u
+    slope_by_cos_omega2_tau = p1*slope_by_v2_1_on_boundary_by_w + p1*slope_by_x2_1_on_boundary_by_y + slope_by_v1_1*(-t139 - t14*u) - slope_by_v1_1_on_boundary_by_u*t14 + slope_by_v2_1*(t140 - t141) + slope_by_x1_1*(t148 + t15 + 1) + slope_by_x2_1*(p1*y - p3 - t30) - t149 - t150 - t151
+    t152 = -t14*y
+    t153 = p1*u
+    t154 = -t14*w
+    t155 = -slope_by_x2_1_on_boundary_by_w*t14
+    t156 = -slope_by_v2_1_on_boundary_by_y*t14
+    slope_by_sin_omega1_tau = -omega1*t143 - omega1*t156 + p1*slope_by_carried_x1_1_by_u*t16 + slope_by_v1_1*(-omega1*t147 - t36 + t37) + slope_by_v2_1*(-omega1*t152 - t42 + t44) + slope_by_x1_1*(t139*t16 + t153*t16) + slope_by_x2_1*(t141*t16 + t154*t16) + t145*t16 + t146*t16 + t155*t16
+    slope_by_cos_omega1_tau = p1*slope_by_v1_1_on_boundary_by_u + slope_by_v1_1*(t139 + t153) + slope_by_v2_1*(t141 + t154) - slope_by_v2_1_on_boundary_by_w*t14 + slope_by_x1_1*(-t13 - t148) + slope_by_x2_1*(p3 + t152 + t28) - slope_by_x2_1_on_boundary_by_y*t14 + t149 + t150 + t151
+    # outputs
+    t157 = sin_omega1_tau*slope_by_cos_omega1_tau
+    t158 = sin_omega2_tau*slope_by_cos_omega2_tau
+    t159 = 1/m1**2
+    t160 = k1*t159
+    t161 = p3*sin_omega1_tau
+    t162 = 1/omega1**2
+    t163 = sin_omega1_tau*t162
+    t164 = cos_omega1_tau*slope_by_sin_omega1_tau*tau - sin_omega1_tau*t143 - sin_omega1_tau*t156 - slope_by_carried_x1_1_by_u*t162*t17 + slope_by_v1_1*(sin_omega1_tau*t13 - sin_omega1_tau*t147 - t17) + slope_by_v2_1*(-sin_omega1_tau*t152 + sin_omega1_tau*(t26 + t43) - t161) + slope_by_x1_1*(-t139*t163 - t153*t163) + slope_by_x2_1*(-t141*t163 - t154*t163) - slope_by_x2_1_on_boundary_by_u*t161*t162 - t145*t163 - t155*t163 - t157*tau
+    t165 = 1/omega2**2
+    t166 = sin_omega2_tau*t165
+    t167 = cos_omega2_tau*slope_by_sin_omega2_tau*tau + sin_omega2_tau*t143 - sin_omega2_tau*t144 - slope_by_carried_x1_1_by_u*t165*t20 + slope_by_v1_1*(sin_omega2_tau*t147 + sin_omega2_tau*(-t12 - t14*t7*t9) - t20) + slope_by_v2_1*(-sin_omega2_tau*t138 + sin_omega2_tau*t30 + t31) + slope_by_x1_1*(t139*t166 + t14*t166*u) + slope_by_x2_1*(p3*sin_omega2_tau*t165*u - t140*t166) + slope_by_x2_1_on_boundary_by_u*t165*t31 - t142*t166 + t145*t166 - t158*tau
+    t168 = sin_omega3_tau1/omega3**2
+    t169 = p4*t168
+    t170 = p5*t168
+    t171 = cos_omega3_tau1*slope_by_sin_omega3_tau1*tau1 + delay_tau1_by_y*(-sin_omega3_tau1*t113 - sin_omega3_tau1*t117) - sin_omega3_tau1*t106 - sin_omega3_tau1*t107 - sin_omega3_tau1*t125 - sin_omega3_tau1*t126 + slope_by_carried_x1_2_by_u*(-t118*t168 - t168*t98) + slope_by_carried_x1_2_by_w*(-t169*v1_1_on_boundary_by_w - t170*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(-t169*v1_1_on_boundary_by_y - t170*v2_1_on_boundary_by_y) + slope_by_v1_2*(-sin_omega3_tau1*t100 - sin_omega3_tau1*t121) + slope_by_x1_2*(-t102*t168 - t122*t168) + slope_by_x2_2*(-t104*t168 - t123*t168) - t109*t168 - t124*t168 - t127*tau1
+    t172 = 1/omega4**2
+    t173 = sin_omega4_tau1*t172
+    t174 = p5*t173
+    t175 = t173*t57
+    t176 = cos_omega4_tau1*slope_by_sin_omega4_tau1*tau1 + delay_tau1_by_y*(p6*sin_omega4_tau1*x1_1 - sin_omega4_tau1*t97) + sin_omega4_tau1*t106 + sin_omega4_tau1*t107 - sin_omega4_tau1*t108 - sin_omega4_tau1*t110 + slope_by_carried_x1_2_by_u*(-t114*t173 + t173*t98) + slope_by_carried_x1_2_by_w*(t174*v2_1_on_boundary_by_w - t175*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t174*v2_1_on_boundary_by_y - t175*v1_1_on_boundary_by_y) + slope_by_v1_2*(sin_omega4_tau1*t100 - sin_omega4_tau1*t101) + slope_by_x1_2*(t102*t173 - t173*t57*v1_1) + slope_by_x2_2*(p6*sin_omega4_tau1*t172*v1_1 - t103*t173) - t105*t173 + t109*t173 - t128*tau1
+    t177 = -sin_omega1_tau*t16 + t22
+    t179 = cos_omega1_tau - cos_omega2_tau
+    t180 = t10*t39 - t10*t47 + t179*u - t39 + t47
+    t182 = t39 - t47
+    t183 = t11*t47
+    t184 = t11*t39
+    t185 = -cos_omega1_tau*t10 + cos_omega2_tau*t10 - t177*u + t179
+    t186 = cos_omega1_tau*t11
+    t187 = cos_omega2_tau*t11
+    t188 = -slope_by_carried_x1_1_by_u*t177 + slope_by_v1_1*t180 + slope_by_v1_1_on_boundary_by_u*t179 + slope_by_v2_1*(-t179*w + t182*y + t183 - t184) - slope_by_v2_1_on_boundary_by_w*t179 + slope_by_v2_1_on_boundary_by_y*t182 + slope_by_x1_1*t185 + slope_by_x2_1*(t177*w - t179*y + t186 - t187) + slope_by_x2_1_on_boundary_by_w*t177 - slope_by_x2_1_on_boundary_by_y*t179
+    t190 = -slope_by_carried_x1_1_by_w*t177 + slope_by_carried_x1_1_by_y*t179 + slope_by_v1_1*(t179*w - t182*y - t183 + t184) + slope_by_v1_1_on_boundary_by_w*t179 - slope_by_v1_1_on_boundary_by_y*t182 + slope_by_x1_1*(-t177*w + t179*y - t186 + t187)
+    t191 = slope_by_v2_1*t180 + slope_by_v2_1_on_boundary_by_u*t179 + slope_by_x2_1*t185 - slope_by_x2_1_on_boundary_by_u*t177
+    t192 = cos_omega3_tau1 - cos_omega4_tau1
+    t194 = t69 - t70
+    t195 = -sin_omega3_tau1*t55 + t59
+    t197 = t192*x1_1_on_boundary_by_y - t195*v1_1_on_boundary_by_y
+    t199 = t192*v1_1 - t194*x1_1
+    t200 = t192*x1_1 - t195*v1_1
+    t201 = delay_tau1_by_y*(-t192*v2_1 + t194*x2_1) + slope_by_carried_x1_2_by_u*(t192*x1_1_on_boundary_by_u - t195*v1_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t192*x1_1_on_boundary_by_w - t195*v1_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*t197 + slope_by_v1_2*t199 + slope_by_x1_2*t200 + slope_by_x2_2*(-t192*x2_1 + t195*v2_1) + t192*v1_1_on_boundary_by_u - t192*v2_1_on_boundary_by_w - t192*x2_1_on_boundary_by_y - t194*x1_1_on_boundary_by_u + t194*x2_1_on_boundary_by_w + t195*v2_1_on_boundary_by_y
+    t202 = slope_by_carried_x1_2_by_u*(t192*x2_1_on_boundary_by_u - t195*v2_1_on_boundary_by_u) + slope_by_carried_x1_2_by_w*(t192*x2_1_on_boundary_by_w - t195*v2_1_on_boundary_by_w) + slope_by_carried_x1_2_by_y*(t192*x2_1_on_boundary_by_y - t195*v2_1_on_boundary_by_y) + slope_by_v1_2*(t192*v2_1 - t194*x2_1) + slope_by_x1_2*(t192*x2_1 - t195*v2_1) + t192*v2_1_on_boundary_by_u - t194*x2_1_on_boundary_by_u
+    t203 = delay_tau1_by_y*t199 + slope_by_x2_2*t200 + t192*v1_1_on_boundary_by_w - t194*x1_1_on_boundary_by_w + t197
+    t204 = -k3*t159 + t159*t81*x1_1 - t160*x2_1
+    t205 = 1/m2**2
+    t206 = k1*t205
+    t207 = t205*t86*x2_1 - t206*x1_1
+    t208 = k3*t9
+    t209 = t208*t36
+    t210 = p2*t208
+    t211 = -k2 - k3
+    t212 = 1/t8**2
+    t213 = t212*t7
+    t214 = t211*t213
+    t215 = t212*t6
+    t216 = t211*t215
+    t217 = p2*t216
+    t218 = t208*t42
+    t219 = -omega1*t14
+    t220 = p1*t208
+    t221 = t208*t45
+    t222 = p1*t216
+    t223 = t210 + t217
+    t224 = t14*t208
+    t225 = p3*t208
+    t226 = -p3*t214 - t225
+    t227 = t80*x2_1 - t82
+    t228 = t85 - t87
+    t230 = -t213*t81
+    t231 = -t215*t81
+    t232 = p2*t231
+    t233 = p3*t230 + t225
+    t234 = t86*t9
+    t235 = k1*t9
+    t236 = p2*t235
+    t238 = -t213*t86
+    t239 = -t215*t86
+    t240 = p2*t239
+    t241 = p1*t235
+    t242 = p1*t239
+    t243 = t236 + t240
+    t244 = -p3*t234 - p3*t238
+    t245 = t80 - t82
+    return [slope_by_v1_1*t40 + slope_by_v2_1*t48 + slope_by_x1_1*t24 + slope_by_x2_1*t34, slope_by_v1_1*t25 + slope_by_v2_1*t35 + slope_by_x1_1*t21 + slope_by_x2_1*t32, slope_by_v1_1*t24 + slope_by_v2_1*t34 + slope_by_x1_1*t23 + slope_by_x2_1*t33, cos_omega1_tau*omega1*slope_by_sin_omega1_tau + cos_omega2_tau*omega2*slope_by_sin_omega2_tau - omega1*t157 - omega2*t158 - slope_by_tau1, delay_tau1_by_u*(t160*x1_2 - t160*x2_2) + omega1_by_m1*t164 + omega2_by_m1*t167 + omega3_by_m1*t171 + omega4_by_m1*t176 + p1_by_m1*t188 + p2_by_m1*t190 + p3_by_m1*t191 + p4_by_m1*t201 + p5_by_m1*t202 + p6_by_m1*t203 + t129*t204 + t130*t204 + t131*t204, delay_tau1_by_w*(t205*t86*x2_2 - t206*x1_2) + omega1_by_m2*t164 + omega2_by_m2*t167 + omega3_by_m2*t171 + omega4_by_m2*t176 + p1_by_m2*t188 + p2_by_m2*t190 + p3_by_m2*t191 + p4_by_m2*t201 + p5_by_m2*t202 + p6_by_m2*t203 + t132*t207 + t134*t207 + t135*t207, delay_tau1_by_u*(t80*x2_2 - t92) + delay_tau1_by_w*(t90 - t91) + omega1_by_k1*t164 + omega2_by_k1*t167 + omega3_by_k1*t171 + omega4_by_k1*t176 + p1_by_k1*t188 + p2_by_k1*t190 + p3_by_k1*t191 + p4_by_k1*t201 + p5_by_k1*t202 + p6_by_k1*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t210 + omega1*t217 + t209 + t214*t36) + sin_omega2_tau*(-k3*omega2*t14*t9 - omega2*t14*t211*t212*t7 - omega2*t210 - omega2*t217)) + slope_by_v2_1*(sin_omega1_tau*(t208*t219 + t214*t42 + t216*t219 + t218) + sin_omega2_tau*(omega2*t220 + omega2*t222 - t214*t45 - t221)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t214 - t220 - t223) + cos_omega2_tau*(t14*t214 + t223 + t224) + t208 + t214) + slope_by_x2_1*(cos_omega1_tau*(t14*t216 + t224 + t226) + cos_omega2_tau*(-t220 - t222 - t226) + t208 + t216) + t129*t227 + t130*t227 + t131*t227 + t132*t228 + t134*t228 + t135*t228, -delay_tau1_by_w*t91 + omega1_by_k2*t164 + omega2_by_k2*t167 + omega3_by_k2*t171 + omega4_by_k2*t176 + p1_by_k2*t188 + p2_by_k2*t190 + p3_by_k2*t191 + p4_by_k2*t201 + p5_by_k2*t202 + p6_by_k2*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t232 + t209 + t230*t36) + sin_omega2_tau*(-omega2*t232 + t208*t41 + t230*t41)) + slope_by_v2_1*(sin_omega1_tau*(t218 + t219*t231 + t230*t42) + sin_omega2_tau*(-k1*k3*omega2*p1*t212*t81 - t221 - t230*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t230 - t220 - t232) + cos_omega2_tau*(t14*t230 + t224 + t232) + t208 + t230) + slope_by_x2_1*(cos_omega1_tau*(-k1*k3*t14*t212*t81 - t233) + cos_omega2_tau*(-p1*t231 + t233) + t231) - t132*t87 - t134*t87 - t135*t87, omega1_by_k3*t164 + omega2_by_k3*t167 + omega3_by_k3*t171 + omega4_by_k3*t176 + p1_by_k3*t188 + p2_by_k3*t190 + p3_by_k3*t191 + p4_by_k3*t201 + p5_by_k3*t202 + p6_by_k3*t203 + slope_by_v1_1*(sin_omega1_tau*(omega1*t236 + omega1*t240 + t234*t36 + t238*t36) + sin_omega2_tau*(omega2*t14*t212*t7*t86 - omega2*t14*t86*t9 - omega2*t236 - omega2*t240)) + slope_by_v2_1*(sin_omega1_tau*(t219*t235 + t219*t239 + t234*t42 + t238*t42) + sin_omega2_tau*(omega2*t241 + omega2*t242 - t234*t45 - t238*t45)) + slope_by_x1_1*(cos_omega1_tau*(-p1*t234 - p1*t238 - t243) + cos_omega2_tau*(t14*t234 + t14*t238 + t243) + t234 + t238) + slope_by_x2_1*(cos_omega1_tau*(t14*t235 + t14*t239 + t244) + cos_omega2_tau*(-t241 - t242 - t244) + t235 + t239) + t129*t245 + t130*t245 + t131*t245, slope_by_tau1]
 
 
 def one_contact_states(parameters, spectrum, unknowns, lib):

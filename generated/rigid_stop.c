@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 55586efa21b91602 */
+ * SymPy 1.14.0, derivation 76fb1bebde21ace6 */
 #include "rigid_stop.h"
 
 #include <math.h>
@@ -1104,7 +1104,7 @@ void rigid_stop_one_impact_trace(
 
 /* Derivatives of the trace by the unknowns, then in total by the parameters.
  * Takes parameters (5), spectrum (7), spectrum_derivatives (7, 4), unknowns (2); gives trace_gradient (7), row by row.
- * Operations: 853. Intermediate terms: 269. */
+ * Operations: 365. Intermediate terms: 91. */
 void rigid_stop_one_impact_trace_gradient(
     const double parameters[5], const double spectrum[7], const double spectrum_derivatives[28], const double unknowns[2], double trace_gradient[7])
 {
@@ -1149,308 +1149,104 @@ void rigid_stop_one_impact_trace_gradient(
     const double sin_omega2_T = sin(t3);
     /* free for T, until first-reaches-stop */
     const double t6 = (1.0/(omega1));
-    const double t7 = p1 - 1;
-    const double t9 = (1.0/(omega2));
-    const double t10 = sin_omega2_T*t9;
-    const double t11 = p1*sin_omega1_T*t6 - t10*t7;
-    const double t12 = cos_omega1_T*p2 - cos_omega2_T*p2;
-    const double t13 = cos_omega1_T*p1 - cos_omega2_T*t7;
-    const double x1_1 = t11*u + t12*y + t13;
-    const double t14 = p3*sin_omega1_T*t6 - p3*t10;
-    const double t15 = -cos_omega1_T*t7 + cos_omega2_T*p1;
-    const double t16 = cos_omega1_T*p3 - cos_omega2_T*p3;
-    const double x2_1 = t14*u + t15*y + t16;
-    const double t17 = omega1*sin_omega1_T;
-    const double t18 = omega2*p2*sin_omega2_T - p2*t17;
-    const double t19 = p1*sin_omega1_T;
-    const double t20 = -sin_omega2_T*t7;
-    const double v1_1 = -omega1*t19 - omega2*t20 + t13*u + t18*y;
-    const double t21 = omega2*sin_omega2_T;
-    const double t22 = -p1*t21 + t17*t7;
-    const double v2_1 = -p3*t17 + p3*t21 + t16*u + t22*y;
+    const double t7 = p1*sin_omega1_T;
+    const double t8 = (1.0/(omega2));
+    const double t9 = p1 - 1;
+    const double t11 = -sin_omega2_T*t9;
+    const double t12 = t11*t8 + t6*t7;
+    const double t13 = cos_omega1_T*p2 - cos_omega2_T*p2;
+    const double t14 = cos_omega1_T*p1 - cos_omega2_T*t9;
+    const double x1_1 = t12*u + t13*y + t14;
+    const double t15 = p3*sin_omega2_T;
+    const double t16 = p3*sin_omega1_T*t6 - t15*t8;
+    const double t17 = -cos_omega1_T*t9 + cos_omega2_T*p1;
+    const double t18 = cos_omega1_T*p3 - cos_omega2_T*p3;
+    const double x2_1 = t16*u + t17*y + t18;
+    const double t19 = omega1*sin_omega1_T;
+    const double t20 = omega2*p2*sin_omega2_T - p2*t19;
+    const double t21 = omega1*p1;
+    const double t22 = -omega2*t9;
+    const double v1_1 = -sin_omega1_T*t21 - sin_omega2_T*t22 + t14*u + t20*y;
+    const double t23 = omega2*sin_omega2_T;
+    const double t24 = -p1*t23 + t19*t9;
+    const double t25 = omega1*p3;
+    const double v2_1 = omega2*p3*sin_omega2_T - sin_omega1_T*t25 + t18*u + t24*y;
     /* Phi along T */
-    const double carried_x1_1_by_y = t12;
-    const double carried_x1_1_by_u = t11;
-    const double carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t10;
+    const double carried_x1_1_by_y = t13;
+    const double carried_x1_1_by_u = t12;
+    const double t26 = sin_omega2_T*t8;
+    const double carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t26;
     /* derivatives of the time to the boundary after T */
-    const double t23 = (1.0/(v1_1));
-    const double delay_T_by_y = -carried_x1_1_by_y*t23;
-    const double delay_T_by_u = -carried_x1_1_by_u*t23;
-    const double delay_T_by_w = -carried_x1_1_by_w*t23;
-    /* d/dm1 of: functions of T in free */
-    const double t24 = T*omega1_by_m1;
-    const double cos_omega1_T_by_m1 = -sin_omega1_T*t24;
-    const double sin_omega1_T_by_m1 = cos_omega1_T*t24;
-    const double t25 = T*omega2_by_m1;
-    const double cos_omega2_T_by_m1 = -sin_omega2_T*t25;
-    const double sin_omega2_T_by_m1 = cos_omega2_T*t25;
-    /* d/dm2 of: functions of T in free */
-    const double t26 = T*omega1_by_m2;
-    const double cos_omega1_T_by_m2 = -sin_omega1_T*t26;
-    const double sin_omega1_T_by_m2 = cos_omega1_T*t26;
-    const double t27 = T*omega2_by_m2;
-    const double cos_omega2_T_by_m2 = -sin_omega2_T*t27;
-    const double sin_omega2_T_by_m2 = cos_omega2_T*t27;
-    /* d/dk1 of: functions of T in free */
-    const double t28 = T*omega1_by_k1;
-    const double cos_omega1_T_by_k1 = -sin_omega1_T*t28;
-    const double sin_omega1_T_by_k1 = cos_omega1_T*t28;
-    const double t29 = T*omega2_by_k1;
-    const double cos_omega2_T_by_k1 = -sin_omega2_T*t29;
-    const double sin_omega2_T_by_k1 = cos_omega2_T*t29;
-    /* d/dk2 of: functions of T in free */
-    const double t30 = T*omega1_by_k2;
-    const double cos_omega1_T_by_k2 = -sin_omega1_T*t30;
-    const double sin_omega1_T_by_k2 = cos_omega1_T*t30;
-    const double t31 = T*omega2_by_k2;
-    const double cos_omega2_T_by_k2 = -sin_omega2_T*t31;
-    const double sin_omega2_T_by_k2 = cos_omega2_T*t31;
-    /* d/dT of: functions of T in free */
-    const double cos_omega1_T_by_T = -omega1*sin_omega1_T;
-    const double sin_omega1_T_by_T = cos_omega1_T*omega1;
-    const double cos_omega2_T_by_T = -omega2*sin_omega2_T;
-    const double sin_omega2_T_by_T = cos_omega2_T*omega2;
-    /* d/dy of: free for T, until first-reaches-stop */
-    const double x1_1_by_y = t12;
-    const double x2_1_by_y = t15;
-    const double v1_1_by_y = t18;
-    const double v2_1_by_y = t22;
-    /* d/du of: free for T, until first-reaches-stop */
-    const double x1_1_by_u = t11;
-    const double x2_1_by_u = t14;
-    const double v1_1_by_u = t13;
-    const double v2_1_by_u = t16;
-    /* d/dm1 of: free for T, until first-reaches-stop */
-    const double t32 = p2*y;
-    const double t33 = p1 + t32;
-    const double t34 = -t32 - t7;
-    const double t35 = sin_omega1_T*t6 - t10;
-    const double t36 = cos_omega1_T - cos_omega2_T;
-    const double t37 = t35*u + t36;
-    const double t38 = p2_by_m1*t36;
-    const double t39 = sin_omega1_T_by_m1*t6;
-    const double t40 = p1*t39;
-    const double t41 = sin_omega2_T_by_m1*t9;
-    const double t42 = -t41*t7;
-    const double t43 = (1.0/(omega1*omega1));
-    const double t44 = omega1_by_m1*t43;
-    const double t45 = t19*t44;
-    const double t46 = (1.0/(omega2*omega2));
-    const double t47 = omega2_by_m1*t46;
-    const double t48 = t20*t47;
-    const double x1_1_by_m1 = cos_omega1_T_by_m1*t33 + cos_omega2_T_by_m1*t34 + p1_by_m1*t37 + t38*y + t40*u + t42*u - t45*u - t48*u;
-    const double t49 = -t7*y;
-    const double t50 = p3 + t49;
-    const double t51 = p1*y;
-    const double t52 = -p3 + t51;
-    const double t54 = -p1_by_m1*t36;
-    const double t55 = p3*u;
-    const double t56 = p3*sin_omega2_T*u;
-    const double t57 = p3*sin_omega1_T;
-    const double t58 = t57*u;
-    const double x2_1_by_m1 = cos_omega1_T_by_m1*t50 + cos_omega2_T_by_m1*t52 + p3_by_m1*t37 + t39*t55 - t41*t55 - t44*t58 + t47*t56 + t54*y;
-    const double t59 = -sin_omega1_T*t32 - t19;
-    const double t60 = sin_omega2_T*t32 - t20;
-    const double t61 = -t17 + t21 + t36*u;
-    const double t62 = -omega1*p1 - omega1*t32;
-    const double t63 = omega2*t32 + omega2*t7;
-    const double t64 = cos_omega1_T_by_m1*p1;
-    const double t65 = -cos_omega2_T_by_m1*t7;
-    const double t66 = -omega2*sin_omega2_T + t17;
-    const double t67 = -t66*y;
-    const double v1_1_by_m1 = omega1_by_m1*t59 + omega2_by_m1*t60 + p1_by_m1*t61 + p2_by_m1*t67 + sin_omega1_T_by_m1*t62 + sin_omega2_T_by_m1*t63 + t64*u + t65*u;
-    const double t68 = -sin_omega1_T*t49 - t57;
-    const double t69 = p3*sin_omega2_T - sin_omega2_T*t51;
-    const double t70 = -omega1*p3 - omega1*t49;
-    const double t71 = omega2*p3 - omega2*t51;
-    const double t72 = t66*y;
-    const double v2_1_by_m1 = cos_omega1_T_by_m1*t55 - cos_omega2_T_by_m1*t55 + omega1_by_m1*t68 + omega2_by_m1*t69 + p1_by_m1*t72 + p3_by_m1*t61 + sin_omega1_T_by_m1*t70 + sin_omega2_T_by_m1*t71;
-    /* d/dm2 of: free for T, until first-reaches-stop */
-    const double t73 = p2_by_m2*t36;
-    const double t74 = sin_omega1_T_by_m2*t6;
-    const double t75 = p1*t74;
-    const double t76 = sin_omega2_T_by_m2*t9;
-    const double t77 = -t7*t76;
-    const double t78 = omega1_by_m2*t43;
-    const double t79 = t19*t78;
-    const double t80 = omega2_by_m2*t46;
-    const double t81 = t20*t80;
-    const double x1_1_by_m2 = cos_omega1_T_by_m2*t33 + cos_omega2_T_by_m2*t34 + p1_by_m2*t37 + t73*y + t75*u + t77*u - t79*u - t81*u;
-    const double t82 = -p1_by_m2*t36;
-    const double x2_1_by_m2 = cos_omega1_T_by_m2*t50 + cos_omega2_T_by_m2*t52 + p3_by_m2*t37 + t55*t74 - t55*t76 + t56*t80 - t58*t78 + t82*y;
-    const double t83 = cos_omega1_T_by_m2*p1;
-    const double t84 = -cos_omega2_T_by_m2*t7;
-    const double v1_1_by_m2 = omega1_by_m2*t59 + omega2_by_m2*t60 + p1_by_m2*t61 + p2_by_m2*t67 + sin_omega1_T_by_m2*t62 + sin_omega2_T_by_m2*t63 + t83*u + t84*u;
-    const double v2_1_by_m2 = cos_omega1_T_by_m2*t55 - cos_omega2_T_by_m2*t55 + omega1_by_m2*t68 + omega2_by_m2*t69 + p1_by_m2*t72 + p3_by_m2*t61 + sin_omega1_T_by_m2*t70 + sin_omega2_T_by_m2*t71;
-    /* d/dk1 of: free for T, until first-reaches-stop */
-    const double t85 = p2_by_k1*t36;
-    const double t86 = sin_omega1_T_by_k1*t6;
-    const double t87 = p1*t86;
-    const double t88 = sin_omega2_T_by_k1*t9;
-    const double t89 = -t7*t88;
-    const double t90 = omega1_by_k1*t43;
-    const double t91 = t19*t90;
-    const double t92 = omega2_by_k1*t46;
-    const double t93 = t20*t92;
-    const double x1_1_by_k1 = cos_omega1_T_by_k1*t33 + cos_omega2_T_by_k1*t34 + p1_by_k1*t37 + t85*y + t87*u + t89*u - t91*u - t93*u;
-    const double t94 = -p1_by_k1*t36;
-    const double x2_1_by_k1 = cos_omega1_T_by_k1*t50 + cos_omega2_T_by_k1*t52 + p3_by_k1*t37 + t55*t86 - t55*t88 + t56*t92 - t58*t90 + t94*y;
-    const double t95 = cos_omega1_T_by_k1*p1;
-    const double t96 = -cos_omega2_T_by_k1*t7;
-    const double v1_1_by_k1 = omega1_by_k1*t59 + omega2_by_k1*t60 + p1_by_k1*t61 + p2_by_k1*t67 + sin_omega1_T_by_k1*t62 + sin_omega2_T_by_k1*t63 + t95*u + t96*u;
-    const double v2_1_by_k1 = cos_omega1_T_by_k1*t55 - cos_omega2_T_by_k1*t55 + omega1_by_k1*t68 + omega2_by_k1*t69 + p1_by_k1*t72 + p3_by_k1*t61 + sin_omega1_T_by_k1*t70 + sin_omega2_T_by_k1*t71;
-    /* d/dk2 of: free for T, until first-reaches-stop */
-    const double t97 = p2_by_k2*t36;
-    const double t98 = sin_omega1_T_by_k2*t6;
-    const double t99 = p1*t98;
-    const double t100 = sin_omega2_T_by_k2*t9;
-    const double t101 = -t100*t7;
-    const double t102 = omega1_by_k2*t43;
-    const double t103 = t102*t19;
-    const double t104 = omega2_by_k2*t46;
-    const double t105 = t104*t20;
-    const double x1_1_by_k2 = cos_omega1_T_by_k2*t33 + cos_omega2_T_by_k2*t34 + p1_by_k2*t37 + t101*u - t103*u - t105*u + t97*y + t99*u;
-    const double t106 = -p1_by_k2*t36;
-    const double x2_1_by_k2 = cos_omega1_T_by_k2*t50 + cos_omega2_T_by_k2*t52 + p3_by_k2*t37 - t100*t55 - t102*t58 + t104*t56 + t106*y + t55*t98;
-    const double t107 = cos_omega1_T_by_k2*p1;
-    const double t108 = -cos_omega2_T_by_k2*t7;
-    const double v1_1_by_k2 = omega1_by_k2*t59 + omega2_by_k2*t60 + p1_by_k2*t61 + p2_by_k2*t67 + sin_omega1_T_by_k2*t62 + sin_omega2_T_by_k2*t63 + t107*u + t108*u;
-    const double v2_1_by_k2 = cos_omega1_T_by_k2*t55 - cos_omega2_T_by_k2*t55 + omega1_by_k2*t68 + omega2_by_k2*t69 + p1_by_k2*t72 + p3_by_k2*t61 + sin_omega1_T_by_k2*t70 + sin_omega2_T_by_k2*t71;
-    /* d/dT of: free for T, until first-reaches-stop */
-    const double t109 = sin_omega1_T_by_T*t6;
-    const double t110 = p1*t109;
-    const double t111 = sin_omega2_T_by_T*t9;
-    const double t112 = -t111*t7;
-    const double x1_1_by_T = cos_omega1_T_by_T*t33 + cos_omega2_T_by_T*t34 + t110*u + t112*u;
-    const double x2_1_by_T = cos_omega1_T_by_T*t50 + cos_omega2_T_by_T*t52 + t109*t55 - t111*t55;
-    const double t113 = cos_omega1_T_by_T*p1;
-    const double t114 = -cos_omega2_T_by_T*t7;
-    const double v1_1_by_T = sin_omega1_T_by_T*t62 + sin_omega2_T_by_T*t63 + t113*u + t114*u;
-    const double v2_1_by_T = cos_omega1_T_by_T*t55 - cos_omega2_T_by_T*t55 + sin_omega1_T_by_T*t70 + sin_omega2_T_by_T*t71;
-    /* d/dm1 of: Phi along T */
-    const double carried_x1_1_by_y_by_m1 = cos_omega1_T_by_m1*p2 - cos_omega2_T_by_m1*p2 + t38;
-    const double carried_x1_1_by_u_by_m1 = p1_by_m1*t35 + t40 + t42 - t45 - t48;
-    const double t115 = p2*sin_omega2_T;
-    const double t116 = p2*sin_omega1_T;
-    const double carried_x1_1_by_w_by_m1 = p2*t39 - p2*t41 + p2_by_m1*t35 + t115*t47 - t116*t44;
-    const double carried_x2_1_by_y_by_m1 = -cos_omega1_T_by_m1*t7 + cos_omega2_T_by_m1*p1 + t54;
-    const double carried_v1_1_by_u_by_m1 = p1_by_m1*t36 + t64 + t65;
-    const double carried_v2_1_by_w_by_m1 = carried_x2_1_by_y_by_m1;
-    /* d/dm2 of: Phi along T */
-    const double carried_x1_1_by_y_by_m2 = cos_omega1_T_by_m2*p2 - cos_omega2_T_by_m2*p2 + t73;
-    const double carried_x1_1_by_u_by_m2 = p1_by_m2*t35 + t75 + t77 - t79 - t81;
-    const double carried_x1_1_by_w_by_m2 = p2*t74 - p2*t76 + p2_by_m2*t35 + t115*t80 - t116*t78;
-    const double carried_x2_1_by_y_by_m2 = -cos_omega1_T_by_m2*t7 + cos_omega2_T_by_m2*p1 + t82;
-    const double carried_v1_1_by_u_by_m2 = p1_by_m2*t36 + t83 + t84;
-    const double carried_v2_1_by_w_by_m2 = carried_x2_1_by_y_by_m2;
-    /* d/dk1 of: Phi along T */
-    const double carried_x1_1_by_y_by_k1 = cos_omega1_T_by_k1*p2 - cos_omega2_T_by_k1*p2 + t85;
-    const double carried_x1_1_by_u_by_k1 = p1_by_k1*t35 + t87 + t89 - t91 - t93;
-    const double carried_x1_1_by_w_by_k1 = p2*t86 - p2*t88 + p2_by_k1*t35 + t115*t92 - t116*t90;
-    const double carried_x2_1_by_y_by_k1 = -cos_omega1_T_by_k1*t7 + cos_omega2_T_by_k1*p1 + t94;
-    const double carried_v1_1_by_u_by_k1 = p1_by_k1*t36 + t95 + t96;
-    const double carried_v2_1_by_w_by_k1 = carried_x2_1_by_y_by_k1;
-    /* d/dk2 of: Phi along T */
-    const double carried_x1_1_by_y_by_k2 = cos_omega1_T_by_k2*p2 - cos_omega2_T_by_k2*p2 + t97;
-    const double carried_x1_1_by_u_by_k2 = p1_by_k2*t35 + t101 - t103 - t105 + t99;
-    const double carried_x1_1_by_w_by_k2 = -p2*t100 + p2*t98 + p2_by_k2*t35 - t102*t116 + t104*t115;
-    const double carried_x2_1_by_y_by_k2 = -cos_omega1_T_by_k2*t7 + cos_omega2_T_by_k2*p1 + t106;
-    const double carried_v1_1_by_u_by_k2 = p1_by_k2*t36 + t107 + t108;
-    const double carried_v2_1_by_w_by_k2 = carried_x2_1_by_y_by_k2;
-    /* d/dT of: Phi along T */
-    const double carried_x1_1_by_y_by_T = cos_omega1_T_by_T*p2 - cos_omega2_T_by_T*p2;
-    const double carried_x1_1_by_u_by_T = t110 + t112;
-    const double carried_x1_1_by_w_by_T = p2*sin_omega1_T_by_T*t6 - p2*t111;
-    const double carried_x2_1_by_y_by_T = -cos_omega1_T_by_T*t7 + cos_omega2_T_by_T*p1;
-    const double carried_v1_1_by_u_by_T = t113 + t114;
-    const double carried_v2_1_by_w_by_T = carried_x2_1_by_y_by_T;
-    /* d/dy of: derivatives of the time to the boundary after T */
-    const double t122 = (1.0/(v1_1*v1_1));
-    const double t123 = t122*v1_1_by_y;
-    const double delay_T_by_y_by_y = carried_x1_1_by_y*t123;
-    const double delay_T_by_u_by_y = carried_x1_1_by_u*t123;
-    const double delay_T_by_w_by_y = carried_x1_1_by_w*t123;
-    /* d/du of: derivatives of the time to the boundary after T */
-    const double t124 = t122*v1_1_by_u;
-    const double delay_T_by_y_by_u = carried_x1_1_by_y*t124;
-    const double delay_T_by_u_by_u = carried_x1_1_by_u*t124;
-    const double delay_T_by_w_by_u = carried_x1_1_by_w*t124;
-    /* d/dm1 of: derivatives of the time to the boundary after T */
-    const double t125 = t122*v1_1_by_m1;
-    const double delay_T_by_y_by_m1 = carried_x1_1_by_y*t125 - carried_x1_1_by_y_by_m1*t23;
-    const double delay_T_by_u_by_m1 = carried_x1_1_by_u*t125 - carried_x1_1_by_u_by_m1*t23;
-    const double delay_T_by_w_by_m1 = carried_x1_1_by_w*t125 - carried_x1_1_by_w_by_m1*t23;
-    /* d/dm2 of: derivatives of the time to the boundary after T */
-    const double t126 = t122*v1_1_by_m2;
-    const double delay_T_by_y_by_m2 = carried_x1_1_by_y*t126 - carried_x1_1_by_y_by_m2*t23;
-    const double delay_T_by_u_by_m2 = carried_x1_1_by_u*t126 - carried_x1_1_by_u_by_m2*t23;
-    const double delay_T_by_w_by_m2 = carried_x1_1_by_w*t126 - carried_x1_1_by_w_by_m2*t23;
-    /* d/dk1 of: derivatives of the time to the boundary after T */
-    const double t127 = t122*v1_1_by_k1;
-    const double delay_T_by_y_by_k1 = carried_x1_1_by_y*t127 - carried_x1_1_by_y_by_k1*t23;
-    const double delay_T_by_u_by_k1 = carried_x1_1_by_u*t127 - carried_x1_1_by_u_by_k1*t23;
-    const double delay_T_by_w_by_k1 = carried_x1_1_by_w*t127 - carried_x1_1_by_w_by_k1*t23;
-    /* d/dk2 of: derivatives of the time to the boundary after T */
-    const double t128 = t122*v1_1_by_k2;
-    const double delay_T_by_y_by_k2 = carried_x1_1_by_y*t128 - carried_x1_1_by_y_by_k2*t23;
-    const double delay_T_by_u_by_k2 = carried_x1_1_by_u*t128 - carried_x1_1_by_u_by_k2*t23;
-    const double delay_T_by_w_by_k2 = carried_x1_1_by_w*t128 - carried_x1_1_by_w_by_k2*t23;
-    /* d/dT of: derivatives of the time to the boundary after T */
-    const double t129 = t122*v1_1_by_T;
-    const double delay_T_by_y_by_T = carried_x1_1_by_y*t129 - carried_x1_1_by_y_by_T*t23;
-    const double delay_T_by_u_by_T = carried_x1_1_by_u*t129 - carried_x1_1_by_u_by_T*t23;
-    const double delay_T_by_w_by_T = carried_x1_1_by_w*t129 - carried_x1_1_by_w_by_T*t23;
-    /* d/dy of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_y = delay_T_by_y*v2_1_by_y + delay_T_by_y_by_y*v2_1;
-    const double t130 = (1.0/(m1));
-    const double t131 = t130*x1_1;
-    const double t132 = -k1*t130*x2_1 + k1*t131;
-    const double t133 = k1*x1_1_by_y;
-    const double t134 = delay_T_by_u*t130;
-    const double t135 = k1*t134;
-    const double v1_1_on_boundary_by_u_by_y = delay_T_by_u_by_y*t132 + t133*t134 - t135*x2_1_by_y;
-    const double t136 = (1.0/(m2));
-    const double t137 = t136*x1_1;
-    const double t138 = k1 + k2;
-    const double t139 = t136*x2_1;
-    const double t140 = k1*t137 - t138*t139;
-    const double t141 = delay_T_by_w*t136;
-    const double t142 = t138*t141;
-    const double v2_1_on_boundary_by_w_by_y = delay_T_by_w_by_y*t140 + t133*t141 - t142*x2_1_by_y;
-    /* d/du of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_u = delay_T_by_y*v2_1_by_u + delay_T_by_y_by_u*v2_1;
-    const double v1_1_on_boundary_by_u_by_u = delay_T_by_u_by_u*t132 + t135*x1_1_by_u - t135*x2_1_by_u;
-    const double t143 = k1*t141;
-    const double v2_1_on_boundary_by_w_by_u = delay_T_by_w_by_u*t140 - t142*x2_1_by_u + t143*x1_1_by_u;
-    /* d/dm1 of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_m1 = carried_x2_1_by_y_by_m1 + delay_T_by_y*v2_1_by_m1 + delay_T_by_y_by_m1*v2_1;
-    const double t144 = k1/(m1*m1);
-    const double v1_1_on_boundary_by_u_by_m1 = -carried_v1_1_by_u_by_m1 + delay_T_by_u*k1*t130*x1_1_by_m1 - delay_T_by_u*(t144*x1_1 - t144*x2_1) + delay_T_by_u_by_m1*t132 - t135*x2_1_by_m1;
-    const double v2_1_on_boundary_by_w_by_m1 = carried_v2_1_by_w_by_m1 + delay_T_by_w_by_m1*t140 - t142*x2_1_by_m1 + t143*x1_1_by_m1;
-    /* d/dm2 of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_m2 = carried_x2_1_by_y_by_m2 + delay_T_by_y*v2_1_by_m2 + delay_T_by_y_by_m2*v2_1;
-    const double v1_1_on_boundary_by_u_by_m2 = -carried_v1_1_by_u_by_m2 + delay_T_by_u*k1*t130*x1_1_by_m2 + delay_T_by_u_by_m2*t132 - t135*x2_1_by_m2;
-    const double t145 = (1.0/(m2*m2));
-    const double v2_1_on_boundary_by_w_by_m2 = carried_v2_1_by_w_by_m2 + delay_T_by_w*(-k1*t145*x1_1 + t138*t145*x2_1) + delay_T_by_w_by_m2*t140 - t142*x2_1_by_m2 + t143*x1_1_by_m2;
-    /* d/dk1 of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_k1 = carried_x2_1_by_y_by_k1 + delay_T_by_y*v2_1_by_k1 + delay_T_by_y_by_k1*v2_1;
-    const double v1_1_on_boundary_by_u_by_k1 = -carried_v1_1_by_u_by_k1 + delay_T_by_u*k1*t130*x1_1_by_k1 - delay_T_by_u*(t130*x2_1 - t131) + delay_T_by_u_by_k1*t132 - t135*x2_1_by_k1;
-    const double v2_1_on_boundary_by_w_by_k1 = carried_v2_1_by_w_by_k1 + delay_T_by_w*(t137 - t139) + delay_T_by_w_by_k1*t140 - t142*x2_1_by_k1 + t143*x1_1_by_k1;
-    /* d/dk2 of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_k2 = carried_x2_1_by_y_by_k2 + delay_T_by_y*v2_1_by_k2 + delay_T_by_y_by_k2*v2_1;
-    const double v1_1_on_boundary_by_u_by_k2 = -carried_v1_1_by_u_by_k2 + delay_T_by_u*k1*t130*x1_1_by_k2 + delay_T_by_u_by_k2*t132 - t135*x2_1_by_k2;
-    const double v2_1_on_boundary_by_w_by_k2 = carried_v2_1_by_w_by_k2 - delay_T_by_w*t139 + delay_T_by_w_by_k2*t140 - t142*x2_1_by_k2 + t143*x1_1_by_k2;
-    /* d/dT of: perturbation on the boundary after T */
-    const double x2_1_on_boundary_by_y_by_T = carried_x2_1_by_y_by_T + delay_T_by_y*v2_1_by_T + delay_T_by_y_by_T*v2_1;
-    const double v1_1_on_boundary_by_u_by_T = -carried_v1_1_by_u_by_T + delay_T_by_u*k1*t130*x1_1_by_T + delay_T_by_u_by_T*t132 - t135*x2_1_by_T;
-    const double v2_1_on_boundary_by_w_by_T = carried_v2_1_by_w_by_T + delay_T_by_w_by_T*t140 - t142*x2_1_by_T + t143*x1_1_by_T;
-    trace_gradient[0] = v1_1_on_boundary_by_u_by_y + v2_1_on_boundary_by_w_by_y + x2_1_on_boundary_by_y_by_y;
-    trace_gradient[1] = v1_1_on_boundary_by_u_by_u + v2_1_on_boundary_by_w_by_u + x2_1_on_boundary_by_y_by_u;
-    trace_gradient[2] = v1_1_on_boundary_by_u_by_m1 + v2_1_on_boundary_by_w_by_m1 + x2_1_on_boundary_by_y_by_m1;
-    trace_gradient[3] = v1_1_on_boundary_by_u_by_m2 + v2_1_on_boundary_by_w_by_m2 + x2_1_on_boundary_by_y_by_m2;
-    trace_gradient[4] = v1_1_on_boundary_by_u_by_k1 + v2_1_on_boundary_by_w_by_k1 + x2_1_on_boundary_by_y_by_k1;
-    trace_gradient[5] = v1_1_on_boundary_by_u_by_k2 + v2_1_on_boundary_by_w_by_k2 + x2_1_on_boundary_by_y_by_k2;
-    trace_gradient[6] = v1_1_on_boundary_by_u_by_T + v2_1_on_boundary_by_w_by_T + x2_1_on_boundary_by_y_by_T;
+    const double t27 = (1.0/(v1_1));
+    const double delay_T_by_y = -carried_x1_1_by_y*t27;
+    const double delay_T_by_u = -carried_x1_1_by_u*t27;
+    const double delay_T_by_w = -carried_x1_1_by_w*t27;
+    /* back through: derivatives of the time to the boundary after T */
+    const double t28 = (1.0/(m2));
+    const double t29 = t28*x1_1;
+    const double t30 = k1 + k2;
+    const double t31 = t28*x2_1;
+    const double slope_by_delay_T_by_w = k1*t29 - t30*t31;
+    const double t32 = (1.0/(m1));
+    const double t33 = t32*x1_1;
+    const double slope_by_delay_T_by_u = -k1*t32*x2_1 + k1*t33;
+    /* back through: Phi along T */
+    const double slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t27;
+    const double slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t27;
+    const double slope_by_carried_x1_1_by_y = -t27*v2_1;
+    /* back through: free for T, until first-reaches-stop */
+    const double t34 = (1.0/(v1_1*v1_1));
+    const double slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t34 + carried_x1_1_by_w*slope_by_delay_T_by_w*t34 + carried_x1_1_by_y*t34*v2_1;
+    const double t35 = delay_T_by_u*k1*t32;
+    const double t36 = delay_T_by_w*t28;
+    const double slope_by_x2_1 = -t30*t36 - t35;
+    const double slope_by_x1_1 = k1*t36 + t35;
+    /* back through: functions of T in free */
+    const double t37 = p1*y;
+    const double t38 = p2*y;
+    const double t39 = -t8*t9;
+    const double t40 = p2*slope_by_carried_x1_1_by_w;
+    const double t41 = slope_by_x1_1*u;
+    const double t42 = p3*u;
+    const double t43 = slope_by_x2_1*t42;
+    const double slope_by_sin_omega2_T = delay_T_by_y*(omega2*p3 - omega2*t37) + slope_by_carried_x1_1_by_u*t39 + slope_by_v1_1*(omega2*t38 - t22) + t39*t41 - t40*t8 - t43*t8;
+    const double t44 = 3*p1;
+    const double t45 = p2*slope_by_carried_x1_1_by_y;
+    const double t46 = slope_by_v1_1*u;
+    const double t47 = delay_T_by_y*t42;
+    const double slope_by_cos_omega2_T = slope_by_x1_1*(-t38 - t9) + slope_by_x2_1*(-p3 + t37) + t44 - t45 - t46*t9 - t47 - 1;
+    const double t48 = -t9*y;
+    const double t49 = p1*t6;
+    const double slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t48 - t25) + slope_by_carried_x1_1_by_u*t49 + slope_by_v1_1*(-omega1*t38 - t21) + t40*t6 + t41*t49 + t43*t6;
+    const double slope_by_cos_omega1_T = p1*t46 + slope_by_x1_1*(p1 + t38) + slope_by_x2_1*(p3 + t48) - t44 + t45 + t47 + 2;
+    /* outputs */
+    const double t50 = p3*sin_omega1_T;
+    const double t51 = sin_omega1_T*slope_by_cos_omega1_T;
+    const double t52 = (1.0/(omega1*omega1));
+    const double t53 = t52*t7;
+    const double t54 = slope_by_x2_1*u;
+    const double t55 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t51 + delay_T_by_y*(-sin_omega1_T*t48 - t50) - sin_omega1_T*t40*t52 - slope_by_carried_x1_1_by_u*t53 + slope_by_v1_1*(-sin_omega1_T*t38 - t7) - t41*t53 - t50*t52*t54;
+    const double t56 = sin_omega2_T*slope_by_cos_omega2_T;
+    const double t57 = (1.0/(omega2*omega2));
+    const double t58 = t11*t57;
+    const double t59 = T*cos_omega2_T*slope_by_sin_omega2_T - T*t56 + delay_T_by_y*(p3*sin_omega2_T - sin_omega2_T*t37) + sin_omega2_T*t40*t57 - slope_by_carried_x1_1_by_u*t58 + slope_by_v1_1*(sin_omega2_T*t38 - t11) + t15*t54*t57 - t41*t58;
+    const double t60 = sin_omega1_T*t6 - t26;
+    const double t61 = cos_omega1_T - cos_omega2_T;
+    const double t62 = -t19 + t23 + t61*u;
+    const double t63 = t60*u + t61;
+    const double t64 = t19 - t23;
+    const double t65 = -3*cos_omega1_T + 3*cos_omega2_T + delay_T_by_y*t64*y + slope_by_carried_x1_1_by_u*t60 + slope_by_v1_1*t62 + slope_by_x1_1*t63 - slope_by_x2_1*t61*y;
+    const double t66 = slope_by_carried_x1_1_by_w*t60 + slope_by_carried_x1_1_by_y*t61 - slope_by_v1_1*t64*y + slope_by_x1_1*t61*y;
+    const double t67 = delay_T_by_y*t62 + slope_by_x2_1*t63;
+    const double t68 = k1/(m1*m1);
+    const double t69 = (1.0/(m2*m2));
+    trace_gradient[0] = delay_T_by_y*t24 + slope_by_v1_1*t20 + slope_by_x1_1*t13 + slope_by_x2_1*t17;
+    trace_gradient[1] = delay_T_by_y*t18 + slope_by_v1_1*t14 + slope_by_x1_1*t12 + slope_by_x2_1*t16;
+    trace_gradient[2] = -delay_T_by_u*(t68*x1_1 - t68*x2_1) + omega1_by_m1*t55 + omega2_by_m1*t59 + p1_by_m1*t65 + p2_by_m1*t66 + p3_by_m1*t67;
+    trace_gradient[3] = delay_T_by_w*(-k1*t69*x1_1 + t30*t69*x2_1) + omega1_by_m2*t55 + omega2_by_m2*t59 + p1_by_m2*t65 + p2_by_m2*t66 + p3_by_m2*t67;
+    trace_gradient[4] = -delay_T_by_u*(t32*x2_1 - t33) + delay_T_by_w*(t29 - t31) + omega1_by_k1*t55 + omega2_by_k1*t59 + p1_by_k1*t65 + p2_by_k1*t66 + p3_by_k1*t67;
+    trace_gradient[5] = -delay_T_by_w*t31 + omega1_by_k2*t55 + omega2_by_k2*t59 + p1_by_k2*t65 + p2_by_k2*t66 + p3_by_k2*t67;
+    trace_gradient[6] = cos_omega1_T*omega1*slope_by_sin_omega1_T + cos_omega2_T*omega2*slope_by_sin_omega2_T - omega1*t51 - omega2*t56;
 }
 
 /* State at the start and behind each transition, row by row.
@@ -2149,308 +1945,104 @@ void rigid_stop_one_impact_directions(
             const double sin_omega2_T = sine_1;
             /* free for T, until first-reaches-stop */
             const double t6 = (1.0/(omega1));
-            const double t7 = p1 - 1;
-            const double t9 = (1.0/(omega2));
-            const double t10 = sin_omega2_T*t9;
-            const double t11 = p1*sin_omega1_T*t6 - t10*t7;
-            const double t12 = cos_omega1_T*p2 - cos_omega2_T*p2;
-            const double t13 = cos_omega1_T*p1 - cos_omega2_T*t7;
-            const double x1_1 = t11*u + t12*y + t13;
-            const double t14 = p3*sin_omega1_T*t6 - p3*t10;
-            const double t15 = -cos_omega1_T*t7 + cos_omega2_T*p1;
-            const double t16 = cos_omega1_T*p3 - cos_omega2_T*p3;
-            const double x2_1 = t14*u + t15*y + t16;
-            const double t17 = omega1*sin_omega1_T;
-            const double t18 = omega2*p2*sin_omega2_T - p2*t17;
-            const double t19 = p1*sin_omega1_T;
-            const double t20 = -sin_omega2_T*t7;
-            const double v1_1 = -omega1*t19 - omega2*t20 + t13*u + t18*y;
-            const double t21 = omega2*sin_omega2_T;
-            const double t22 = -p1*t21 + t17*t7;
-            const double v2_1 = -p3*t17 + p3*t21 + t16*u + t22*y;
+            const double t7 = p1*sin_omega1_T;
+            const double t8 = (1.0/(omega2));
+            const double t9 = p1 - 1;
+            const double t11 = -sin_omega2_T*t9;
+            const double t12 = t11*t8 + t6*t7;
+            const double t13 = cos_omega1_T*p2 - cos_omega2_T*p2;
+            const double t14 = cos_omega1_T*p1 - cos_omega2_T*t9;
+            const double x1_1 = t12*u + t13*y + t14;
+            const double t15 = p3*sin_omega2_T;
+            const double t16 = p3*sin_omega1_T*t6 - t15*t8;
+            const double t17 = -cos_omega1_T*t9 + cos_omega2_T*p1;
+            const double t18 = cos_omega1_T*p3 - cos_omega2_T*p3;
+            const double x2_1 = t16*u + t17*y + t18;
+            const double t19 = omega1*sin_omega1_T;
+            const double t20 = omega2*p2*sin_omega2_T - p2*t19;
+            const double t21 = omega1*p1;
+            const double t22 = -omega2*t9;
+            const double v1_1 = -sin_omega1_T*t21 - sin_omega2_T*t22 + t14*u + t20*y;
+            const double t23 = omega2*sin_omega2_T;
+            const double t24 = -p1*t23 + t19*t9;
+            const double t25 = omega1*p3;
+            const double v2_1 = omega2*p3*sin_omega2_T - sin_omega1_T*t25 + t18*u + t24*y;
             /* Phi along T */
-            const double carried_x1_1_by_y = t12;
-            const double carried_x1_1_by_u = t11;
-            const double carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t10;
+            const double carried_x1_1_by_y = t13;
+            const double carried_x1_1_by_u = t12;
+            const double t26 = sin_omega2_T*t8;
+            const double carried_x1_1_by_w = p2*sin_omega1_T*t6 - p2*t26;
             /* derivatives of the time to the boundary after T */
-            const double t23 = (1.0/(v1_1));
-            const double delay_T_by_y = -carried_x1_1_by_y*t23;
-            const double delay_T_by_u = -carried_x1_1_by_u*t23;
-            const double delay_T_by_w = -carried_x1_1_by_w*t23;
-            /* d/dm1 of: functions of T in free */
-            const double t24 = T*omega1_by_m1;
-            const double cos_omega1_T_by_m1 = -sin_omega1_T*t24;
-            const double sin_omega1_T_by_m1 = cos_omega1_T*t24;
-            const double t25 = T*omega2_by_m1;
-            const double cos_omega2_T_by_m1 = -sin_omega2_T*t25;
-            const double sin_omega2_T_by_m1 = cos_omega2_T*t25;
-            /* d/dm2 of: functions of T in free */
-            const double t26 = T*omega1_by_m2;
-            const double cos_omega1_T_by_m2 = -sin_omega1_T*t26;
-            const double sin_omega1_T_by_m2 = cos_omega1_T*t26;
-            const double t27 = T*omega2_by_m2;
-            const double cos_omega2_T_by_m2 = -sin_omega2_T*t27;
-            const double sin_omega2_T_by_m2 = cos_omega2_T*t27;
-            /* d/dk1 of: functions of T in free */
-            const double t28 = T*omega1_by_k1;
-            const double cos_omega1_T_by_k1 = -sin_omega1_T*t28;
-            const double sin_omega1_T_by_k1 = cos_omega1_T*t28;
-            const double t29 = T*omega2_by_k1;
-            const double cos_omega2_T_by_k1 = -sin_omega2_T*t29;
-            const double sin_omega2_T_by_k1 = cos_omega2_T*t29;
-            /* d/dk2 of: functions of T in free */
-            const double t30 = T*omega1_by_k2;
-            const double cos_omega1_T_by_k2 = -sin_omega1_T*t30;
-            const double sin_omega1_T_by_k2 = cos_omega1_T*t30;
-            const double t31 = T*omega2_by_k2;
-            const double cos_omega2_T_by_k2 = -sin_omega2_T*t31;
-            const double sin_omega2_T_by_k2 = cos_omega2_T*t31;
-            /* d/dT of: functions of T in free */
-            const double cos_omega1_T_by_T = -omega1*sin_omega1_T;
-            const double sin_omega1_T_by_T = cos_omega1_T*omega1;
-            const double cos_omega2_T_by_T = -omega2*sin_omega2_T;
-            const double sin_omega2_T_by_T = cos_omega2_T*omega2;
-            /* d/dy of: free for T, until first-reaches-stop */
-            const double x1_1_by_y = t12;
-            const double x2_1_by_y = t15;
-            const double v1_1_by_y = t18;
-            const double v2_1_by_y = t22;
-            /* d/du of: free for T, until first-reaches-stop */
-            const double x1_1_by_u = t11;
-            const double x2_1_by_u = t14;
-            const double v1_1_by_u = t13;
-            const double v2_1_by_u = t16;
-            /* d/dm1 of: free for T, until first-reaches-stop */
-            const double t32 = p2*y;
-            const double t33 = p1 + t32;
-            const double t34 = -t32 - t7;
-            const double t35 = sin_omega1_T*t6 - t10;
-            const double t36 = cos_omega1_T - cos_omega2_T;
-            const double t37 = t35*u + t36;
-            const double t38 = p2_by_m1*t36;
-            const double t39 = sin_omega1_T_by_m1*t6;
-            const double t40 = p1*t39;
-            const double t41 = sin_omega2_T_by_m1*t9;
-            const double t42 = -t41*t7;
-            const double t43 = (1.0/(omega1*omega1));
-            const double t44 = omega1_by_m1*t43;
-            const double t45 = t19*t44;
-            const double t46 = (1.0/(omega2*omega2));
-            const double t47 = omega2_by_m1*t46;
-            const double t48 = t20*t47;
-            const double x1_1_by_m1 = cos_omega1_T_by_m1*t33 + cos_omega2_T_by_m1*t34 + p1_by_m1*t37 + t38*y + t40*u + t42*u - t45*u - t48*u;
-            const double t49 = -t7*y;
-            const double t50 = p3 + t49;
-            const double t51 = p1*y;
-            const double t52 = -p3 + t51;
-            const double t54 = -p1_by_m1*t36;
-            const double t55 = p3*u;
-            const double t56 = p3*sin_omega2_T*u;
-            const double t57 = p3*sin_omega1_T;
-            const double t58 = t57*u;
-            const double x2_1_by_m1 = cos_omega1_T_by_m1*t50 + cos_omega2_T_by_m1*t52 + p3_by_m1*t37 + t39*t55 - t41*t55 - t44*t58 + t47*t56 + t54*y;
-            const double t59 = -sin_omega1_T*t32 - t19;
-            const double t60 = sin_omega2_T*t32 - t20;
-            const double t61 = -t17 + t21 + t36*u;
-            const double t62 = -omega1*p1 - omega1*t32;
-            const double t63 = omega2*t32 + omega2*t7;
-            const double t64 = cos_omega1_T_by_m1*p1;
-            const double t65 = -cos_omega2_T_by_m1*t7;
-            const double t66 = -omega2*sin_omega2_T + t17;
-            const double t67 = -t66*y;
-            const double v1_1_by_m1 = omega1_by_m1*t59 + omega2_by_m1*t60 + p1_by_m1*t61 + p2_by_m1*t67 + sin_omega1_T_by_m1*t62 + sin_omega2_T_by_m1*t63 + t64*u + t65*u;
-            const double t68 = -sin_omega1_T*t49 - t57;
-            const double t69 = p3*sin_omega2_T - sin_omega2_T*t51;
-            const double t70 = -omega1*p3 - omega1*t49;
-            const double t71 = omega2*p3 - omega2*t51;
-            const double t72 = t66*y;
-            const double v2_1_by_m1 = cos_omega1_T_by_m1*t55 - cos_omega2_T_by_m1*t55 + omega1_by_m1*t68 + omega2_by_m1*t69 + p1_by_m1*t72 + p3_by_m1*t61 + sin_omega1_T_by_m1*t70 + sin_omega2_T_by_m1*t71;
-            /* d/dm2 of: free for T, until first-reaches-stop */
-            const double t73 = p2_by_m2*t36;
-            const double t74 = sin_omega1_T_by_m2*t6;
-            const double t75 = p1*t74;
-            const double t76 = sin_omega2_T_by_m2*t9;
-            const double t77 = -t7*t76;
-            const double t78 = omega1_by_m2*t43;
-            const double t79 = t19*t78;
-            const double t80 = omega2_by_m2*t46;
-            const double t81 = t20*t80;
-            const double x1_1_by_m2 = cos_omega1_T_by_m2*t33 + cos_omega2_T_by_m2*t34 + p1_by_m2*t37 + t73*y + t75*u + t77*u - t79*u - t81*u;
-            const double t82 = -p1_by_m2*t36;
-            const double x2_1_by_m2 = cos_omega1_T_by_m2*t50 + cos_omega2_T_by_m2*t52 + p3_by_m2*t37 + t55*t74 - t55*t76 + t56*t80 - t58*t78 + t82*y;
-            const double t83 = cos_omega1_T_by_m2*p1;
-            const double t84 = -cos_omega2_T_by_m2*t7;
-            const double v1_1_by_m2 = omega1_by_m2*t59 + omega2_by_m2*t60 + p1_by_m2*t61 + p2_by_m2*t67 + sin_omega1_T_by_m2*t62 + sin_omega2_T_by_m2*t63 + t83*u + t84*u;
-            const double v2_1_by_m2 = cos_omega1_T_by_m2*t55 - cos_omega2_T_by_m2*t55 + omega1_by_m2*t68 + omega2_by_m2*t69 + p1_by_m2*t72 + p3_by_m2*t61 + sin_omega1_T_by_m2*t70 + sin_omega2_T_by_m2*t71;
-            /* d/dk1 of: free for T, until first-reaches-stop */
-            const double t85 = p2_by_k1*t36;
-            const double t86 = sin_omega1_T_by_k1*t6;
-            const double t87 = p1*t86;
-            const double t88 = sin_omega2_T_by_k1*t9;
-            const double t89 = -t7*t88;
-            const double t90 = omega1_by_k1*t43;
-            const double t91 = t19*t90;
-            const double t92 = omega2_by_k1*t46;
-            const double t93 = t20*t92;
-            const double x1_1_by_k1 = cos_omega1_T_by_k1*t33 + cos_omega2_T_by_k1*t34 + p1_by_k1*t37 + t85*y + t87*u + t89*u - t91*u - t93*u;
-            const double t94 = -p1_by_k1*t36;
-            const double x2_1_by_k1 = cos_omega1_T_by_k1*t50 + cos_omega2_T_by_k1*t52 + p3_by_k1*t37 + t55*t86 - t55*t88 + t56*t92 - t58*t90 + t94*y;
-            const double t95 = cos_omega1_T_by_k1*p1;
-            const double t96 = -cos_omega2_T_by_k1*t7;
-            const double v1_1_by_k1 = omega1_by_k1*t59 + omega2_by_k1*t60 + p1_by_k1*t61 + p2_by_k1*t67 + sin_omega1_T_by_k1*t62 + sin_omega2_T_by_k1*t63 + t95*u + t96*u;
-            const double v2_1_by_k1 = cos_omega1_T_by_k1*t55 - cos_omega2_T_by_k1*t55 + omega1_by_k1*t68 + omega2_by_k1*t69 + p1_by_k1*t72 + p3_by_k1*t61 + sin_omega1_T_by_k1*t70 + sin_omega2_T_by_k1*t71;
-            /* d/dk2 of: free for T, until first-reaches-stop */
-            const double t97 = p2_by_k2*t36;
-            const double t98 = sin_omega1_T_by_k2*t6;
-            const double t99 = p1*t98;
-            const double t100 = sin_omega2_T_by_k2*t9;
-            const double t101 = -t100*t7;
-            const double t102 = omega1_by_k2*t43;
-            const double t103 = t102*t19;
-            const double t104 = omega2_by_k2*t46;
-            const double t105 = t104*t20;
-            const double x1_1_by_k2 = cos_omega1_T_by_k2*t33 + cos_omega2_T_by_k2*t34 + p1_by_k2*t37 + t101*u - t103*u - t105*u + t97*y + t99*u;
-            const double t106 = -p1_by_k2*t36;
-            const double x2_1_by_k2 = cos_omega1_T_by_k2*t50 + cos_omega2_T_by_k2*t52 + p3_by_k2*t37 - t100*t55 - t102*t58 + t104*t56 + t106*y + t55*t98;
-            const double t107 = cos_omega1_T_by_k2*p1;
-            const double t108 = -cos_omega2_T_by_k2*t7;
-            const double v1_1_by_k2 = omega1_by_k2*t59 + omega2_by_k2*t60 + p1_by_k2*t61 + p2_by_k2*t67 + sin_omega1_T_by_k2*t62 + sin_omega2_T_by_k2*t63 + t107*u + t108*u;
-            const double v2_1_by_k2 = cos_omega1_T_by_k2*t55 - cos_omega2_T_by_k2*t55 + omega1_by_k2*t68 + omega2_by_k2*t69 + p1_by_k2*t72 + p3_by_k2*t61 + sin_omega1_T_by_k2*t70 + sin_omega2_T_by_k2*t71;
-            /* d/dT of: free for T, until first-reaches-stop */
-            const double t109 = sin_omega1_T_by_T*t6;
-            const double t110 = p1*t109;
-            const double t111 = sin_omega2_T_by_T*t9;
-            const double t112 = -t111*t7;
-            const double x1_1_by_T = cos_omega1_T_by_T*t33 + cos_omega2_T_by_T*t34 + t110*u + t112*u;
-            const double x2_1_by_T = cos_omega1_T_by_T*t50 + cos_omega2_T_by_T*t52 + t109*t55 - t111*t55;
-            const double t113 = cos_omega1_T_by_T*p1;
-            const double t114 = -cos_omega2_T_by_T*t7;
-            const double v1_1_by_T = sin_omega1_T_by_T*t62 + sin_omega2_T_by_T*t63 + t113*u + t114*u;
-            const double v2_1_by_T = cos_omega1_T_by_T*t55 - cos_omega2_T_by_T*t55 + sin_omega1_T_by_T*t70 + sin_omega2_T_by_T*t71;
-            /* d/dm1 of: Phi along T */
-            const double carried_x1_1_by_y_by_m1 = cos_omega1_T_by_m1*p2 - cos_omega2_T_by_m1*p2 + t38;
-            const double carried_x1_1_by_u_by_m1 = p1_by_m1*t35 + t40 + t42 - t45 - t48;
-            const double t115 = p2*sin_omega2_T;
-            const double t116 = p2*sin_omega1_T;
-            const double carried_x1_1_by_w_by_m1 = p2*t39 - p2*t41 + p2_by_m1*t35 + t115*t47 - t116*t44;
-            const double carried_x2_1_by_y_by_m1 = -cos_omega1_T_by_m1*t7 + cos_omega2_T_by_m1*p1 + t54;
-            const double carried_v1_1_by_u_by_m1 = p1_by_m1*t36 + t64 + t65;
-            const double carried_v2_1_by_w_by_m1 = carried_x2_1_by_y_by_m1;
-            /* d/dm2 of: Phi along T */
-            const double carried_x1_1_by_y_by_m2 = cos_omega1_T_by_m2*p2 - cos_omega2_T_by_m2*p2 + t73;
-            const double carried_x1_1_by_u_by_m2 = p1_by_m2*t35 + t75 + t77 - t79 - t81;
-            const double carried_x1_1_by_w_by_m2 = p2*t74 - p2*t76 + p2_by_m2*t35 + t115*t80 - t116*t78;
-            const double carried_x2_1_by_y_by_m2 = -cos_omega1_T_by_m2*t7 + cos_omega2_T_by_m2*p1 + t82;
-            const double carried_v1_1_by_u_by_m2 = p1_by_m2*t36 + t83 + t84;
-            const double carried_v2_1_by_w_by_m2 = carried_x2_1_by_y_by_m2;
-            /* d/dk1 of: Phi along T */
-            const double carried_x1_1_by_y_by_k1 = cos_omega1_T_by_k1*p2 - cos_omega2_T_by_k1*p2 + t85;
-            const double carried_x1_1_by_u_by_k1 = p1_by_k1*t35 + t87 + t89 - t91 - t93;
-            const double carried_x1_1_by_w_by_k1 = p2*t86 - p2*t88 + p2_by_k1*t35 + t115*t92 - t116*t90;
-            const double carried_x2_1_by_y_by_k1 = -cos_omega1_T_by_k1*t7 + cos_omega2_T_by_k1*p1 + t94;
-            const double carried_v1_1_by_u_by_k1 = p1_by_k1*t36 + t95 + t96;
-            const double carried_v2_1_by_w_by_k1 = carried_x2_1_by_y_by_k1;
-            /* d/dk2 of: Phi along T */
-            const double carried_x1_1_by_y_by_k2 = cos_omega1_T_by_k2*p2 - cos_omega2_T_by_k2*p2 + t97;
-            const double carried_x1_1_by_u_by_k2 = p1_by_k2*t35 + t101 - t103 - t105 + t99;
-            const double carried_x1_1_by_w_by_k2 = -p2*t100 + p2*t98 + p2_by_k2*t35 - t102*t116 + t104*t115;
-            const double carried_x2_1_by_y_by_k2 = -cos_omega1_T_by_k2*t7 + cos_omega2_T_by_k2*p1 + t106;
-            const double carried_v1_1_by_u_by_k2 = p1_by_k2*t36 + t107 + t108;
-            const double carried_v2_1_by_w_by_k2 = carried_x2_1_by_y_by_k2;
-            /* d/dT of: Phi along T */
-            const double carried_x1_1_by_y_by_T = cos_omega1_T_by_T*p2 - cos_omega2_T_by_T*p2;
-            const double carried_x1_1_by_u_by_T = t110 + t112;
-            const double carried_x1_1_by_w_by_T = p2*sin_omega1_T_by_T*t6 - p2*t111;
-            const double carried_x2_1_by_y_by_T = -cos_omega1_T_by_T*t7 + cos_omega2_T_by_T*p1;
-            const double carried_v1_1_by_u_by_T = t113 + t114;
-            const double carried_v2_1_by_w_by_T = carried_x2_1_by_y_by_T;
-            /* d/dy of: derivatives of the time to the boundary after T */
-            const double t122 = (1.0/(v1_1*v1_1));
-            const double t123 = t122*v1_1_by_y;
-            const double delay_T_by_y_by_y = carried_x1_1_by_y*t123;
-            const double delay_T_by_u_by_y = carried_x1_1_by_u*t123;
-            const double delay_T_by_w_by_y = carried_x1_1_by_w*t123;
-            /* d/du of: derivatives of the time to the boundary after T */
-            const double t124 = t122*v1_1_by_u;
-            const double delay_T_by_y_by_u = carried_x1_1_by_y*t124;
-            const double delay_T_by_u_by_u = carried_x1_1_by_u*t124;
-            const double delay_T_by_w_by_u = carried_x1_1_by_w*t124;
-            /* d/dm1 of: derivatives of the time to the boundary after T */
-            const double t125 = t122*v1_1_by_m1;
-            const double delay_T_by_y_by_m1 = carried_x1_1_by_y*t125 - carried_x1_1_by_y_by_m1*t23;
-            const double delay_T_by_u_by_m1 = carried_x1_1_by_u*t125 - carried_x1_1_by_u_by_m1*t23;
-            const double delay_T_by_w_by_m1 = carried_x1_1_by_w*t125 - carried_x1_1_by_w_by_m1*t23;
-            /* d/dm2 of: derivatives of the time to the boundary after T */
-            const double t126 = t122*v1_1_by_m2;
-            const double delay_T_by_y_by_m2 = carried_x1_1_by_y*t126 - carried_x1_1_by_y_by_m2*t23;
-            const double delay_T_by_u_by_m2 = carried_x1_1_by_u*t126 - carried_x1_1_by_u_by_m2*t23;
-            const double delay_T_by_w_by_m2 = carried_x1_1_by_w*t126 - carried_x1_1_by_w_by_m2*t23;
-            /* d/dk1 of: derivatives of the time to the boundary after T */
-            const double t127 = t122*v1_1_by_k1;
-            const double delay_T_by_y_by_k1 = carried_x1_1_by_y*t127 - carried_x1_1_by_y_by_k1*t23;
-            const double delay_T_by_u_by_k1 = carried_x1_1_by_u*t127 - carried_x1_1_by_u_by_k1*t23;
-            const double delay_T_by_w_by_k1 = carried_x1_1_by_w*t127 - carried_x1_1_by_w_by_k1*t23;
-            /* d/dk2 of: derivatives of the time to the boundary after T */
-            const double t128 = t122*v1_1_by_k2;
-            const double delay_T_by_y_by_k2 = carried_x1_1_by_y*t128 - carried_x1_1_by_y_by_k2*t23;
-            const double delay_T_by_u_by_k2 = carried_x1_1_by_u*t128 - carried_x1_1_by_u_by_k2*t23;
-            const double delay_T_by_w_by_k2 = carried_x1_1_by_w*t128 - carried_x1_1_by_w_by_k2*t23;
-            /* d/dT of: derivatives of the time to the boundary after T */
-            const double t129 = t122*v1_1_by_T;
-            const double delay_T_by_y_by_T = carried_x1_1_by_y*t129 - carried_x1_1_by_y_by_T*t23;
-            const double delay_T_by_u_by_T = carried_x1_1_by_u*t129 - carried_x1_1_by_u_by_T*t23;
-            const double delay_T_by_w_by_T = carried_x1_1_by_w*t129 - carried_x1_1_by_w_by_T*t23;
-            /* d/dy of: perturbation on the boundary after T */
-            const double x2_1_on_boundary_by_y_by_y = delay_T_by_y*v2_1_by_y + delay_T_by_y_by_y*v2_1;
-            const double t130 = (1.0/(m1));
-            const double t131 = t130*x1_1;
-            const double t132 = -k1*t130*x2_1 + k1*t131;
-            const double t133 = k1*x1_1_by_y;
-            const double t134 = delay_T_by_u*t130;
-            const double t135 = k1*t134;
-            const double v1_1_on_boundary_by_u_by_y = delay_T_by_u_by_y*t132 + t133*t134 - t135*x2_1_by_y;
-            const double t136 = (1.0/(m2));
-            const double t137 = t136*x1_1;
-            const double t138 = k1 + k2;
-            const double t139 = t136*x2_1;
-            const double t140 = k1*t137 - t138*t139;
-            const double t141 = delay_T_by_w*t136;
-            const double t142 = t138*t141;
-            const double v2_1_on_boundary_by_w_by_y = delay_T_by_w_by_y*t140 + t133*t141 - t142*x2_1_by_y;
-            /* d/du of: perturbation on the boundary after T */
-            const double x2_1_on_boundary_by_y_by_u = delay_T_by_y*v2_1_by_u + delay_T_by_y_by_u*v2_1;
-            const double v1_1_on_boundary_by_u_by_u = delay_T_by_u_by_u*t132 + t135*x1_1_by_u - t135*x2_1_by_u;
-            const double t143 = k1*t141;
-            const double v2_1_on_boundary_by_w_by_u = delay_T_by_w_by_u*t140 - t142*x2_1_by_u + t143*x1_1_by_u;
-            /* d/dm1 of: perturbation on the boundary after T */
-            const double x2_1_on_boundary_by_y_by_m1 = carried_x2_1_by_y_by_m1 + delay_T_by_y*v2_1_by_m1 + delay_T_by_y_by_m1*v2_1;
-            const double t144 = k1/(m1*m1);
-            const double v1_1_on_boundary_by_u_by_m1 = -carried_v1_1_by_u_by_m1 + delay_T_by_u*k1*t130*x1_1_by_m1 - delay_T_by_u*(t144*x1_1 - t144*x2_1) + delay_T_by_u_by_m1*t132 - t135*x2_1_by_m1;
-            const double v2_1_on_boundary_by_w_by_m1 = carried_v2_1_by_w_by_m1 + delay_T_by_w_by_m1*t140 - t142*x2_1_by_m1 + t143*x1_1_by_m1;
-            /* d/dm2 of: perturbation on the boundary after T */
-            const double x2_1_on_boundary_by_y_by_m2 = carried_x2_1_by_y_by_m2 + delay_T_by_y*v2_1_by_m2 + delay_T_by_y_by_m2*v2_1;
-            const double v1_1_on_boundary_by_u_by_m2 = -carried_v1_1_by_u_by_m2 + delay_T_by_u*k1*t130*x1_1_by_m2 + delay_T_by_u_by_m2*t132 - t135*x2_1_by_m2;
-            const double t145 = (1.0/(m2*m2));
-            const double v2_1_on_boundary_by_w_by_m2 = carried_v2_1_by_w_by_m2 + delay_T_by_w*(-k1*t145*x1_1 + t138*t145*x2_1) + delay_T_by_w_by_m2*t140 - t142*x2_1_by_m2 + t143*x1_1_by_m2;
-            /* d/dk1 of: perturbation on the boundary after T */
-            const double x2_1_on_boundary_by_y_by_k1 = carried_x2_1_by_y_by_k1 + delay_T_by_y*v2_1_by_k1 + delay_T_by_y_by_k1*v2_1;
-            const double v1_1_on_boundary_by_u_by_k1 = -carried_v1_1_by_u_by_k1 + delay_T_by_u*k1*t130*x1_1_by_k1 - delay_T_by_u*(t130*x2_1 - t131) + delay_T_by_u_by_k1*t132 - t135*x2_1_by_k1;
-            const double v2_1_on_boundary_by_w_by_k1 = carried_v2_1_by_w_by_k1 + delay_T_by_w*(t137 - t139) + delay_T_by_w_by_k1*t140 - t142*x2_1_by_k1 + t143*x1_1_by_k1;
-            /* d/dk2 of: perturbation on the boundary after T */
-            const double x2_1_on_boundary_by_y_by_k2 = carried_x2_1_by_y_by_k2 + delay_T_by_y*v2_1_by_k2 + delay_T_by_y_by_k2*v2_1;
-            const double v1_1_on_boundary_by_u_by_k2 = -carried_v1_1_by_u_by_k2 + delay_T_by_u*k1*t130*x1_1_by_k2 + delay_T_by_u_by_k2*t132 - t135*x2_1_by_k2;
-            const double v2_1_on_boundary_by_w_by_k2 = carried_v2_1_by_w_by_k2 - delay_T_by_w*t139 + delay_T_by_w_by_k2*t140 - t142*x2_1_by_k2 + t143*x1_1_by_k2;
-            /* d/dT of: perturbation on the boundary after T */
-            const double x2_1_on_boundary_by_y_by_T = carried_x2_1_by_y_by_T + delay_T_by_y*v2_1_by_T + delay_T_by_y_by_T*v2_1;
-            const double v1_1_on_boundary_by_u_by_T = -carried_v1_1_by_u_by_T + delay_T_by_u*k1*t130*x1_1_by_T + delay_T_by_u_by_T*t132 - t135*x2_1_by_T;
-            const double v2_1_on_boundary_by_w_by_T = carried_v2_1_by_w_by_T + delay_T_by_w_by_T*t140 - t142*x2_1_by_T + t143*x1_1_by_T;
-            slope[0][lane] = v1_1_on_boundary_by_u_by_y + v2_1_on_boundary_by_w_by_y + x2_1_on_boundary_by_y_by_y;
-            slope[1][lane] = v1_1_on_boundary_by_u_by_u + v2_1_on_boundary_by_w_by_u + x2_1_on_boundary_by_y_by_u;
-            slope[2][lane] = v1_1_on_boundary_by_u_by_m1 + v2_1_on_boundary_by_w_by_m1 + x2_1_on_boundary_by_y_by_m1;
-            slope[3][lane] = v1_1_on_boundary_by_u_by_m2 + v2_1_on_boundary_by_w_by_m2 + x2_1_on_boundary_by_y_by_m2;
-            slope[4][lane] = v1_1_on_boundary_by_u_by_k1 + v2_1_on_boundary_by_w_by_k1 + x2_1_on_boundary_by_y_by_k1;
-            slope[5][lane] = v1_1_on_boundary_by_u_by_k2 + v2_1_on_boundary_by_w_by_k2 + x2_1_on_boundary_by_y_by_k2;
-            slope[6][lane] = v1_1_on_boundary_by_u_by_T + v2_1_on_boundary_by_w_by_T + x2_1_on_boundary_by_y_by_T;
+            const double t27 = (1.0/(v1_1));
+            const double delay_T_by_y = -carried_x1_1_by_y*t27;
+            const double delay_T_by_u = -carried_x1_1_by_u*t27;
+            const double delay_T_by_w = -carried_x1_1_by_w*t27;
+            /* back through: derivatives of the time to the boundary after T */
+            const double t28 = (1.0/(m2));
+            const double t29 = t28*x1_1;
+            const double t30 = k1 + k2;
+            const double t31 = t28*x2_1;
+            const double slope_by_delay_T_by_w = k1*t29 - t30*t31;
+            const double t32 = (1.0/(m1));
+            const double t33 = t32*x1_1;
+            const double slope_by_delay_T_by_u = -k1*t32*x2_1 + k1*t33;
+            /* back through: Phi along T */
+            const double slope_by_carried_x1_1_by_w = -slope_by_delay_T_by_w*t27;
+            const double slope_by_carried_x1_1_by_u = -slope_by_delay_T_by_u*t27;
+            const double slope_by_carried_x1_1_by_y = -t27*v2_1;
+            /* back through: free for T, until first-reaches-stop */
+            const double t34 = (1.0/(v1_1*v1_1));
+            const double slope_by_v1_1 = carried_x1_1_by_u*slope_by_delay_T_by_u*t34 + carried_x1_1_by_w*slope_by_delay_T_by_w*t34 + carried_x1_1_by_y*t34*v2_1;
+            const double t35 = delay_T_by_u*k1*t32;
+            const double t36 = delay_T_by_w*t28;
+            const double slope_by_x2_1 = -t30*t36 - t35;
+            const double slope_by_x1_1 = k1*t36 + t35;
+            /* back through: functions of T in free */
+            const double t37 = p1*y;
+            const double t38 = p2*y;
+            const double t39 = -t8*t9;
+            const double t40 = p2*slope_by_carried_x1_1_by_w;
+            const double t41 = slope_by_x1_1*u;
+            const double t42 = p3*u;
+            const double t43 = slope_by_x2_1*t42;
+            const double slope_by_sin_omega2_T = delay_T_by_y*(omega2*p3 - omega2*t37) + slope_by_carried_x1_1_by_u*t39 + slope_by_v1_1*(omega2*t38 - t22) + t39*t41 - t40*t8 - t43*t8;
+            const double t44 = 3*p1;
+            const double t45 = p2*slope_by_carried_x1_1_by_y;
+            const double t46 = slope_by_v1_1*u;
+            const double t47 = delay_T_by_y*t42;
+            const double slope_by_cos_omega2_T = slope_by_x1_1*(-t38 - t9) + slope_by_x2_1*(-p3 + t37) + t44 - t45 - t46*t9 - t47 - 1;
+            const double t48 = -t9*y;
+            const double t49 = p1*t6;
+            const double slope_by_sin_omega1_T = delay_T_by_y*(-omega1*t48 - t25) + slope_by_carried_x1_1_by_u*t49 + slope_by_v1_1*(-omega1*t38 - t21) + t40*t6 + t41*t49 + t43*t6;
+            const double slope_by_cos_omega1_T = p1*t46 + slope_by_x1_1*(p1 + t38) + slope_by_x2_1*(p3 + t48) - t44 + t45 + t47 + 2;
+            /* outputs */
+            const double t50 = p3*sin_omega1_T;
+            const double t51 = sin_omega1_T*slope_by_cos_omega1_T;
+            const double t52 = (1.0/(omega1*omega1));
+            const double t53 = t52*t7;
+            const double t54 = slope_by_x2_1*u;
+            const double t55 = T*cos_omega1_T*slope_by_sin_omega1_T - T*t51 + delay_T_by_y*(-sin_omega1_T*t48 - t50) - sin_omega1_T*t40*t52 - slope_by_carried_x1_1_by_u*t53 + slope_by_v1_1*(-sin_omega1_T*t38 - t7) - t41*t53 - t50*t52*t54;
+            const double t56 = sin_omega2_T*slope_by_cos_omega2_T;
+            const double t57 = (1.0/(omega2*omega2));
+            const double t58 = t11*t57;
+            const double t59 = T*cos_omega2_T*slope_by_sin_omega2_T - T*t56 + delay_T_by_y*(p3*sin_omega2_T - sin_omega2_T*t37) + sin_omega2_T*t40*t57 - slope_by_carried_x1_1_by_u*t58 + slope_by_v1_1*(sin_omega2_T*t38 - t11) + t15*t54*t57 - t41*t58;
+            const double t60 = sin_omega1_T*t6 - t26;
+            const double t61 = cos_omega1_T - cos_omega2_T;
+            const double t62 = -t19 + t23 + t61*u;
+            const double t63 = t60*u + t61;
+            const double t64 = t19 - t23;
+            const double t65 = -3*cos_omega1_T + 3*cos_omega2_T + delay_T_by_y*t64*y + slope_by_carried_x1_1_by_u*t60 + slope_by_v1_1*t62 + slope_by_x1_1*t63 - slope_by_x2_1*t61*y;
+            const double t66 = slope_by_carried_x1_1_by_w*t60 + slope_by_carried_x1_1_by_y*t61 - slope_by_v1_1*t64*y + slope_by_x1_1*t61*y;
+            const double t67 = delay_T_by_y*t62 + slope_by_x2_1*t63;
+            const double t68 = k1/(m1*m1);
+            const double t69 = (1.0/(m2*m2));
+            slope[0][lane] = delay_T_by_y*t24 + slope_by_v1_1*t20 + slope_by_x1_1*t13 + slope_by_x2_1*t17;
+            slope[1][lane] = delay_T_by_y*t18 + slope_by_v1_1*t14 + slope_by_x1_1*t12 + slope_by_x2_1*t16;
+            slope[2][lane] = -delay_T_by_u*(t68*x1_1 - t68*x2_1) + omega1_by_m1*t55 + omega2_by_m1*t59 + p1_by_m1*t65 + p2_by_m1*t66 + p3_by_m1*t67;
+            slope[3][lane] = delay_T_by_w*(-k1*t69*x1_1 + t30*t69*x2_1) + omega1_by_m2*t55 + omega2_by_m2*t59 + p1_by_m2*t65 + p2_by_m2*t66 + p3_by_m2*t67;
+            slope[4][lane] = -delay_T_by_u*(t32*x2_1 - t33) + delay_T_by_w*(t29 - t31) + omega1_by_k1*t55 + omega2_by_k1*t59 + p1_by_k1*t65 + p2_by_k1*t66 + p3_by_k1*t67;
+            slope[5][lane] = -delay_T_by_w*t31 + omega1_by_k2*t55 + omega2_by_k2*t59 + p1_by_k2*t65 + p2_by_k2*t66 + p3_by_k2*t67;
+            slope[6][lane] = cos_omega1_T*omega1*slope_by_sin_omega1_T + cos_omega2_T*omega2*slope_by_sin_omega2_T - omega1*t51 - omega2*t56;
         }
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)

@@ -1,7 +1,7 @@
 /* Generated; do not edit.
  * Source: nonsmooth.derive.systems.rigid_stop
  * Again: python scripts/regenerate.py
- * SymPy 1.14.0, derivation 55586efa21b91602 */
+ * SymPy 1.14.0, derivation 76fb1bebde21ace6 */
 #ifndef RIGID_STOP_H
 #define RIGID_STOP_H
 

@@ -13,7 +13,14 @@ from nonsmooth.derive.declaration.algebra import cancel
 from nonsmooth.derive.declaration.itinerary import Itinerary
 from nonsmooth.derive.declaration.system import System
 from nonsmooth.derive.equations.chain import Chain, poincare_jacobian, sensitivities
-from nonsmooth.derive.equations.program import Stage, derivative_of, differentiate, evaluate, prune
+from nonsmooth.derive.equations.program import (
+    Stage,
+    derivative_of,
+    differentiate,
+    evaluate,
+    gradient,
+    prune,
+)
 from nonsmooth.derive.equations.reduction import Reduction
 from nonsmooth.derive.equations.section import Section, section_of
 from nonsmooth.derive.errors import DerivationError
@@ -289,9 +296,14 @@ class EquationSystem:
     def trace_gradient_program(self) -> Program:
         """Derivatives of the trace by the unknowns and, in total, by the parameters."""
         stages, trace = self.trace_program
-        seeds = {str(u): {u: sp.Integer(1)} for u in self.unknowns} | self.parameter_seeds
-        more, moving = differentiate(stages, seeds)
-        return Program((*stages, *more), [derivative_of(trace, m) for m in moving.values()])
+        inputs = (*self.unknowns, *self.parameters, *self.spectrum.symbols)
+        back, slopes = gradient(stages, trace, inputs)
+        partial = dict(zip(inputs, slopes, strict=True))
+        totals = [
+            sp.Add(*(partial[symbol] * rate for symbol, rate in moving.items()))
+            for moving in self.parameter_seeds.values()
+        ]
+        return Program((*stages, *back), [*(partial[u] for u in self.unknowns), *totals])
 
     @cached_property
     def trigonometric(self) -> bool:

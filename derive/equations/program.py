@@ -20,6 +20,7 @@ __all__ = [
     "assign",
     "differentiate",
     "evaluate",
+    "gradient",
     "merged",
     "prune",
 ]
@@ -107,13 +108,9 @@ def differentiate(
                     continue
                 if rates and (symbol, direction) in rates:
                     derivative = rates[symbol, direction]
-                elif expression.is_Pow and expression.exp == sp.Rational(1, 2):
-                    derivative = derivative_of(expression.base, moving) / (2 * symbol)
-                elif isinstance(expression, sp.Abs):
-                    inner = expression.args[0]
-                    derivative = inner * derivative_of(inner, moving) / symbol
                 else:
-                    derivative = derivative_of(expression, moving)
+                    factor, inner = _outer_derivative(symbol, expression)
+                    derivative = factor * derivative_of(inner, moving)
                 if derivative == 0:
                     continue
                 step, (value,) = assign("", [name], [derivative])
@@ -122,6 +119,50 @@ def differentiate(
             if assignments:
                 result.append(Stage(f"d/d{direction} of: {stage.title}", tuple(assignments)))
     return tuple(result), derivatives
+
+
+def gradient(
+    stages: Sequence[Stage], expression: sp.Expr, inputs: Sequence[sp.Symbol]
+) -> tuple[tuple[Stage, ...], list[sp.Expr]]:
+    """Derivatives of one expression by all inputs, backwards through the stages.
+
+    Reverse accumulation (Linnainmaa 1970): its length does not grow with the number of inputs.
+    The stages that come first assign the derivatives by the symbols of the given stages, to be
+    placed after these.
+    """
+    terms: dict[sp.Symbol, list[sp.Expr]] = {}
+
+    def add(factor: sp.Expr, value: sp.Expr) -> None:
+        for symbol in sorted(value.free_symbols, key=str):
+            terms.setdefault(symbol, []).append(factor * partial_derivative(value, symbol))
+
+    add(sp.Integer(1), sp.sympify(expression))
+    result = []
+    for stage in reversed(stages):
+        assignments: list[tuple[sp.Symbol, sp.Expr]] = []
+        for symbol, value in reversed(stage.assignments):
+            total = sp.Add(*terms.pop(symbol, []))
+            if total == 0:
+                continue
+            step, (slope,) = assign("", [f"slope_by_{symbol}"], [total])
+            assignments += step.assignments
+            factor, inner = _outer_derivative(symbol, value)
+            add(slope * factor, inner)
+        if assignments:
+            result.append(Stage(f"back through: {stage.title}", tuple(assignments)))
+    return tuple(result), [sp.Add(*terms.get(symbol, [])) for symbol in inputs]
+
+
+def _outer_derivative(symbol: sp.Symbol, expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Factor and inner expression of the derivative of a symbol that is assigned an expression.
+
+    Roots and absolute values are in the factor as the symbol itself.
+    """
+    if expression.is_Pow and expression.exp == sp.Rational(1, 2):
+        return 1 / (2 * symbol), expression.base
+    if isinstance(expression, sp.Abs):
+        return expression.args[0] / symbol, expression.args[0]
+    return sp.Integer(1), expression
 
 
 def derivative_of(expression: sp.Expr, moving: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
